@@ -1,0 +1,43 @@
+/* wrc_status.h - every status a wrc call can return: the one registry.
+ *
+ * The enum below, the texts of wrc_status_text(), the Fortran parameters and the table in the manual all come
+ * from WRC_STATUS_LIST. Values are pinned: a value is never reused or renumbered.
+ *
+ *   0   done
+ *   >0  done and usable, with something worth knowing (a flag)
+ *   <0  not done: every output of the call is zeroed and the object stays usable for the next call
+ */
+#ifndef WRC_STATUS_H
+#define WRC_STATUS_H
+
+/* X(name, value, text) */
+#define WRC_STATUS_LIST(X)                                                                              \
+  X(WRC_OK, 0, "done")                                                                                  \
+  X(WRC_FLAG_NO_CONTACT, 1, "the bodies do not touch: all forces are zero")                             \
+  X(WRC_FLAG_ITERATION_CAP, 2, "an iteration reached its cap: the last iterate is returned")            \
+  X(WRC_FLAG_PATCH_AT_EDGE, 3, "the patch reaches the edge of the given gap or profile")                \
+  X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches exist than the configuration has room for")         \
+  X(WRC_FLAG_TABLE_RANGE, 5, "the patch is more slender than the coefficient tables: their end is used") \
+  X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
+  X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is not that of a known version of the struct")              \
+  X(WRC_ERROR_NOT_FINITE, -3, "a value is NaN or infinite")                                             \
+  X(WRC_ERROR_RANGE, -4, "a value lies outside its allowed range")                                      \
+  X(WRC_ERROR_PROFILE, -5, "a profile cannot be used")                                                  \
+  X(WRC_ERROR_GAP, -6, "the undeformed gap cannot be used")                                             \
+  X(WRC_ERROR_LOAD, -7, "the gap cannot carry the prescribed load or approach")                         \
+  X(WRC_ERROR_BUFFER, -8, "the memory handed over is too small or misaligned")                          \
+  X(WRC_ERROR_MEMORY, -9, "memory could not be allocated")                                              \
+  X(WRC_ERROR_SEQUENCE, -10, "a stage was called before the stage whose result it needs")               \
+  X(WRC_ERROR_UNSUPPORTED, -11, "the requested method, version or combination does not exist")          \
+  X(WRC_ERROR_FILE, -12, "a file cannot be read or written")                                            \
+  X(WRC_ERROR_CANCELLED, -13, "the caller cancelled the work")                                          \
+  X(WRC_ERROR_INTERNAL, -14, "internal error: please report it")
+
+#define WRC_STATUS_ENUM(name, value, text) name = value,
+enum wrc_status {
+  WRC_STATUS_LIST(WRC_STATUS_ENUM)
+  WRC_STATUS_LAST = -14 /* the most negative status, for loops over all of them */
+};
+#undef WRC_STATUS_ENUM
+
+#endif

@@ -1,0 +1,38 @@
+/// The normal problem every method of this room solves, and the solution it returns.
+#pragma once
+
+#include <cstdint>
+
+#include "fault.hpp"
+#include "patch/gap.hpp"
+#include "patch/material.hpp"
+#include "patch/strips.hpp"
+
+namespace wrc {
+
+/// Which of the two is given; the other is a result.
+enum class Prescribed { load, approach };
+
+struct NormalProblem {
+  GapRows gap;
+  Material material;
+  Prescribed prescribed = Prescribed::load;
+  double normal_force = 0.0;  ///< [N], prescribed == load
+  double approach = 0.0;      ///< [m], prescribed == approach: how far the bodies are pressed together beyond
+                              ///< first touch (gap minimum taken as zero)
+  std::int32_t strips = 0;    ///< strips to divide the patch into
+  std::int32_t max_iterations = 0;  ///< cap of the root find
+  double force_tolerance = 0.0;     ///< relative error of the load at which the root find stops
+};
+
+struct NormalSolution {
+  double approach = 0.0;        ///< [m]
+  double normal_force = 0.0;    ///< [N]
+  double stiffness = 0.0;       ///< d normal_force / d approach [N/m]
+  double peak_pressure = 0.0;   ///< [Pa]
+  double area = 0.0;            ///< [m^2]
+  double y_contact = 0.0;       ///< y of the gap's minimum, the initial contact point of this gap [m]
+  std::int32_t iterations = 0;  ///< of the root find; evaluations of the method at a trial approach
+};
+
+}  // namespace wrc

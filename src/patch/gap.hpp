@@ -1,0 +1,48 @@
+/// The undeformed gap between the bodies around the initial contact point, as rows along the rolling
+/// direction.
+///
+///     h(x, y_j) = height[j] + 1/2 curvature[j] (x - centre[j])^2      [m]
+///
+/// measured along the contact normal, in the contact frame (x rolling, y lateral, origin at the initial
+/// contact point). A wheel's section at fixed y is this parabola to 1e-4 relative over any contact patch (|x|
+/// << radius); yaw enters as centre[j] != 0: the lowest points of the rows move along the contact locus.
+#pragma once
+
+#include <cstdint>
+
+#include "fault.hpp"
+
+namespace wrc {
+
+/// Rows ordered by strictly increasing y, at least four of them; memory is the owner's.
+struct GapRows {
+  std::int32_t count = 0;
+  const double* y = nullptr;          ///< [m]
+  const double* height = nullptr;     ///< smallest gap of the row [m]; may be negative
+  const double* centre = nullptr;     ///< x of that smallest gap [m]
+  const double* curvature = nullptr;  ///< d2h/dx2 > 0 [1/m]
+};
+
+/// The gap of the row at one y, between the given rows.
+struct GapRow {
+  double height = 0.0;
+  double slope = 0.0;  ///< d height / dy [-]
+  double centre = 0.0;
+  double curvature = 0.0;
+};
+
+/// Interpolates the rows at y: cubic Hermite with three-point slopes in height (C1, so that patch borders
+/// move smoothly), linear in centre and curvature. y outside the rows is clamped to the first or last row.
+GapRow interpolate(const GapRows& rows, double y);
+
+/// Index of the row with the smallest height.
+std::int32_t lowest_row(const GapRows& rows);
+
+/// Where two bodies first touch: minimum of the interpolated height around the lowest row.
+struct GapMinimum {
+  double y = 0.0;
+  double height = 0.0;
+};
+GapMinimum minimum(const GapRows& rows);
+
+}  // namespace wrc
