@@ -1,0 +1,58 @@
+/// Elastic displacement around a line of semi-elliptic pressure, tabulated: the influence function of the
+/// strip half-space solver.
+///
+///   J(tau, xi) = Int_{-1}^{1} sqrt(1 - t^2) / sqrt((t - xi)^2 + tau^2) dt
+///
+/// is the displacement at lateral distance tau and longitudinal distance xi from a line of half length 1 and
+/// peak pressure 1, per unit of lateral width and of normal compliance. On the line's middle plane (xi = 0)
+/// it is the closed form of contact_condition.hpp; elsewhere it needs elliptic integrals of the third kind,
+/// and a table costs a tenth of them.
+///
+/// J is singular only on the line itself. In the spheroidal coordinates of the line's ends,
+///   chi = (r1 + r2) / 2 >= 1,  eta = (r1 - r2) / 2 in 0..1,  r1,2 = distances to the ends,
+/// it is smooth in eta' = sqrt(1 - eta) and, towards the line, linear in log(chi - 1). The tables are
+/// therefore linear between nodes that stand in every octave of chi - 1 (or tau) at equal distances: the node
+/// is read off the bits of the number, no logarithm is taken.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace wrc {
+
+/// A function of x > 0 on nodes at equal distances within each octave.
+struct OctaveAxis {
+  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
+  int octaves;
+  int bits_per_octave;  ///< 2^bits intervals in each octave
+
+  constexpr int intervals() const { return octaves << bits_per_octave; }
+};
+
+/// About 100 kB, immutable after tabulate(); one serves all threads.
+struct StripKernel {
+  static constexpr OctaveAxis distance_axis{-12, 20, 6};  // tau = 2.4e-4 .. 256
+  static constexpr OctaveAxis chi_axis{-18, 26, 4};       // chi - 1 = 3.8e-6 .. 256
+  static constexpr int eta_intervals = 24;
+
+  std::array<double, distance_axis.intervals() + 1> on_middle_plane;  ///< J(tau, 0)
+  std::array<double, distance_axis.intervals() + 1> mean_under;       ///< mean of J(s, 0) over 0 < s < tau
+  std::array<double, (chi_axis.intervals() + 1) * (eta_intervals + 1)> anywhere;
+
+  /// J(tau, 0), tau > 0; relative error below 1e-4.
+  double middle_plane(double tau) const noexcept;
+  /// Mean of J(s, 0) over |s| < tau: a strip seen from its own middle, tau = half its width.
+  double own_middle(double tau) const noexcept;
+  /// J(tau, xi), tau > 0; relative error below 1e-3.
+  double at(double tau, double xi) const noexcept;
+  /// Mean of J(s, 1) over |s| < tau: a strip seen from its own leading edge.
+  double own_edge(double tau) const noexcept;
+};
+
+/// Fills the tables (some milliseconds; at init, not in a step).
+void tabulate(StripKernel& kernel) noexcept;
+
+/// J by quadrature, tau > 0: what the tables are made from [-].
+double line_potential(double tau, double xi) noexcept;
+
+}  // namespace wrc
