@@ -13,23 +13,11 @@ struct Run {
   double y_from, y_to;       // borders [m]
 };
 
-/// Distance from the middle of the outermost strip to where l^2 vanishes, at most to the far side of the next
-/// strip.
-double overhang(const SolvedStrips& solved, std::int32_t outer, std::int32_t inner) {
-  const double half_width = 0.5 * solved.width[outer];
-  if (outer == inner) return half_width;
-  const double l2_outer = solved.half_length[outer] * solved.half_length[outer];
-  const double l2_inner = solved.half_length[inner] * solved.half_length[inner];
-  if (l2_inner <= l2_outer) return half_width;
-  const double reach = std::abs(solved.y[outer] - solved.y[inner]) * l2_outer / (l2_inner - l2_outer);
-  return std::min(reach, 3.0 * half_width);
-}
-
 Run run_from(const SolvedStrips& solved, std::int32_t first) {
   Run run{first, first, 0.0, 0.0};
   while (run.last + 1 < solved.count && solved.region[run.last + 1] == solved.region[first]) ++run.last;
-  run.y_from = solved.y[first] - overhang(solved, first, std::min(first + 1, run.last));
-  run.y_to = solved.y[run.last] + overhang(solved, run.last, std::max(run.last - 1, first));
+  run.y_from = solved.y[first] - 0.5 * solved.width[first];
+  run.y_to = solved.y[run.last] + 0.5 * solved.width[run.last];
   return run;
 }
 

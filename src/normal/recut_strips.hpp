@@ -16,11 +16,10 @@ struct SolvedStrips {
   const std::int32_t* region = nullptr;
 };
 
-/// Cuts every patch (run of one region) into strips of equal width between the borders where l^2, linear
-/// through the last two strips, comes to zero: a strip about to enter or leave has l = 0, so borders, area
-/// and line load move continuously. In between l^2 and p / l are linear. `count` strips are shared out by the
-/// patches' width, at least four each while they last; pressures are scaled so that each patch carries what
-/// it carried, which is returned in total [N].
+/// Cuts every patch (run of one region) into strips of equal width. Between the solution's strips, and from
+/// the last one to the border of the patch, where it vanishes, l^2 is linear; so is p / l. `count` strips are
+/// shared out by the patches' width, at least four each while they last; pressures are scaled so that each
+/// patch carries what it carried, which is returned in total [N].
 double recut_strips(const SolvedStrips& solved, std::int32_t count, Strips& strips) noexcept;
 
 }  // namespace wrc

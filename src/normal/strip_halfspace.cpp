@@ -17,9 +17,18 @@ namespace {
 /// margin.
 constexpr double depth_per_approach = 0.85;
 
+/// A strip enters when the bodies would overlap by this part of the approach: rounding must not decide.
+constexpr double overlap_to_enter = 1e-4;
+
+/// Strips of the solver for strips of the result: the solver's stand where they are needed.
+std::int32_t collocation_strips(std::int32_t strips) { return std::max((4 * strips) / 5, std::int32_t{4}); }
+
 /// The solver's strips; arrays in the workspace, all `grid.count` long.
 struct System {
   CollocationGrid grid;
+  double* cell_y =
+      nullptr;  ///< the strip as the grid has it; the outermost ones of a patch are fitted to its border
+  double* cell_width = nullptr;
   double* height = nullptr;     ///< over the lowest point [m]
   double* curvature = nullptr;  ///< d2h/dx2 [1/m]
   double* gap_centre = nullptr;
@@ -32,14 +41,14 @@ struct System {
   double* matrix = nullptr;  ///< of the active strips
   double* by_approach = nullptr;
   double* by_height = nullptr;
-  double* length_change = nullptr;  ///< ln(l_new / l)
+  double* level = nullptr;          ///< p / l the edge conditions ask for [Pa/m]
   double* centre_change = nullptr;  ///< [m]
   std::int32_t* active = nullptr;   ///< indices of the strips in contact
   std::int32_t active_count = 0;
   bool skewed = false;
 };
 
-constexpr std::int64_t arrays_of_doubles = 15;
+constexpr std::int64_t arrays_of_doubles = 17;
 constexpr std::int64_t arrays_of_indices = 2;
 
 System lay_out(NormalWorkspace& workspace, std::int32_t n) {
@@ -52,8 +61,9 @@ System lay_out(NormalWorkspace& workspace, std::int32_t n) {
   System s;
   s.grid.y = take(n);
   s.grid.width = take(n);
-  for (double** field : {&s.height, &s.curvature, &s.gap_centre, &s.half_length, &s.inverse_length, &s.centre,
-                         &s.peak, &s.by_approach, &s.by_height, &s.length_change, &s.centre_change})
+  for (double** field :
+       {&s.cell_y, &s.cell_width, &s.height, &s.curvature, &s.gap_centre, &s.half_length, &s.inverse_length,
+        &s.centre, &s.peak, &s.by_approach, &s.by_height, &s.level, &s.centre_change})
     *field = take(n);
   s.influence = take(static_cast<std::int64_t>(n) * n);
   s.matrix = take(static_cast<std::int64_t>(n) * n);
@@ -73,25 +83,33 @@ double start_value(const StripHalfspaceStart& start, const double* value, double
   return value[j - 1] + t * (value[j] - value[j - 1]);
 }
 
+/// Puts strip j at y with the gap's row there.
+void put(const GapRows& rows, double lowest_height, std::int32_t j, double y, double width, System& s) {
+  const GapRow row = interpolate(rows, y);
+  s.grid.y[j] = y;
+  s.grid.width[j] = width;
+  s.height[j] = row.height - lowest_height;
+  s.curvature[j] = row.curvature;
+  s.gap_centre[j] = row.centre;
+}
+
 /// Places the strips and gives them a first half length: half the virtual penetration for a cold start.
 void place(const NormalProblem& problem, const GapMinimum& lowest, double approach, double depth,
            const StripHalfspaceStart& start, System& s) {
-  const GapRows& rows = problem.gap;
-  build_collocation_grid(rows, lowest.height, depth, problem.strips, s.grid);
+  build_collocation_grid(problem.gap, lowest.height, depth, collocation_strips(problem.strips), s.grid);
   s.skewed = false;
   s.active_count = 0;
   for (std::int32_t j = 0; j < s.grid.count; ++j) {
-    const GapRow row = interpolate(rows, s.grid.y[j]);
-    s.height[j] = row.height - lowest.height;
-    s.curvature[j] = row.curvature;
-    s.gap_centre[j] = row.centre;
-    s.skewed = s.skewed || row.centre != s.gap_centre[0];
-    const double smallest = 0.06 * approach / row.curvature;
-    const double cold = (approach - 2.0 * s.height[j]) / row.curvature;
+    s.cell_y[j] = s.grid.y[j];
+    s.cell_width[j] = s.grid.width[j];
+    put(problem.gap, lowest.height, j, s.cell_y[j], s.cell_width[j], s);
+    s.skewed = s.skewed || s.gap_centre[j] != s.gap_centre[0];
+    const double smallest = 0.06 * approach / s.curvature[j];
+    const double cold = (approach - 2.0 * s.height[j]) / s.curvature[j];
     const bool warm = start.count > 1;
     const double squared = warm ? start_value(start, start.length_squared, s.grid.y[j]) : cold;
     s.half_length[j] = std::sqrt(std::max(squared, smallest));
-    s.centre[j] = row.centre + (warm ? start_value(start, start.shift, s.grid.y[j]) : 0.0);
+    s.centre[j] = s.gap_centre[j] + (warm ? start_value(start, start.shift, s.grid.y[j]) : 0.0);
     if (s.height[j] < 0.7 * approach) s.active[s.active_count++] = j;
   }
   if (s.active_count == 0) s.active[s.active_count++] = 0;
@@ -129,7 +147,7 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
   const std::int32_t n = s.grid.count;
   const double compliance = problem.material.normal_compliance();
   double approach = problem.approach;
-  constexpr int rounds = 6;
+  constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
     const std::int32_t m = s.active_count;
     for (std::int32_t a = 0; a < m; ++a) {
@@ -175,14 +193,13 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
           const double* const row = s.influence + static_cast<std::int64_t>(j) * n;
           double displacement = 0.0;
           for (std::int32_t i = 0; i < n; ++i) displacement += row[i] * s.peak[i];
-          in = compliance * displacement < approach - s.height[j];
+          in = compliance * displacement < (1.0 - overlap_to_enter) * approach - s.height[j];
           changed = changed || in;
         }
-        // by_height is free by now and keeps the new list until the old one has been read.
-        if (in) s.length_change[next_count++] = j;
+        // level is free by now and keeps the new list until the old one has been read.
+        if (in) s.level[next_count++] = j;
       }
-      for (std::int32_t k = 0; k < next_count; ++k)
-        s.active[k] = static_cast<std::int32_t>(s.length_change[k]);
+      for (std::int32_t k = 0; k < next_count; ++k) s.active[k] = static_cast<std::int32_t>(s.level[k]);
     }
     s.active_count = next_count;
     if (!changed || next_count == 0) break;
@@ -207,52 +224,37 @@ double edge_displacement(const StripKernel& kernel, const System& s, std::int32_
   return sum;
 }
 
-/// Means of three neighbours, 1/4 1/2 1/4, within each run of touching active strips.
-void smooth(const System& s, double* change) {
-  double before = change[0];
-  for (std::int32_t a = 0; a < s.active_count; ++a) {
-    const double here = change[a];
-    const bool left = a > 0 && s.active[a - 1] == s.active[a] - 1 &&
-                      s.grid.region[s.active[a - 1]] == s.grid.region[s.active[a]];
-    const bool right = a + 1 < s.active_count && s.active[a + 1] == s.active[a] + 1 &&
-                       s.grid.region[s.active[a + 1]] == s.grid.region[s.active[a]];
-    double from_left = left ? before : here;
-    double from_right = right ? change[a + 1] : here;
-    if (!left && right) from_left = from_right;
-    if (left && !right) from_right = from_left;
-    change[a] = 0.25 * from_left + 0.5 * here + 0.25 * from_right;
-    before = here;
-  }
-}
-
 /// True if active strips number a and a + 1 touch.
 bool touch(const System& s, std::int32_t a) {
   return s.active[a + 1] == s.active[a] + 1 && s.grid.region[s.active[a + 1]] == s.grid.region[s.active[a]];
 }
 
-/// The outermost strip of a patch takes its length from its load instead: p / l is smooth across the border
-/// of a patch, where p and l go to zero together, and q = (pi/2) p l is what the centre condition gives. A
-/// strip that has just entered so finds its length at once.
-void settle_ends(System& s) {
+/// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch count as their
+/// inner neighbours.
+void smooth(const System& s, double* value) {
+  double before = value[0];
   for (std::int32_t a = 0; a < s.active_count; ++a) {
+    const double here = value[a];
     const bool left = a > 0 && touch(s, a - 1);
     const bool right = a + 1 < s.active_count && touch(s, a);
-    if (left == right) continue;
-    const std::int32_t j = s.active[a];
-    const std::int32_t inner = s.active[left ? a - 1 : a + 1];
-    const double level = s.peak[inner] * s.inverse_length[inner];
-    const double ratio = s.peak[j] * s.inverse_length[j] / level;  // l_new^2 / l^2 at constant p l
-    s.length_change[a] = (std::clamp(ratio, 0.1, 10.0) - 1.0) / (std::clamp(ratio, 0.1, 10.0) + 1.0);
+    if (left && right)
+      value[a] = 0.25 * before + 0.5 * here + 0.25 * value[a + 1];
+    else if (left)
+      value[a] = before;
+    else if (right)
+      value[a] = value[a + 1];
+    before = here;
   }
 }
 
-/// Moves lengths and centres towards the edge conditions.
+/// Moves lengths and centres towards the edge conditions; returns how much area moved, over the area [-].
 ///
 /// In a long contact, q = (pi/2) p l is what the centre condition fixes and l^2 = 4 c q / curvature: the
-/// length that the present displacement drop asks for is therefore l sqrt(drop / (curvature l^2 / 2)), at
-/// constant q. A single thin strip hardly feels its own length, only that of its neighbourhood: changes are
-/// smoothed over three strips, or the sawtooth between neighbours, which no condition holds, would grow.
-void move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach, System& s) {
+/// displacement drop from centre to edge therefore asks for a level p / l that is smaller by drop /
+/// (curvature l^2 / 2), at constant q. A single thin strip hardly feels its own length, only that of its
+/// neighbourhood: a sawtooth of lengths meets every condition. The level is smooth along y, also at the ends
+/// of a patch where p and l vanish together, so it is the level that is averaged over three strips.
+double move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach, System& s) {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
@@ -261,29 +263,71 @@ void move_edges(const NormalProblem& problem, const StripKernel& kernel, double 
     const double trailing = s.skewed ? compliance * edge_displacement(kernel, s, j, -1.0) : leading;
     const double drop = approach - s.height[j] - 0.5 * (leading + trailing);
     const double ratio = std::clamp(drop / (0.5 * s.curvature[j] * l * l), 0.25, 4.0);
-    s.length_change[a] = 0.5 * (ratio - 1.0) / (0.5 + 0.5 * ratio);  // about ln(ratio) / 2
+    s.level[a] = s.peak[j] * s.inverse_length[j] / ratio;
     // h(edge, leading) - h(edge, trailing) = 2 curvature l (x_c - gap_centre)
     const double wanted = s.gap_centre[j] - (leading - trailing) / (2.0 * l * s.curvature[j]);
     s.centre_change[a] = 0.5 * (wanted - s.centre[j]);
   }
-  smooth(s, s.length_change);
-  settle_ends(s);
+  smooth(s, s.level);
   if (s.skewed) smooth(s, s.centre_change);
+
+  double moved = 0.0, area = 0.0;
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
-    const double d = 0.5 * s.length_change[a];
-    s.half_length[j] *= (1.0 + d) / (1.0 - d);  // about exp(length_change), and positive
+    const double wanted = s.peak[j] * s.inverse_length[j] / s.level[a];  // l_new^2 / l^2
+    const double stretch = std::sqrt(std::clamp(wanted, 0.1, 10.0));
+    moved += std::abs(stretch - 1.0) * s.half_length[j] * s.grid.width[j];
+    area += s.half_length[j] * s.grid.width[j];
+    s.half_length[j] *= stretch;
+    s.peak[j] /= stretch;
     const double reach = 0.5 * s.half_length[j];
     s.centre[j] =
         std::clamp(s.centre[j] + s.centre_change[a], s.gap_centre[j] - reach, s.gap_centre[j] + reach);
   }
+  return moved / area;
 }
 
-double active_area(const System& s) {
-  double area = 0.0;
-  for (std::int32_t a = 0; a < s.active_count; ++a)
-    area += 2.0 * s.half_length[s.active[a]] * s.grid.width[s.active[a]];
-  return area;
+/// Fits the outermost strips of every patch to its border, where l^2, linear through the last two strips,
+/// vanishes. Between half a cell and one and a half of the outermost strip stretches; beyond, the next one is
+/// in contact or this one no longer is. Without it a strip the border runs through counts as wholly in
+/// contact, and area jumps by cells.
+void fit_ends(const GapRows& rows, double lowest_height, System& s) {
+  const auto refit = [&](std::int32_t j, double y, double width, double half_length) {
+    const double centre_before = s.gap_centre[j];
+    s.peak[j] *= s.half_length[j] * s.grid.width[j] / (half_length * width);  // the strip's load stays
+    s.half_length[j] = half_length;
+    put(rows, lowest_height, j, y, width, s);
+    s.centre[j] += s.gap_centre[j] - centre_before;
+  };
+  std::int32_t kept = 0;
+  std::int32_t before = -2;  // the strip in contact before this one
+  for (std::int32_t a = 0; a < s.active_count; ++a) {
+    const std::int32_t j = s.active[a];
+    const bool left = before == j - 1 && s.grid.region[before] == s.grid.region[j];
+    const bool right = a + 1 < s.active_count && touch(s, a);
+    before = j;
+    if (left != right) {
+      const double side = left ? 1.0 : -1.0;  // where the border is, seen from the strip
+      const std::int32_t inner = left ? j - 1 : j + 1;
+      const double l2 = s.half_length[j] * s.half_length[j];
+      const double inner_l2 = s.half_length[inner] * s.half_length[inner];
+      const double slope = (inner_l2 - l2) / std::abs(s.grid.y[inner] - s.grid.y[j]);
+      if (slope > 0.0) {
+        const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
+        double extent = side * (s.grid.y[j] - inner_border) + l2 / slope;
+        if (extent < 0.5 * s.cell_width[j]) {
+          s.peak[j] = 0.0;
+          continue;
+        }
+        extent = std::min(extent, 1.5 * s.cell_width[j]);
+        refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
+      }
+    } else if (s.grid.width[j] != s.cell_width[j]) {
+      refit(j, s.cell_y[j], s.cell_width[j], s.half_length[j]);
+    }
+    s.active[kept++] = j;
+  }
+  s.active_count = kept;
 }
 
 /// The outermost strips of the grid are in contact: the margin was too small.
@@ -322,19 +366,14 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   bool converged = false;
   for (int attempt = 0; attempt < widenings; ++attempt) {
     place(problem, lowest, approach, depth, start, s);
-    double area = 0.0;
     converged = false;
     for (std::int32_t sweep = 0; sweep < options.max_sweeps && !converged; ++sweep) {
       build_influence(kernel, s);
-      const double before = approach;
       approach = solve_pressures(problem, s, solution.stiffness);
       ++solution.iterations;
       if (s.active_count == 0) break;
-      const double next_area = active_area(s);
-      converged = sweep > 0 && std::abs(approach - before) <= options.tolerance * approach &&
-                  std::abs(next_area - area) <= options.tolerance * area;
-      area = next_area;
-      if (!converged) move_edges(problem, kernel, approach, s);
+      converged = move_edges(problem, kernel, approach, s) <= options.tolerance;
+      fit_ends(rows, lowest.height, s);
     }
     if (!touches_the_grids_end(s) || s.grid.at_edge) break;
     depth *= 1.4;

@@ -29,7 +29,7 @@ namespace wrc {
 
 struct StripHalfspaceOptions {
   std::int32_t max_sweeps = 12;
-  double tolerance = 2e-3;  ///< of area and approach between two sweeps, relative
+  double tolerance = 1e-2;  ///< a sweep that moves less of the area is the last [-]
 };
 
 /// Scratch memory of a solve; nothing in it outlives the call.
