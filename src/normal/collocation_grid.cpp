@@ -95,11 +95,19 @@ void build_collocation_grid(const GapRows& rows, double lowest_height, double de
     height[static_cast<std::size_t>(i)] = interpolate(rows, y_from + (i - curvature_reach) * step).height;
   const double reach = curvature_reach * step;
   const double floor_curvature = 2.0 * depth / ((y_to - y_from) * (y_to - y_from));
-  const auto density = [&](int i) {
-    const double* h = height.data() + i;
+  std::array<double, samples + 1> local;
+  for (int i = 0; i <= samples; ++i) {
+    const double* const h = height.data() + i;
     const double second =
         std::abs(h[0] - 2.0 * h[curvature_reach] + h[2 * curvature_reach]) / (reach * reach);
-    return std::sqrt(second + floor_curvature);
+    local[static_cast<std::size_t>(i)] = std::sqrt(second + floor_curvature);
+  }
+  // Averaged over the reach, so that neighbouring strips are of similar width.
+  const auto density = [&](int i) {
+    double sum = 0.0;
+    for (int k = i - curvature_reach; k <= i + curvature_reach; ++k)
+      sum += local[static_cast<std::size_t>(std::clamp(k, 0, samples))];
+    return sum;
   };
 
   WeightLine line;

@@ -299,7 +299,6 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
     put(rows, lowest_height, j, y, width, s);
     s.centre[j] += s.gap_centre[j] - centre_before;
   };
-  std::int32_t kept = 0;
   std::int32_t before = -2;  // the strip in contact before this one
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
@@ -314,20 +313,14 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
       const double slope = (inner_l2 - l2) / std::abs(s.grid.y[inner] - s.grid.y[j]);
       if (slope > 0.0) {
         const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
-        double extent = side * (s.grid.y[j] - inner_border) + l2 / slope;
-        if (extent < 0.5 * s.cell_width[j]) {
-          s.peak[j] = 0.0;
-          continue;
-        }
-        extent = std::min(extent, 1.5 * s.cell_width[j]);
+        const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
+        const double extent = std::clamp(reach, 0.3 * s.cell_width[j], 1.5 * s.cell_width[j]);
         refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
       }
     } else if (s.grid.width[j] != s.cell_width[j]) {
       refit(j, s.cell_y[j], s.cell_width[j], s.half_length[j]);
     }
-    s.active[kept++] = j;
   }
-  s.active_count = kept;
 }
 
 /// The outermost strips of the grid are in contact: the margin was too small.
