@@ -21,7 +21,7 @@ constexpr double depth_per_approach = 0.85;
 constexpr double overlap_to_enter = 1e-4;
 
 /// Strips of the solver for strips of the result: the solver's stand where they are needed.
-std::int32_t collocation_strips(std::int32_t strips) { return std::max((4 * strips) / 5, std::int32_t{4}); }
+std::int32_t collocation_strips(std::int32_t strips) { return std::max((7 * strips) / 10, std::int32_t{4}); }
 
 /// The solver's strips; arrays in the workspace, all `grid.count` long.
 struct System {
@@ -123,21 +123,25 @@ inline double width_correction(double w, double l, double r2) {
 }
 
 void build_influence(const StripKernel& kernel, System& s) {
+  constexpr std::int32_t near = 8;  // strips away: beyond, the correction is below 2e-3 of an entry
   const std::int32_t n = s.grid.count;
   for (std::int32_t i = 0; i < n; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
   for (std::int32_t j = 0; j < n; ++j) {
     double* const row = s.influence + static_cast<std::int64_t>(j) * n;
     for (std::int32_t i = 0; i < n; ++i) {
-      const double dy = s.grid.y[i] - s.grid.y[j];
-      const double dx = s.centre[i] - s.centre[j];
-      const double r2 = dy * dy + dx * dx;
-      const double w = s.grid.width[i];
-      const double l = s.half_length[i];
-      if (i == j)
-        row[i] = w * kernel.own_middle(0.5 * w * s.inverse_length[i]);
-      else
-        row[i] = w * (kernel.middle_plane(std::sqrt(r2) * s.inverse_length[i]) + width_correction(w, l, r2));
+      double distance = std::abs(s.grid.y[i] - s.grid.y[j]);
+      if (s.skewed) {
+        const double dx = s.centre[i] - s.centre[j];
+        distance = std::sqrt(distance * distance + dx * dx);
+      }
+      row[i] = s.grid.width[i] * kernel.middle_plane(distance * s.inverse_length[i]);
     }
+    for (std::int32_t i = std::max(j - near, 0); i < std::min(j + near + 1, n); ++i) {
+      if (i == j) continue;
+      const double distance = s.grid.y[i] - s.grid.y[j];
+      row[i] += s.grid.width[i] * width_correction(s.grid.width[i], s.half_length[i], distance * distance);
+    }
+    row[j] = s.grid.width[j] * kernel.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
   }
 }
 

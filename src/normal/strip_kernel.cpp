@@ -1,7 +1,6 @@
 #include "normal/strip_kernel.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "normal/contact_condition.hpp"
@@ -11,43 +10,11 @@
 namespace wrc {
 namespace {
 
-constexpr int mantissa_bits = 52;
-constexpr std::int64_t exponent_bias = 1023;
-
-struct Node {
-  std::int64_t index;
-  double fraction;
-};
-
-/// Interval of the axis that holds x, and where in it x lies. x outside the axis is taken to its ends.
-inline Node locate(const OctaveAxis& axis, double x) {
-  const double low = std::bit_cast<double>((exponent_bias + axis.lowest_exponent) << mantissa_bits);
-  const double high =
-      std::bit_cast<double>((exponent_bias + axis.lowest_exponent + axis.octaves) << mantissa_bits);
-  const bool below = x <= low;
-  x = below ? low : x;
-  if (x >= high) return {axis.intervals() - 1, 1.0};
-  const auto bits = std::bit_cast<std::int64_t>(x);
-  const int shift = mantissa_bits - axis.bits_per_octave;
-  const std::int64_t index =
-      (bits >> shift) - ((exponent_bias + axis.lowest_exponent) << axis.bits_per_octave);
-  const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
-  const double scale = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
-  return {index, static_cast<double>(rest) * scale};
-}
-
 double node_value(const OctaveAxis& axis, int index) {
   const int octave = index >> axis.bits_per_octave;
   const int within = index & ((1 << axis.bits_per_octave) - 1);
   return std::ldexp(1.0 + std::ldexp(static_cast<double>(within), -axis.bits_per_octave),
                     axis.lowest_exponent + octave);
-}
-
-template <std::size_t size>
-inline double read(const OctaveAxis& axis, const std::array<double, size>& values, double x) {
-  const Node node = locate(axis, x);
-  const double* value = values.data() + node.index;
-  return value[0] + node.fraction * (value[1] - value[0]);
 }
 
 /// asinh, odd.
@@ -109,29 +76,6 @@ void tabulate(StripKernel& kernel) noexcept {
       kernel.anywhere[static_cast<std::size_t>(i * (StripKernel::eta_intervals + 1) + j)] =
           line_potential(std::max(tau, 1e-6), (1.0 + x) * eta);
     }
-}
-
-double StripKernel::middle_plane(double tau) const noexcept {
-  return read(distance_axis, on_middle_plane, tau);
-}
-
-double StripKernel::own_middle(double tau) const noexcept { return read(distance_axis, mean_under, tau); }
-
-double StripKernel::at(double tau, double xi) const noexcept {
-  const double tau2 = tau * tau;
-  const double to_trailing = std::sqrt((xi + 1.0) * (xi + 1.0) + tau2);
-  const double to_leading = std::sqrt((xi - 1.0) * (xi - 1.0) + tau2);
-  const double x = 0.5 * (to_trailing + to_leading) - 1.0;
-  const double one_minus_eta = 1.0 - 0.5 * std::abs(to_trailing - to_leading);
-  const Node node = locate(chi_axis, x);
-  const double v = std::sqrt(std::max(0.0, one_minus_eta)) * eta_intervals;
-  const int column = std::min(static_cast<int>(v), eta_intervals - 1);
-  const double g = v - column;
-  const double* low = anywhere.data() + node.index * (eta_intervals + 1) + column;
-  const double* high = low + eta_intervals + 1;
-  const double at_low = low[0] + g * (low[1] - low[0]);
-  const double at_high = high[0] + g * (high[1] - high[0]);
-  return at_low + node.fraction * (at_high - at_low);
 }
 
 double StripKernel::own_edge(double tau) const noexcept {

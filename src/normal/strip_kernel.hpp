@@ -15,7 +15,10 @@
 /// is read off the bits of the number, no logarithm is taken.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace wrc {
@@ -27,6 +30,25 @@ struct OctaveAxis {
   int bits_per_octave;  ///< 2^bits intervals in each octave
 
   constexpr int intervals() const { return octaves << bits_per_octave; }
+
+  /// Interval that holds x, and where in it x lies (0..1). x outside the axis is taken to its ends.
+  struct Place {
+    std::int64_t index;
+    double fraction;
+  };
+  Place locate(double x) const noexcept {
+    constexpr int mantissa_bits = 52;
+    constexpr std::int64_t exponent_bias = 1023;
+    const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
+    const int shift = mantissa_bits - bits_per_octave;
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    const std::int64_t index = (bits >> shift) - first;
+    if (index < 0) return {0, 0.0};
+    if (index >= intervals()) return {intervals() - 1, 1.0};
+    const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
+    const double interval = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
+    return {index, static_cast<double>(rest) * interval};
+  }
 };
 
 /// About 100 kB, immutable after tabulate(); one serves all threads.
@@ -40,13 +62,36 @@ struct StripKernel {
   std::array<double, (chi_axis.intervals() + 1) * (eta_intervals + 1)> anywhere;
 
   /// J(tau, 0), tau > 0; relative error below 1e-4.
-  double middle_plane(double tau) const noexcept;
+  double middle_plane(double tau) const noexcept { return read(on_middle_plane.data(), tau); }
+
   /// Mean of J(s, 0) over |s| < tau: a strip seen from its own middle, tau = half its width.
-  double own_middle(double tau) const noexcept;
-  /// J(tau, xi), tau > 0; relative error below 1e-3.
-  double at(double tau, double xi) const noexcept;
+  double own_middle(double tau) const noexcept { return read(mean_under.data(), tau); }
+
+  /// J(tau, xi), tau > 0; relative error below 2e-3.
+  double at(double tau, double xi) const noexcept {
+    const double tau2 = tau * tau;
+    const double to_trailing = std::sqrt((xi + 1.0) * (xi + 1.0) + tau2);
+    const double to_leading = std::sqrt((xi - 1.0) * (xi - 1.0) + tau2);
+    const double one_minus_eta = 1.0 - 0.5 * std::abs(to_trailing - to_leading);
+    const auto [row, f] = chi_axis.locate(0.5 * (to_trailing + to_leading) - 1.0);
+    const double v = std::sqrt(std::max(0.0, one_minus_eta)) * eta_intervals;
+    const int column = std::min(static_cast<int>(v), eta_intervals - 1);
+    const double g = v - column;
+    const double* const low = anywhere.data() + row * (eta_intervals + 1) + column;
+    const double* const high = low + eta_intervals + 1;
+    const double at_low = low[0] + g * (low[1] - low[0]);
+    const double at_high = high[0] + g * (high[1] - high[0]);
+    return at_low + f * (at_high - at_low);
+  }
+
   /// Mean of J(s, 1) over |s| < tau: a strip seen from its own leading edge.
   double own_edge(double tau) const noexcept;
+
+ private:
+  static double read(const double* values, double tau) noexcept {
+    const auto [index, f] = distance_axis.locate(tau);
+    return values[index] + f * (values[index + 1] - values[index]);
+  }
 };
 
 /// Fills the tables (some milliseconds; at init, not in a step).
