@@ -41,9 +41,9 @@ struct System {
   double* matrix = nullptr;  ///< of the active strips
   double* by_approach = nullptr;
   double* by_height = nullptr;
-  double* level = nullptr;          ///< p / l the edge conditions ask for [Pa/m]
-  double* centre_change = nullptr;  ///< [m]
-  std::int32_t* active = nullptr;   ///< indices of the strips in contact
+  double* level = nullptr;         ///< p / l the edge conditions ask for [Pa/m]
+  double* shift = nullptr;         ///< of the centre against the gap's [m]
+  std::int32_t* active = nullptr;  ///< indices of the strips in contact
   std::int32_t active_count = 0;
   bool skewed = false;
 };
@@ -63,7 +63,7 @@ System lay_out(NormalWorkspace& workspace, std::int32_t n) {
   s.grid.width = take(n);
   for (double** field :
        {&s.cell_y, &s.cell_width, &s.height, &s.curvature, &s.gap_centre, &s.half_length, &s.inverse_length,
-        &s.centre, &s.peak, &s.by_approach, &s.by_height, &s.level, &s.centre_change})
+        &s.centre, &s.peak, &s.by_approach, &s.by_height, &s.level, &s.shift})
     *field = take(n);
   s.influence = take(static_cast<std::int64_t>(n) * n);
   s.matrix = take(static_cast<std::int64_t>(n) * n);
@@ -73,14 +73,25 @@ System lay_out(NormalWorkspace& workspace, std::int32_t n) {
   return s;
 }
 
-/// Value of the start's array at y: linear between its strips, that of the end strips outside.
-double start_value(const StripHalfspaceStart& start, const double* value, double y) {
-  const double* const above = std::upper_bound(start.y, start.y + start.count, y);
-  const auto j = static_cast<std::int32_t>(above - start.y);
-  if (j == 0) return value[0];
-  if (j == start.count) return value[j - 1];
-  const double t = (y - start.y[j - 1]) / (start.y[j] - start.y[j - 1]);
-  return value[j - 1] + t * (value[j] - value[j - 1]);
+/// The start's l^2 and shift at y, linear between its strips; nothing where it had no contact.
+struct Started {
+  bool in_contact = false;
+  double length_squared = 0.0, shift = 0.0;
+};
+Started started(const StripHalfspaceStart& start, double y) {
+  if (start.count == 0) return {};
+  const auto above = static_cast<std::int32_t>(std::upper_bound(start.y, start.y + start.count, y) - start.y);
+  const std::int32_t right = std::min(above, start.count - 1);
+  const std::int32_t left = std::max(above - 1, 0);
+  const bool in_left = std::abs(y - start.y[left]) <= 0.5 * start.width[left];
+  const bool in_right = std::abs(y - start.y[right]) <= 0.5 * start.width[right];
+  if (!in_left && !in_right) return {};
+  const double apart = start.y[right] - start.y[left];
+  const double touching = 0.5 * (start.width[left] + start.width[right]);
+  double t = in_left ? 0.0 : 1.0;
+  if (left != right && apart < 1.01 * touching) t = (y - start.y[left]) / apart;
+  return {true, start.length_squared[left] + t * (start.length_squared[right] - start.length_squared[left]),
+          start.shift[left] + t * (start.shift[right] - start.shift[left])};
 }
 
 /// Puts strip j at y with the gap's row there.
@@ -93,7 +104,8 @@ void put(const GapRows& rows, double lowest_height, std::int32_t j, double y, do
   s.gap_centre[j] = row.centre;
 }
 
-/// Places the strips and gives them a first half length: half the virtual penetration for a cold start.
+/// Places the strips and gives them a first half length: that of the last solution where it had contact, half
+/// the virtual penetration elsewhere.
 void place(const NormalProblem& problem, const GapMinimum& lowest, double approach, double depth,
            const StripHalfspaceStart& start, System& s) {
   build_collocation_grid(problem.gap, lowest.height, depth, collocation_strips(problem.strips), s.grid);
@@ -104,13 +116,16 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     s.cell_width[j] = s.grid.width[j];
     put(problem.gap, lowest.height, j, s.cell_y[j], s.cell_width[j], s);
     s.skewed = s.skewed || s.gap_centre[j] != s.gap_centre[0];
-    const double smallest = 0.06 * approach / s.curvature[j];
-    const double cold = (approach - 2.0 * s.height[j]) / s.curvature[j];
-    const bool warm = start.count > 1;
-    const double squared = warm ? start_value(start, start.length_squared, s.grid.y[j]) : cold;
-    s.half_length[j] = std::sqrt(std::max(squared, smallest));
-    s.centre[j] = s.gap_centre[j] + (warm ? start_value(start, start.shift, s.grid.y[j]) : 0.0);
-    if (s.height[j] < 0.7 * approach) s.active[s.active_count++] = j;
+    const double overlap = approach - 2.0 * s.height[j];
+    s.half_length[j] = std::sqrt(std::max(overlap, 0.06 * approach) / s.curvature[j]);
+    s.centre[j] = s.gap_centre[j];
+    bool in_contact = start.count == 0 && s.height[j] < 0.7 * approach;
+    if (const Started warm = started(start, s.grid.y[j]); warm.in_contact) {
+      s.half_length[j] = std::sqrt(warm.length_squared);
+      s.centre[j] += warm.shift;
+      in_contact = true;
+    }
+    if (in_contact) s.active[s.active_count++] = j;
   }
   if (s.active_count == 0) s.active[s.active_count++] = 0;
 }
@@ -151,7 +166,7 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
   const std::int32_t n = s.grid.count;
   const double compliance = problem.material.normal_compliance();
   double approach = problem.approach;
-  constexpr int rounds = 3;
+  constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
     const std::int32_t m = s.active_count;
     for (std::int32_t a = 0; a < m; ++a) {
@@ -268,12 +283,12 @@ double move_edges(const NormalProblem& problem, const StripKernel& kernel, doubl
     const double drop = approach - s.height[j] - 0.5 * (leading + trailing);
     const double ratio = std::clamp(drop / (0.5 * s.curvature[j] * l * l), 0.25, 4.0);
     s.level[a] = s.peak[j] * s.inverse_length[j] / ratio;
-    // h(edge, leading) - h(edge, trailing) = 2 curvature l (x_c - gap_centre)
-    const double wanted = s.gap_centre[j] - (leading - trailing) / (2.0 * l * s.curvature[j]);
-    s.centre_change[a] = 0.5 * (wanted - s.centre[j]);
+    // h(leading edge) - h(trailing edge) = 2 curvature l (x_c - gap_centre); half the way there.
+    const double wanted = (trailing - leading) / (2.0 * l * s.curvature[j]);
+    s.shift[a] = 0.5 * (wanted + s.centre[j] - s.gap_centre[j]);
   }
   smooth(s, s.level);
-  if (s.skewed) smooth(s, s.centre_change);
+  if (s.skewed) smooth(s, s.shift);
 
   double moved = 0.0, area = 0.0;
   for (std::int32_t a = 0; a < s.active_count; ++a) {
@@ -285,8 +300,7 @@ double move_edges(const NormalProblem& problem, const StripKernel& kernel, doubl
     s.half_length[j] *= stretch;
     s.peak[j] /= stretch;
     const double reach = 0.5 * s.half_length[j];
-    s.centre[j] =
-        std::clamp(s.centre[j] + s.centre_change[a], s.gap_centre[j] - reach, s.gap_centre[j] + reach);
+    if (s.skewed) s.centre[j] = s.gap_centre[j] + std::clamp(s.shift[a], -reach, reach);
   }
   return moved / area;
 }
@@ -390,6 +404,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
     s.grid.width[a] = s.grid.width[j];
     s.grid.region[a] =
         s.grid.region[j] + (j - a) * most_regions;  // strips left out in between part the regions
+    start.width[a] = s.grid.width[j];
     start.length_squared[a] = s.half_length[j] * s.half_length[j];
     start.shift[a] = s.centre[j] - s.gap_centre[j];
     s.centre[a] = s.centre[j];

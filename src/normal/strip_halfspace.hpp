@@ -47,7 +47,8 @@ std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept;
 struct StripHalfspaceStart {
   std::int32_t capacity = 0;
   std::int32_t count = 0;
-  double* y = nullptr;
+  double* y = nullptr;               ///< of the solver's strips in contact [m]
+  double* width = nullptr;           ///< [m]
   double* length_squared = nullptr;  ///< l^2 [m^2]
   double* shift = nullptr;           ///< x_c less the gap's own centre [m]
 };
