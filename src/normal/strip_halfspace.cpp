@@ -7,6 +7,7 @@
 #include "normal/collocation_grid.hpp"
 #include "normal/linear_solve.hpp"
 #include "normal/load_search.hpp"
+#include "normal/logarithm.hpp"
 #include "normal/penetration.hpp"
 #include "normal/recut_strips.hpp"
 
@@ -341,6 +342,14 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
   }
 }
 
+/// dN / d(approach) is the load of a flat punch on the contact area, whose pressure is singular at the edge.
+/// The derivative of the strips' own, semi-elliptic pressure comes out smaller, on Hertz's ellipse by the
+/// factor fitted here in z = ln(a / b), a / b = 0.1 .. 18, to 1 %; on S1002/UIC60 patches it holds to 3 %.
+double punch_stiffness(double stiffness, const StripTotals& sum) {
+  const double z = natural_log(pi * sum.length * sum.length / (4.0 * sum.area));
+  return stiffness * (1.27 + z * (0.0777 + 0.0078 * z));
+}
+
 /// The outermost strips of the grid are in contact: the margin was too small.
 bool touches_the_grids_end(const System& s) {
   return s.active_count > 0 && (s.active[0] == 0 || s.active[s.active_count - 1] == s.grid.count - 1);
@@ -418,6 +427,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   solution.normal_force = carried;
   const bool at_edge = s.grid.at_edge && touches_the_grids_end(s);
   complete_solution(strips, lowest, at_edge, solution, fault);
+  solution.stiffness = punch_stiffness(solution.stiffness, totals(strips));
   if (!converged)
     worsen(fault, {.status = WRC_FLAG_ITERATION_CAP,
                    .field = "max_sweeps",
