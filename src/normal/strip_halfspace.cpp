@@ -333,7 +333,7 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
       if (slope > 0.0) {
         const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
         const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
-        const double extent = std::clamp(reach, 0.3 * s.cell_width[j], 1.5 * s.cell_width[j]);
+        const double extent = std::clamp(reach, 0.1 * s.cell_width[j], 1.5 * s.cell_width[j]);
         refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
       }
     } else if (s.grid.width[j] != s.cell_width[j]) {

@@ -28,8 +28,8 @@
 namespace wrc {
 
 struct StripHalfspaceOptions {
-  std::int32_t max_sweeps = 12;
-  double tolerance = 1e-2;  ///< a sweep that moves less of the area is the last [-]
+  std::int32_t max_sweeps = 16;
+  double tolerance = 5e-3;  ///< a sweep that moves less of the area is the last [-]
 };
 
 /// Scratch memory of a solve; nothing in it outlives the call.
