@@ -1,0 +1,66 @@
+#include "normal/check.hpp"
+
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+Fault check_rows(const GapRows& rows) {
+  if (rows.y == nullptr || rows.height == nullptr || rows.centre == nullptr || rows.curvature == nullptr)
+    return {.status = WRC_ERROR_NULL, .field = "gap"};
+  if (rows.count < 4)
+    return {.status = WRC_ERROR_GAP,
+            .field = "gap.count",
+            .value = static_cast<double>(rows.count),
+            .cause = "at least four rows are needed"};
+  for (std::int32_t j = 0; j < rows.count; ++j) {
+    // A sum is finite only if every term is.
+    if (!std::isfinite(rows.y[j] + rows.height[j] + rows.centre[j] + rows.curvature[j]))
+      return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = j};
+    if (j > 0 && rows.y[j] <= rows.y[j - 1])
+      return {.status = WRC_ERROR_GAP,
+              .field = "gap.y",
+              .value = rows.y[j],
+              .unit = "m",
+              .cause = "rows must be ordered by increasing y",
+              .index = j};
+    if (rows.curvature[j] <= 0.0)
+      return {.status = WRC_ERROR_GAP,
+              .field = "gap.curvature",
+              .value = rows.curvature[j],
+              .unit = "1/m",
+              .cause = "bodies that conform along the rolling direction are no rolling contact",
+              .index = j};
+  }
+  return {};
+}
+
+}  // namespace
+
+Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcept {
+  output.count = 0;
+  if (Fault fault = check_rows(problem.gap); fault.failed()) return fault;
+  const Material& material = problem.material;
+  if (!(material.shear_modulus > 0.0) || !(material.poisson >= 0.0 && material.poisson <= 0.5))
+    return {.status = WRC_ERROR_RANGE, .field = "material", .value = material.shear_modulus, .unit = "Pa"};
+  const bool load = problem.prescribed == Prescribed::load;
+  const double given = load ? problem.normal_force : problem.approach;
+  const char* const field = load ? "normal_force" : "approach";
+  if (!std::isfinite(given)) return {.status = WRC_ERROR_NOT_FINITE, .field = field};
+  if (load && given < 0.0)
+    return {.status = WRC_ERROR_RANGE,
+            .field = field,
+            .value = given,
+            .unit = "N",
+            .cause = "a contact cannot pull"};
+  if (problem.strips < 4)
+    return {.status = WRC_ERROR_RANGE, .field = "strips", .value = static_cast<double>(problem.strips)};
+  if (output.capacity < problem.strips)
+    return {.status = WRC_ERROR_BUFFER,
+            .field = "strips.capacity",
+            .value = static_cast<double>(output.capacity)};
+  if (given <= 0.0) return {.status = WRC_FLAG_NO_CONTACT, .field = field};
+  return {};
+}
+
+}  // namespace wrc

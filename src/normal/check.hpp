@@ -1,0 +1,13 @@
+/// What every normal method asks of its input before it starts.
+#pragma once
+
+#include "normal/problem.hpp"
+
+namespace wrc {
+
+/// Gap rows usable (at least four, finite, y increasing, curvature > 0), material, load or approach in order,
+/// room for the strips. WRC_FLAG_NO_CONTACT for a load or an approach of zero: `output.count` is then zero
+/// and there is nothing to solve.
+Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcept;
+
+}  // namespace wrc

@@ -1,0 +1,61 @@
+#include "normal/contact_condition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "normal/elliptic_integrals.hpp"
+#include "normal/logarithm.hpp"
+
+namespace wrc {
+namespace {
+
+/// Int_{-l}^{l} sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx, y != 0 [-].
+double line_displacement(double l, double y) {
+  const double r = std::sqrt(l * l + y * y);
+  return 2.0 * l * complete_elliptic(std::abs(y) / r).d / r;
+}
+
+/// Int_0^t ln(s) ds for the signed t: odd in t.
+double integral_of_log(double t) { return t == 0.0 ? 0.0 : t * (natural_log(std::abs(t)) - 1.0); }
+
+}  // namespace
+
+double strip_displacement(double half_length, double y_from, double y_to) noexcept {
+  const double l = half_length;
+  const double width = y_to - y_from;
+  const double middle = 0.5 * (y_from + y_to);
+
+  if (std::abs(middle) >= width) {
+    // Away from the origin the logarithm's mean exceeds its midpoint value by a series in
+    // t = width / (2 |middle|):  -mean(ln|y|) + ln|middle| = sum t^{2n} / (2n (2n + 1)),  t <= 1/2.
+    const double t2 = width * width / (4.0 * middle * middle);
+    double series = 0.0;
+    for (int n = 8; n >= 1; --n) series = t2 * (series + 1.0 / (2 * n * (2 * n + 1)));
+    // l / r carries the correction over to the far field, pi l / (2 |y|), which bends that much less.
+    const double r = std::sqrt(l * l + middle * middle);
+    return width * (line_displacement(l, middle) + 2.0 * series * l / r);
+  }
+  const double y = std::max(std::abs(middle), 1e-6 * l);  // the rest is flat there: y^2 ln y
+  const double rest = line_displacement(l, y) + 2.0 * natural_log(y / l);
+  return width * rest - 2.0 * l * (integral_of_log(y_to / l) - integral_of_log(y_from / l));
+}
+
+double impose_approach(double approach, const Material& material, double x, double y,
+                       Strips& strips) noexcept {
+  double displacement = 0.0;  // per unit of peak / half length and of the compliance [m^2]
+  double load = 0.0;          // per unit of peak / half length [m^3]
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double shift = strips.centre[j] - x;
+    const double dy = std::abs(strips.y[j] - y);
+    const double distance = shift == 0.0 ? dy : std::sqrt(dy * dy + shift * shift);
+    const double half_width = 0.5 * strips.width[j];
+    const double l = strips.half_length[j];
+    displacement += l * strip_displacement(l, distance - half_width, distance + half_width);
+    load += 0.5 * pi * l * l * strips.width[j];
+  }
+  const double level = approach / (material.normal_compliance() * displacement);
+  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] = level * strips.half_length[j];
+  return level * load;
+}
+
+}  // namespace wrc

@@ -1,0 +1,27 @@
+/// The contact condition at one point: elastic displacement under strips of semi-elliptic pressure.
+#pragma once
+
+#include "patch/material.hpp"
+#include "patch/strips.hpp"
+
+namespace wrc {
+
+/// IInt sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx dy over |x| < l, y_from < y < y_to, seen from the origin [m].
+///
+/// The inner integral is closed, 2 l D / sqrt(l^2 + y^2) with the modulus l / sqrt(l^2 + y^2) (theory:
+/// substitute x = l sin t; it equals 2 sqrt(l^2 + y^2) (K - E) / l). Towards y = 0 it grows like 2 ln(4 l /
+/// |y|) - 2; that logarithm is integrated over the width exactly and only the smooth rest by the midpoint
+/// rule, so the strip under the origin needs no cut-off length and the result moves smoothly with the strip's
+/// borders.
+double strip_displacement(double half_length, double y_from, double y_to) noexcept;
+
+/// Gives every strip the pressure peak_j proportional to its half length, at the level that makes the
+/// displacement at the point (x, y) equal to the approach: the one contact condition of the Kik-Piotrowski
+/// family. Returns the load of the strips [N].
+///
+/// Strips whose middle is shifted in x by s are taken at the distance sqrt(dy^2 + s^2): right for s << l and
+/// for s << |dy|, that is for the skew yaw gives a patch.
+double impose_approach(double approach, const Material& material, double x, double y,
+                       Strips& strips) noexcept;
+
+}  // namespace wrc

@@ -1,0 +1,54 @@
+#include "normal/ekp.hpp"
+
+#include <cmath>
+
+#include "normal/check.hpp"
+#include "normal/contact_condition.hpp"
+#include "normal/hertz_theory.hpp"
+#include "normal/load_search.hpp"
+#include "normal/penetration.hpp"
+
+namespace wrc {
+namespace {
+
+PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const LateralCurvature& lateral,
+                                   double approach) {
+  const HertzShape shape = hertz_shape(coefficient_x / lateral.coefficient);
+  if (kind == EkpScale::area) return {.at_centre = std::sqrt(shape.eps_x * shape.eps_y)};
+  const double b2 = shape.eps_y * approach / lateral.coefficient;  // Hertz's b squared
+  return {.at_centre = shape.eps_x, .bend = (shape.eps_y - shape.eps_x) / b2, .centre = lateral.middle};
+}
+
+}  // namespace
+
+Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
+                NormalSolution& solution) noexcept {
+  solution = {};
+  Fault fault = check_normal_problem(problem, strips);
+  if (fault.status != WRC_OK) return fault;
+
+  const GapRows& rows = problem.gap;
+  const GapMinimum lowest = minimum(rows);
+  const GapRow contact = interpolate(rows, lowest.y);
+  const double coefficient_x = 0.5 * contact.curvature;
+
+  bool at_edge = false;
+  const auto force = [&](double approach) {
+    const LateralCurvature lateral = lateral_curvature(rows, lowest, approach);
+    const PenetrationScale scale = penetration_scale(options.scale, coefficient_x, lateral, approach);
+    const Span span = penetration_span(rows, lowest, scale, approach);
+    at_edge = span.at_edge;
+    divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
+    return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
+  };
+  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest), force,
+                          solution);
+  if (fault.failed()) {
+    strips.count = 0;
+    return fault;
+  }
+  complete_solution(strips, lowest, at_edge, solution, fault);
+  return fault;
+}
+
+}  // namespace wrc

@@ -1,0 +1,40 @@
+#include "normal/hertz.hpp"
+
+#include "normal/check.hpp"
+#include "normal/hertz_theory.hpp"
+#include "normal/load_search.hpp"
+#include "normal/penetration.hpp"
+#include "patch/sdec.hpp"
+
+namespace wrc {
+
+Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+  solution = {};
+  Fault fault = check_normal_problem(problem, strips);
+  if (fault.status != WRC_OK) return fault;
+
+  const GapRows& rows = problem.gap;
+  const GapMinimum lowest = minimum(rows);
+  const GapRow contact = interpolate(rows, lowest.y);
+  const double coefficient_x = 0.5 * contact.curvature;
+
+  HertzEllipse ellipse;
+  bool at_edge = false;
+  const auto force = [&](double approach) {
+    const LateralCurvature lateral = lateral_curvature(rows, lowest, approach);
+    at_edge = lateral.at_edge;
+    ellipse =
+        hertz_ellipse(coefficient_x, lateral.coefficient, approach, problem.material.normal_compliance());
+    return ellipse.normal_force;
+  };
+  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest), force,
+                          solution);
+  if (fault.failed()) return fault;
+
+  sdec_strips({ellipse.a, ellipse.b, 0.0}, contact.centre, lowest.y, ellipse.normal_force, problem.strips,
+              strips);
+  complete_solution(strips, lowest, at_edge, solution, fault);
+  return fault;
+}
+
+}  // namespace wrc
