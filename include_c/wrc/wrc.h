@@ -165,7 +165,7 @@ typedef struct wrc_config {
   double flange_back_distance; /* between the inner faces of the wheelset, 0.3..3 m [1.360] */
   double track_gauge;        /* 0.3..3 m [1.435] */
   double gauge_depth;        /* gauge is measured this far below the rail top, 1e-3..0.05 m [0.014] */
-  double rail_inclination;   /* towards the track centre, -0.2..0.2 rad [0] */
+  double rail_inclination;   /* tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
   const wrc_profile* wheel;  /* NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;
 } wrc_config;

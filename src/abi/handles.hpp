@@ -8,7 +8,8 @@
 #include "contact/model.hpp"
 #include "wrc/wrc.h"
 
-/// Both handles begin with a tag, so that a stale or foreign pointer is refused as long as its memory can be read.
+/// Both handles begin with a tag, so that a stale or foreign pointer is refused as long as its memory can be
+/// read.
 struct alignas(wrc::block_alignment) wrc_model {
   std::uint64_t tag;
   void (*release)(void* user, void* memory);  // NULL: the memory is the caller's

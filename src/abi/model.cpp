@@ -67,7 +67,9 @@ Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory,
     const Fault fault = read(allocator, "allocator", source);
     if (fault.failed()) return fault;
     if ((source.allocate == nullptr) != (source.release == nullptr)) {
-      return {.status = WRC_ERROR_NULL, .field = "allocator", .cause = "give both allocate and release, or neither"};
+      return {.status = WRC_ERROR_NULL,
+              .field = "allocator",
+              .cause = "give both allocate and release, or neither"};
     }
   }
   if (source.allocate == nullptr) {
@@ -84,7 +86,9 @@ Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory,
   }
   if (!aligned(memory)) {
     source.release(source.user, memory);
-    return {.status = WRC_ERROR_BUFFER, .field = "allocate", .cause = "the allocator ignored the alignment asked for"};
+    return {.status = WRC_ERROR_BUFFER,
+            .field = "allocate",
+            .cause = "the allocator ignored the alignment asked for"};
   }
   return {};
 }
@@ -183,7 +187,8 @@ int32_t wrc_contact_init(const wrc_model* model, void* memory, uint64_t bytes, w
   if (contact == nullptr) return WRC_ERROR_NULL;
   *contact = nullptr;
   if (!abi::valid(model)) return WRC_ERROR_NULL;
-  const Fault fault = abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
+  const Fault fault =
+      abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
   if (fault.failed()) return fault.status;
   auto* made = static_cast<wrc_contact*>(memory);
   *made = {};
@@ -246,7 +251,9 @@ int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_t size) 
   return WRC_OK;
 }
 
-uint32_t wrc_version(void) { return WRC_VERSION_MAJOR * 65536U + WRC_VERSION_MINOR * 256U + WRC_VERSION_PATCH; }
+uint32_t wrc_version(void) {
+  return WRC_VERSION_MAJOR * 65536U + WRC_VERSION_MINOR * 256U + WRC_VERSION_PATCH;
+}
 uint32_t wrc_abi_version(void) { return WRC_ABI_VERSION; }
 const char* wrc_status_name(int32_t status) { return abi::status_name(status); }
 const char* wrc_status_text(int32_t status) { return abi::status_text(status); }

@@ -6,7 +6,8 @@ namespace wrc::abi {
 namespace {
 
 /// An integer of the configuration against its range.
-Fault check_count(std::int32_t value, const char* field, std::int32_t low, std::int32_t high, const char* cause) {
+Fault check_count(std::int32_t value, const char* field, std::int32_t low, std::int32_t high,
+                  const char* cause) {
   return check(static_cast<double>(value), field, "", low, high, cause, cause);
 }
 
@@ -34,7 +35,8 @@ Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& s
               .cause = "see enum wrc_profile_kind"};
   }
   if (profile.y == nullptr || profile.z == nullptr) {
-    return {.status = WRC_ERROR_NULL, .field = name, .cause = "points y and z are needed for WRC_PROFILE_POINTS"};
+    return {
+        .status = WRC_ERROR_NULL, .field = name, .cause = "points y and z are needed for WRC_PROFILE_POINTS"};
   }
   if (profile.count < 4 || profile.count > 20000) {
     return {.status = WRC_ERROR_PROFILE,
@@ -78,10 +80,10 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
   }
   switch (config.regularisation) {
     case WRC_REGULARISE_KEEP_WIDTH:
-      options.regularisation = Regularisation::keep_width;
+      options.regularisation = SecondCriterion::width;
       break;
     case WRC_REGULARISE_KEEP_RATIO:
-      options.regularisation = Regularisation::keep_ratio;
+      options.regularisation = SecondCriterion::aspect_ratio;
       break;
     default:
       return unsupported("config.regularisation", config.regularisation, "see enum wrc_regularisation");
@@ -100,7 +102,8 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
       options.tangential_method = TangentialMethod::fastsim_sdec;
       break;
     default:
-      return unsupported("config.tangential_method", config.tangential_method, "see enum wrc_tangential_method");
+      return unsupported("config.tangential_method", config.tangential_method,
+                         "see enum wrc_tangential_method");
   }
   switch (config.traction_bound) {
     case WRC_BOUND_PARABOLIC:
@@ -140,11 +143,12 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
       check(config.gap_limit, "config.gap_limit", "m", 1e-5, 0.02, nullptr, "did you pass mm?"),
       check(config.shear_yield, "config.shear_yield", "Pa", 1e6, 1e11, "did you pass MPa?"),
       check(config.wheel_radius, "config.wheel_radius", "m", 0.05, 2.0, nullptr, "did you pass mm?"),
-      check(config.flange_back_distance, "config.flange_back_distance", "m", 0.3, 3.0, nullptr, "did you pass mm?"),
+      check(config.flange_back_distance, "config.flange_back_distance", "m", 0.3, 3.0, nullptr,
+            "did you pass mm?"),
       check(config.track_gauge, "config.track_gauge", "m", 0.3, 3.0, nullptr, "did you pass mm?"),
       check(config.gauge_depth, "config.gauge_depth", "m", 1e-3, 0.05, nullptr, "did you pass mm?"),
-      check(config.rail_inclination, "config.rail_inclination", "rad", -0.2, 0.2, "did you pass degrees?",
-            "1:40 is 0.025, not 40: did you pass degrees or the ratio?"),
+      check(config.rail_inclination, "config.rail_inclination", "", -0.2, 0.2, "1:40 is 0.025",
+            "1:40 is 0.025, not 40"),
   };
   for (const Fault& each : checks) {
     if (each.failed()) return each;
@@ -155,12 +159,12 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   options.load_tolerance = config.load_tolerance;
   options.gap_limit = config.gap_limit;
   options.shear_yield = config.shear_yield;
-  options.placement.left = config.side == WRC_SIDE_LEFT;
-  options.placement.nominal_radius = config.wheel_radius;
-  options.placement.flange_back_distance = config.flange_back_distance;
-  options.placement.gauge = config.track_gauge;
-  options.placement.gauge_depth = config.gauge_depth;
-  options.placement.rail_inclination = config.rail_inclination;
+  options.side = config.side == WRC_SIDE_LEFT ? Side::left : Side::right;
+  options.wheelset.nominal_radius = config.wheel_radius;
+  options.wheelset.flange_back_distance = config.flange_back_distance;
+  options.track.gauge = config.track_gauge;
+  options.track.gauge_depth = config.gauge_depth;
+  options.track.rail_inclination = config.rail_inclination;
 
   if (config.wheel == nullptr && config.rail == nullptr) return {};  // the host hands over gaps
   fault = read_profile(config.wheel, "config.wheel", options.wheel);

@@ -10,7 +10,8 @@
 namespace wrc::abi {
 namespace {
 
-/// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for wrc_last_error.
+/// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
+/// wrc_last_error.
 template <typename Work>
 int32_t call(wrc_contact* handle, Work&& work) noexcept {
   if (!valid(handle)) return WRC_ERROR_NULL;
@@ -20,7 +21,8 @@ int32_t call(wrc_contact* handle, Work&& work) noexcept {
   return contact.last.status;
 }
 
-// ------------------------------------------------------------------------------------------------ reading arguments
+// ------------------------------------------------------------------------------------------------ reading
+// arguments
 
 Fault first_of(std::initializer_list<Fault> faults) {
   for (const Fault& each : faults) {
@@ -29,16 +31,17 @@ Fault first_of(std::initializer_list<Fault> faults) {
   return {};
 }
 
-Fault read_pose(const wrc_pose* theirs, WheelsetPose& pose) {
+Fault read_pose(const wrc_pose* theirs, Pose& pose) {
   wrc_pose ours;
   const Fault fault = read(theirs, "pose", ours);
   if (fault.failed()) return fault;
-  pose = {ours.lateral, ours.roll, ours.yaw};
-  return first_of({check(ours.lateral, "pose.lateral", "m", -0.1, 0.1, "did you pass mm?", "did you pass mm?"),
-                   check(ours.roll, "pose.roll", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
-                         "did you pass degrees or mrad?"),
-                   check(ours.yaw, "pose.yaw", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
-                         "did you pass degrees or mrad?")});
+  pose = {.lateral = ours.lateral, .roll = ours.roll, .yaw = ours.yaw};
+  return first_of(
+      {check(ours.lateral, "pose.lateral", "m", -0.1, 0.1, "did you pass mm?", "did you pass mm?"),
+       check(ours.roll, "pose.roll", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
+             "did you pass degrees or mrad?"),
+       check(ours.yaw, "pose.yaw", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
+             "did you pass degrees or mrad?")});
 }
 
 Fault read_load(const wrc_load* theirs, Load& load) {
@@ -49,8 +52,9 @@ Fault read_load(const wrc_load* theirs, Load& load) {
     case WRC_PRESCRIBE_LOAD:
       load = {Prescribed::load, ours.normal_force};
       return check(ours.normal_force, "load.normal_force", "N", 1e2, 1e6,
-                   ours.normal_force < 0.0 ? "the normal force is compressive positive; prescribe the approach near lift-off"
-                                           : "did you pass kN? near lift-off prescribe the approach instead",
+                   ours.normal_force < 0.0
+                       ? "the normal force is compressive positive; prescribe the approach near lift-off"
+                       : "did you pass kN? near lift-off prescribe the approach instead",
                    "did you pass a pressure, or grams?");
     case WRC_PRESCRIBE_APPROACH:
       load = {Prescribed::approach, ours.approach};
@@ -70,13 +74,13 @@ Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, double& spee
   if (fault.failed()) return fault;
   creepage = {ours.longitudinal, ours.lateral, ours.spin};
   speed = ours.speed;
-  return first_of(
-      {check(ours.longitudinal, "creepage.longitudinal", "", -10.0, 10.0, "did you pass per mille?",
-             "did you pass per mille?"),
-       check(ours.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?", "did you pass per mille?"),
-       check(ours.spin, "creepage.spin", "1/m", -1e3, 1e3),
-       check(ours.speed, "creepage.speed", "m/s", 0.0, 200.0, "speed is a magnitude; x is the rolling direction",
-             "did you pass km/h?")});
+  return first_of({check(ours.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
+                         "did you pass per mille?", "did you pass per mille?"),
+                   check(ours.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
+                         "did you pass per mille?"),
+                   check(ours.spin, "creepage.spin", "1/m", -1e3, 1e3),
+                   check(ours.speed, "creepage.speed", "m/s", 0.0, 200.0,
+                         "speed is a magnitude; x is the rolling direction", "did you pass km/h?")});
 }
 
 Fault read_friction(const wrc_friction* theirs, double& coefficient) {
@@ -84,7 +88,8 @@ Fault read_friction(const wrc_friction* theirs, double& coefficient) {
   const Fault fault = read(theirs, "friction", ours);
   if (fault.failed()) return fault;
   coefficient = ours.coefficient;
-  return check(ours.coefficient, "friction.coefficient", "", 1e-4, 2.0, "friction must be positive", "did you pass per cent?");
+  return check(ours.coefficient, "friction.coefficient", "", 1e-4, 2.0, "friction must be positive",
+               "did you pass per cent?");
 }
 
 Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* cause) {
@@ -119,20 +124,23 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                 "a gap needs at least four rows", "raise config.gap_rows");
   if (fault.failed()) return fault;
   if (gap.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.y"};
-  fault = first_of({check_extent(gap.y, gap.rows, "gap.y"),
-                    check_increasing(gap.y, gap.rows, "gap.y", "rows must be in order of strictly increasing y")});
+  fault = first_of(
+      {check_extent(gap.y, gap.rows, "gap.y"),
+       check_increasing(gap.y, gap.rows, "gap.y", "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::int32_t>(gap.rows);
 
   if (gap.columns > 0) {
     if (gap.x == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.x"};
     if (gap.h == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.h"};
-    fault = first_of({check(static_cast<double>(gap.columns), "gap.columns", "", 3.0, 1e5),
-                      check(static_cast<double>(gap.row_stride), "gap.row_stride", "", static_cast<double>(gap.columns),
-                            1e12, "rows overlap: the stride is in elements")});
+    fault =
+        first_of({check(static_cast<double>(gap.columns), "gap.columns", "", 3.0, 1e5),
+                  check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
+                        static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements")});
     if (fault.failed()) return fault;
-    fault = first_of({check_extent(gap.x, gap.columns, "gap.x"),
-                      check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
+    fault = first_of(
+        {check_extent(gap.x, gap.columns, "gap.x"),
+         check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
       fault = check_finite(gap.h + j * gap.row_stride, gap.columns, "gap.h", "m");
@@ -148,8 +156,8 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
   if (!fault.failed() && gap.centre != nullptr) fault = check_extent(gap.centre, gap.rows, "gap.centre");
   if (fault.failed()) return fault;
   for (std::uint32_t j = 0; j < gap.rows; ++j) {
-    fault = check(gap.curvature[j], "gap.curvature", "1/m", 1e-3, 1e6, "rows must be convex; did you pass 1/mm, or a radius?",
-                  "did you pass 1/um?");
+    fault = check(gap.curvature[j], "gap.curvature", "1/m", 1e-3, 1e6,
+                  "rows must be convex; did you pass 1/mm, or a radius?", "did you pass 1/um?");
     fault.index = static_cast<std::int32_t>(j);
     if (fault.failed()) return fault;
   }
@@ -162,24 +170,29 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
   Fault fault = read(theirs, "strips", strips);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.strips;
-  fault = check(static_cast<double>(strips.count), "strips.count", "", 1.0, static_cast<double>(room), nullptr,
-                "raise config.strips");
+  fault = check(static_cast<double>(strips.count), "strips.count", "", 1.0, static_cast<double>(room),
+                nullptr, "raise config.strips");
   if (fault.failed()) return fault;
-  if (strips.y == nullptr || strips.width == nullptr || strips.half_length == nullptr || strips.peak == nullptr) {
-    return {.status = WRC_ERROR_NULL, .field = "strips", .cause = "y, width, half_length and peak are needed"};
+  if (strips.y == nullptr || strips.width == nullptr || strips.half_length == nullptr ||
+      strips.peak == nullptr) {
+    return {
+        .status = WRC_ERROR_NULL, .field = "strips", .cause = "y, width, half_length and peak are needed"};
   }
   for (std::uint32_t j = 0; j < strips.count; ++j) {
-    fault = first_of({check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
-                      check(strips.width[j], "strips.width", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
-                      check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
-                      check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11)});
+    fault = first_of(
+        {check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
+         check(strips.width[j], "strips.width", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
+         check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
+         check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11)});
     if (!fault.failed() && strips.centre != nullptr) {
-      fault = check(strips.centre[j], "strips.centre", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
+      fault =
+          check(strips.centre[j], "strips.centre", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
     }
     fault.index = static_cast<std::int32_t>(j);
     if (fault.failed()) return fault;
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
-    if (j > 0 && strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
+    if (j > 0 &&
+        strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
       return {.status = WRC_ERROR_RANGE,
               .field = "strips.y",
               .value = strips.y[j],
@@ -205,13 +218,14 @@ Fault take_patch(Contact& contact, const wrc_patch* theirs) {
   fault = first_of({check(patch.a, "patch.a", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
                     check(patch.b, "patch.b", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
                     check(patch.psi, "patch.psi", "", -0.95, 0.95),
-                    check(patch.normal_force, "patch.normal_force", "N", 1e-3, 1e7, "the normal force is compressive positive",
-                          "did you pass mN?")});
+                    check(patch.normal_force, "patch.normal_force", "N", 1e-3, 1e7,
+                          "the normal force is compressive positive", "did you pass mN?")});
   if (fault.failed()) return fault;
   return take_double_ellipse(contact, Sdec{patch.a, patch.b, patch.psi}, patch.normal_force);
 }
 
-// ------------------------------------------------------------------------------------------------- writing results
+// ------------------------------------------------------------------------------------------------- writing
+// results
 
 wrc_contact_point point_of(const Contact& contact) {
   wrc_contact_point ours{};
@@ -283,7 +297,8 @@ void give(Struct ours, Struct* theirs) {
   write(ours, theirs);
 }
 
-// ---------------------------------------------------------------------------------------------------------- stages
+// ----------------------------------------------------------------------------------------------------------
+// stages
 
 Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
   wrc_output out;
@@ -305,7 +320,7 @@ Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
                       read_friction(in.friction, friction)});
   if (outcome.failed()) return outcome;
   if (in.pose != nullptr) {
-    WheelsetPose pose;
+    Pose pose;
     outcome = read_pose(in.pose, pose);
     if (!outcome.failed()) worsen(outcome, find_gap(contact, pose));
   } else {
@@ -339,10 +354,10 @@ Field find_field(const Contact& contact, std::int32_t id) {
   // The strips shown are those the tangential fields live on, once there are such fields.
   const bool region = contact.reached >= Stage::tangential;
   static constexpr Entry cell_fields[] = {
-      {Array::cell_x, Stage::tangential, true},        {Array::pressure, Stage::tangential, true},
-      {Array::traction_x, Stage::tangential, true},    {Array::traction_y, Stage::tangential, true},
-      {Array::slip_x, Stage::tangential, true},        {Array::slip_y, Stage::tangential, true},
-      {Array::power_density, Stage::damage, true},     {Array::fatigue_index, Stage::damage, true},
+      {Array::cell_x, Stage::tangential, true},     {Array::pressure, Stage::tangential, true},
+      {Array::traction_x, Stage::tangential, true}, {Array::traction_y, Stage::tangential, true},
+      {Array::slip_x, Stage::tangential, true},     {Array::slip_y, Stage::tangential, true},
+      {Array::power_density, Stage::damage, true},  {Array::fatigue_index, Stage::damage, true},
   };
   const Entry strip_fields[] = {
       {region ? Array::region_y : Array::patch_y, Stage::patch, false},
@@ -352,11 +367,13 @@ Field find_field(const Contact& contact, std::int32_t id) {
       {region ? Array::region_peak : Array::patch_peak, Stage::patch, false},
       {Array::strip_power, Stage::damage, false},
   };
-  static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre, Array::gap_curvature};
+  static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre,
+                                         Array::gap_curvature};
 
   if (id >= WRC_FIELD_GAP_Y) {
     if (contact.gap_rows == 0) return {};
-    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0, static_cast<std::uint64_t>(contact.gap_rows)};
+    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0,
+            static_cast<std::uint64_t>(contact.gap_rows)};
   }
   const Entry& entry = id < WRC_FIELD_STRIP_Y ? cell_fields[id] : strip_fields[id - WRC_FIELD_STRIP_Y];
   if (contact.reached < entry.needs || !contact.touching) return {};
@@ -378,7 +395,7 @@ int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_poin
   return abi::call(handle, [&](Contact& contact) {
     Fault outcome = abi::clear(point);
     if (outcome.failed()) return outcome;
-    wrc::WheelsetPose ours;
+    wrc::Pose ours;
     outcome = abi::read_pose(pose, ours);
     if (outcome.failed()) return outcome;
     outcome = wrc::find_gap(contact, ours);
@@ -419,7 +436,8 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
     if (outcome.failed()) return outcome;
     wrc::Creepage ours;
     double speed = 0.0, coefficient = 0.0;
-    outcome = abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, coefficient)});
+    outcome =
+        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, coefficient)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
     if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, coefficient, speed));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
@@ -441,8 +459,9 @@ int32_t wrc_step(wrc_contact* handle, const wrc_input* input, wrc_output* output
   return abi::call(handle, [&](Contact& contact) { return abi::step(contact, input, output); });
 }
 
-int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs, uint64_t input_stride,
-                       const wrc_output* outputs, uint64_t output_stride, int32_t* statuses) {
+int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
+                       uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
+                       int32_t* statuses) {
   if (contacts == nullptr || inputs == nullptr || outputs == nullptr) return WRC_ERROR_NULL;
   Fault gravest;
   for (uint32_t i = 0; i < count; ++i) {
@@ -485,10 +504,10 @@ int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
     if (outcome.failed()) return outcome;
     const wrc_forces forces = abi::forces_of(contact);
     const wrc_patch patch = abi::patch_of(contact);
-    const double values[WRC_FLAT_OUTPUTS] = {forces.fx,      forces.fy,           forces.fn,  forces.mz,
-                                             forces.power,   patch.approach,      patch.peak_pressure,
-                                             patch.area,     patch.a,             patch.b,    patch.psi,
-                                             abi::damage_of(contact).fatigue_index};
+    const double values[WRC_FLAT_OUTPUTS] = {
+        forces.fx,    forces.fy,      forces.fn,           forces.mz,
+        forces.power, patch.approach, patch.peak_pressure, patch.area,
+        patch.a,      patch.b,        patch.psi,           abi::damage_of(contact).fatigue_index};
     std::copy_n(values, WRC_FLAT_OUTPUTS, out);
     return outcome;
   });

@@ -2,9 +2,9 @@
 ///
 ///     geometry -> normal -> regularise -> tangential -> damage
 ///
-/// Each stage reads what the one before left in the contact and invalidates what comes after, so that a host may enter
-/// in the middle with its own data. All of them are real-time code. Arguments have been checked by the caller (abi/)
-/// for finiteness and range.
+/// Each stage reads what the one before left in the contact and invalidates what comes after, so that a host
+/// may enter in the middle with its own data. All of them are real-time code. Arguments have been checked by
+/// the caller (abi/) for finiteness and range.
 #pragma once
 
 #include <cstddef>
@@ -29,18 +29,18 @@ struct Contact {
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
-  bool touching = false;        ///< false: the bodies are apart and forces are zero
-  std::int32_t gap_rows = 0;    ///< rows in use
+  bool touching = false;      ///< false: the bodies are apart and forces are zero
+  std::int32_t gap_rows = 0;  ///< rows in use
   std::int32_t patch_strips = 0;
   std::int32_t region_strips = 0;
 
-  ContactPoint point;           ///< of the last geometry stage
+  ContactPoint point;  ///< of the last geometry stage
   NormalSolution normal;
-  StripTotals extent;           ///< of the patch
+  StripTotals extent;  ///< of the patch
   Sdec sdec;
   Creepage creepage;
-  double friction = 0.0;        ///< mu [-]
-  double speed = 0.0;           ///< V [m/s]
+  double friction = 0.0;  ///< mu [-]
+  double speed = 0.0;     ///< V [m/s]
   TangentialForces forces;
   DamageNumbers damage;
 };
@@ -66,7 +66,7 @@ Strips patch_strips(Contact& contact);
 Strips region_strips(Contact& contact);
 
 /// Stages. Each returns what went wrong and leaves the contact usable.
-Fault find_gap(Contact& contact, const WheelsetPose& pose);
+Fault find_gap(Contact& contact, const Pose& pose);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);

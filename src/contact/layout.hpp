@@ -1,7 +1,7 @@
 /// Where the arrays of a contact lie inside its block of memory.
 ///
-/// A contact is one relocatable block: a header of plain values, then arrays at offsets that the model fixes. No
-/// pointer into the block is stored in it, so that saving and restoring a contact is a copy of bytes.
+/// A contact is one relocatable block: a header of plain values, then arrays at offsets that the model fixes.
+/// No pointer into the block is stored in it, so that saving and restoring a contact is a copy of bytes.
 #pragma once
 
 #include <array>
@@ -12,15 +12,32 @@ namespace wrc {
 
 inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
 
-/// Every array a contact owns. `patch_` strips come from the normal problem; `region_` strips are those the tangential
-/// fields live on (the same values unless a variant replaces the patch by an ellipse).
+/// Every array a contact owns. `patch_` strips come from the normal problem; `region_` strips are those the
+/// tangential fields live on (the same values unless a variant replaces the patch by an ellipse).
 enum class Array : std::size_t {
-  gap_y, gap_height, gap_centre, gap_curvature,
-  patch_y, patch_width, patch_centre, patch_half_length, patch_peak,
-  region_y, region_width, region_centre, region_half_length, region_peak,
-  cell_x, pressure, traction_x, traction_y, slip_x, slip_y, power_density, fatigue_index,
+  gap_y,
+  gap_height,
+  gap_centre,
+  gap_curvature,
+  patch_y,
+  patch_width,
+  patch_centre,
+  patch_half_length,
+  patch_peak,
+  region_y,
+  region_width,
+  region_centre,
+  region_half_length,
+  region_peak,
+  cell_x,
+  pressure,
+  traction_x,
+  traction_y,
+  slip_x,
+  slip_y,
+  power_density,
+  fatigue_index,
   strip_power,
-  normal_workspace, tangential_workspace,
   count_
 };
 

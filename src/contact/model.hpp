@@ -1,5 +1,5 @@
-/// The model: everything about a contact pair that does not change during a run. Immutable once made, so any number
-/// of contacts and threads share it.
+/// The model: everything about a contact pair that does not change during a run. Immutable once made, so any
+/// number of contacts and threads share it.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 
 namespace wrc {
 
+/// The methods a model can be made of, one per stage.
 enum class NormalMethod { hertz, kik_piotrowski, ekp };
 enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec };
 
@@ -28,7 +29,7 @@ struct ProfileSource {
 
 struct ModelOptions {
   NormalMethod normal_method = NormalMethod::ekp;
-  Regularisation regularisation = Regularisation::keep_width;
+  SecondCriterion regularisation = SecondCriterion::width;
   TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
   TractionBound traction_bound = TractionBound::parabolic;
   ArraySizes sizes;
@@ -37,7 +38,9 @@ struct ModelOptions {
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
   double shear_yield = 0.0;     ///< k [Pa]
-  Placement placement;
+  Side side = Side::right;
+  TrackDimensions track;
+  WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
 };
 
@@ -45,15 +48,16 @@ struct ModelOptions {
 struct Model {
   ModelOptions options;  ///< profile sources cleared: the model keeps no pointer of the caller
   bool has_geometry = false;
-  WheelAndRail bodies;   ///< meaningful with has_geometry
-  ArrayLayout layout;    ///< of every contact of this model
+  Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
+  Rail rail;
+  ArrayLayout layout;  ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
 std::size_t model_bytes(const ModelOptions& options);
 
-/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles; everything else in the options has been
-/// checked by the caller.
+/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles; everything else in the options has
+/// been checked by the caller.
 Fault make_model(const ModelOptions& options, void* memory, Model*& model);
 
 }  // namespace wrc
