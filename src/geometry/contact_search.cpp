@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wrc {
 namespace {
@@ -25,16 +26,16 @@ struct Search {
   const PosedWheel& wheel;
   std::int32_t rail_piece = 0, wheel_piece = 0;
 
+  /// Beside the rail its end tangent continues, so that a contact close to its end is bracketed as any other.
   Station at(double s) {
     Station station;
     station.s = s;
     station.outline = outline(wheel, s, wheel_piece);
     const double y = station.outline.y;
-    station.over_rail = y >= rail.profile.y[0] && y <= rail.profile.y[rail.profile.count - 1];
-    if (!station.over_rail) return station;
     const ProfilePoint on_rail = evaluate(rail.profile, y, rail_piece);
     station.gap = on_rail.z - station.outline.z;
     station.departing = on_rail.slope - station.outline.dz_dy();
+    station.over_rail = y >= rail.profile.y[0] && y <= rail.profile.y[rail.profile.count - 1];
     return station;
   }
 
@@ -115,34 +116,33 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
 
   Search search{rail, wheel, 0, piece_at(profile, first + begin * step)};
   Fault fault;
-  bool any = false, lowest_is_an_end = false;
-  double lowest = 0.0;
+  bool over_rail = false;
+  double end_gap = std::numeric_limits<double>::max();  // least gap at a place where one of the profiles ends
   Station before;
   for (std::int32_t i = begin; i <= end; ++i) {
-    Station now = search.at(i < steps ? first + i * step : last);
-    if (now.over_rail) {
-      if (before.over_rail && before.departing < 0.0 && now.departing >= 0.0) {
-        insert(contact_point(rail, wheel, search.refine(before, now, fault)), capacity, points, count);
+    const Station now = search.at(i < steps ? first + i * step : last);
+    over_rail = over_rail || now.over_rail;
+    if (i == begin) {
+      if (now.departing >= 0.0) end_gap = now.gap;
+    } else if (before.departing < 0.0 && now.departing >= 0.0) {
+      const Station closest = search.refine(before, now, fault);
+      if (closest.over_rail) {
+        insert(contact_point(rail, wheel, closest), capacity, points, count);
+      } else {
+        end_gap = std::min(end_gap, closest.gap);
       }
-      if (!any || now.gap < lowest) {
-        lowest = now.gap;
-        lowest_is_an_end = !before.over_rail && now.departing >= 0.0;
-        any = true;
-      }
-      if (i == steps && now.departing < 0.0 && now.gap <= lowest) lowest_is_an_end = true;
-    } else if (before.over_rail && before.departing < 0.0 && before.gap <= lowest) {
-      lowest_is_an_end = true;
     }
+    if (i == end && now.departing < 0.0) end_gap = std::min(end_gap, now.gap);
     before = now;
   }
-  if (!any) {
+  if (!over_rail) {
     return {.status = WRC_ERROR_GAP,
             .field = "pose.lateral",
             .value = wheel.centre_y,
             .unit = "m",
             .cause = "the wheel stands beside the rail: their profiles do not overlap"};
   }
-  if (count == 0 || lowest_is_an_end) {
+  if (count == 0 || end_gap < points[0].vertical_gap) {
     count = 0;
     return {.status = WRC_ERROR_GAP,
             .field = "pose.lateral",
