@@ -1,6 +1,5 @@
 #include "contact/model.hpp"
 
-#include <memory>
 #include <new>
 
 #include "contact/contact.hpp"
@@ -48,21 +47,26 @@ Fault load_profile(const ProfileSource& source, ProfileRole role, const ProfileM
     case ProfileSource::Kind::rail_uic60_benchmark:
       return sample_uic60_benchmark(memory, profile);
     case ProfileSource::Kind::points:
-      return profile_from_points(source.count, source.y, source.z, role, memory, profile);
+      return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
     case ProfileSource::Kind::none:
       break;
   }
   return {.status = WRC_ERROR_INTERNAL};
 }
 
-bool has_profiles(const ModelOptions& options) { return options.wheel.kind != ProfileSource::Kind::none; }
+/// A fault of a profile, under the name the caller knows it by.
+Fault named(Fault fault, const char* name) {
+  if (fault.failed() && fault.field == nullptr) fault.field = name;
+  return fault;
+}
 
 }  // namespace
 
 std::size_t model_bytes(const ModelOptions& options) {
-  // The profiles as given are needed while they are placed: the larger of the two as scratch.
+  // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
   const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
-  return sizeof(Model) + sizeof(double) * (wheel + rail + (wheel > rail ? wheel : rail));
+  const std::size_t given = (wheel > rail ? wheel : rail) / 3 * 4;
+  return sizeof(Model) + sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -71,23 +75,27 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.wheel = {};
   model->options.rail = {};
   model->layout = lay_out(options.sizes, sizeof(Contact));
+  model->linear_theory = SdecTable(options.material.poisson);
 
-  model->has_geometry = has_profiles(options);
+  auto* arrays = reinterpret_cast<double*>(model + 1);
+  model->march_grid = make_march_grid(options.sizes.cells, arrays);
+  arrays += march_grid_size(options.sizes.cells);
+
+  model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
-    auto* arrays = reinterpret_cast<double*>(model + 1);
     const ProfileMemory wheel_memory = cut(arrays, node_count(options.wheel));
     const ProfileMemory rail_memory = cut(arrays, node_count(options.rail));
     Profile given;
     double* scratch = arrays;
-    Fault fault =
-        load_profile(options.wheel, ProfileRole::wheel, cut(scratch, node_count(options.wheel)), given);
-    if (!fault.failed())
-      fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
-    if (fault.failed()) return fault;
+    ProfileMemory given_memory = cut(scratch, node_count(options.wheel));
+    Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given);
+    if (!fault.failed()) fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
+    if (fault.failed()) return named(fault, "config.wheel");
     scratch = arrays;
-    fault = load_profile(options.rail, ProfileRole::rail, cut(scratch, node_count(options.rail)), given);
+    given_memory = cut(scratch, node_count(options.rail));
+    fault = load_profile(options.rail, ProfileBody::rail, scratch, given_memory, given);
     if (!fault.failed()) fault = place_rail(given, options.track, options.side, rail_memory, model->rail);
-    if (fault.failed()) return fault;
+    if (fault.failed()) return named(fault, "config.rail");
   }
   made = model;
   return {};

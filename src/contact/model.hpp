@@ -9,8 +9,10 @@
 #include "fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
+#include "linear_theory/sdec.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
+#include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
