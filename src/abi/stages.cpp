@@ -4,8 +4,6 @@
 #include "abi/fp_environment.hpp"
 #include "abi/handles.hpp"
 #include "abi/structs.hpp"
-#include "damage/shakedown.hpp"
-#include "linear_theory/sdec.hpp"
 
 namespace wrc::abi {
 namespace {

@@ -36,9 +36,9 @@ ProfileMemory cut(double*& arrays, std::int32_t nodes) {
   return memory;
 }
 
-/// The profile in its own coordinates.
-Fault load_profile(const ProfileSource& source, ProfileRole role, const ProfileMemory& memory,
-                   Profile& profile) {
+/// The profile in its own coordinates. `scratch`: source.count doubles, for points.
+Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratch,
+                   const ProfileMemory& memory, Profile& profile) {
   switch (source.kind) {
     case ProfileSource::Kind::s1002:
       return sample_s1002(memory, profile);

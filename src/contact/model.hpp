@@ -52,7 +52,9 @@ struct Model {
   bool has_geometry = false;
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
-  ArrayLayout layout;  ///< of every contact of this model
+  SdecTable linear_theory;  ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;     ///< along each strip
+  ArrayLayout layout;       ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
