@@ -121,15 +121,19 @@ inline void step(const Group& g, const Flexibility& L, std::int32_t i, std::int3
     const double trial_x = px - dv * gx, trial_y = py - dv * gy_mid;
     const bool stick = trial_x * trial_x + trial_y * trial_y <= tau * tau;
 
-    // slip: turn p towards -g, set its magnitude to the bound
-    const double g2 = gx * gx + gy_mid * gy_mid;
-    const double turn = 2.0 * dv * std::sqrt(g2) / (state.bound[k] + tau + tiny_stress);
+    // slip: turn p towards -g, set its magnitude to the bound. g, which itself turns under spin, is taken
+    // where a direction that decays like 1 / q would see it: mid-step for small z, the cell itself for large
+    // z.
+    const double turn =
+        2.0 * dv * std::sqrt(gx * gx + gy_mid * gy_mid) / (state.bound[k] + tau + tiny_stress);
     const double z = std::min(turn, largest_turn);
     const double q = 1.0 + z + 0.5 * z * z;
+    const double gy_seen = gy + g.gy_rate[k] * dv / (2.0 + z);
+    const double g2 = gx * gx + gy_seen * gy_seen;
     const double product = std::sqrt((px * px + py * py) * g2);
-    const double along = -(px * gx + py * gy_mid), across = gy_mid * px - gx * py;
+    const double along = -(px * gx + py * gy_seen), across = gy_seen * px - gx * py;
     const double towards = (product + along) * q * q - (product - along), aside = 2.0 * across * q;
-    const double turned_x = -towards * gx + aside * gy_mid, turned_y = -towards * gy_mid - aside * gx;
+    const double turned_x = -towards * gx + aside * gy_seen, turned_y = -towards * gy_seen - aside * gx;
     const double turned2 = turned_x * turned_x + turned_y * turned_y;
     const bool has_direction = turned2 > 0.0;  // not so where g vanishes: then the direction stays
     const double dir_x = has_direction ? turned_x : trial_x, dir_y = has_direction ? turned_y : trial_y;

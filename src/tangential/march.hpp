@@ -16,13 +16,13 @@
 /// order in the cell size.
 ///
 /// How it is solved:
-///  - the first stick zone, from the leading edge to the onset of slip, in closed form (stick_zone.hpp);
-///  - slip from the onset on: the direction e turns towards -g by tan(d/2) -> tan(d/2) / (1 + z + z^2/2),
-///  where
-///    d is the angle between them and z = Int |g| / tau dv over the step. This is the exact solution of the
-///    slip equation for constant g, with the L-stable second-order Pade form of exp(-z): neither the
-///    vanishing bound at the edges nor large creepages make it overshoot;
-///  - every slipping cell is tested for sticking again, by Kalker's criterion |p - step g| <= tau.
+///  1. The first stick zone, from the leading edge to the onset of slip, in closed form (stick_zone.hpp).
+///  2. Slip from the onset on: over a step the direction e turns towards -g by
+///     tan(d/2) -> tan(d/2) / (1 + z + z^2/2), d the angle between them and z = Int |g| / tau dv. This is the
+///     exact solution of the slip equation for constant g with the L-stable second-order Pade form of
+///     exp(-z), so neither the vanishing bound at the edges nor large creepages make it overshoot.
+///  3. Every slipping cell is tested for sticking again, by Kalker's criterion |p - step g| <= tau.
+///
 /// Things that look like errors and are not: the adhesion tractions of a cell are means over the cell; the
 /// slip of the cell after the onset stands for everything slid since then, half a cell to one and a half.
 #pragma once

@@ -36,9 +36,9 @@ inline double onset_parabolic(const AdhesionGrowth& g, double B, double a) {
 }
 
 /// The same under the elliptic bound tau = E sqrt(u v): v (gx^2 + (beta + k u)^2) = E^2 u. In s = u / 2a this
-/// cubic has at least one root in [0, 1); the largest is found by Newton's method from the side on which it
-/// converges monotonically. Where two roots nearly coincide (slip only grazes) the iteration, stopped after
-/// eight steps, may leave the onset a little early, where the traction is as close below the bound.
+/// cubic has at least one root in [0, 1); the largest is found by Laguerre's method, started on the side of
+/// it that is free of other roots. Six steps leave the traction within 1e-5 of the bound over four decades of
+/// creepages (checked by the unit test), in a fixed amount of work.
 inline double onset_elliptic(const AdhesionGrowth& g, double E, double a) {
   constexpr double least_bound = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
   const double e = std::max(E, least_bound);
@@ -47,16 +47,17 @@ inline double onset_elliptic(const AdhesionGrowth& g, double E, double a) {
   const double c3 = k * k, c2 = 2.0 * b * k - c3, c0 = -(A * A + b * b), c1 = 1.0 - c0 - 2.0 * b * k;
   const auto f = [&](double s) { return c0 + s * (c1 + s * (c2 + s * c3)); };
 
-  // Right of the local minimum (of the inflection, if there is none) f is convex: if f is negative there, the
-  // largest root lies to its right and Newton descends to it from s = 1; if not, the only root lies left of
-  // the inflection, where f is concave, and Newton climbs to it from s = 0.
+  // If f is negative at its local minimum (at its inflection, if it has none), the largest root lies to the
+  // right of that point: start from s = 1. If not, the only root lies to the left: start from s = 0.
   const double discriminant = c2 * c2 - 3.0 * c3 * c1;
   const double turn = -c2 + std::sqrt(std::max(0.0, discriminant));
   const double bend = c3 > 0.0 ? turn / (3.0 * c3) : 0.0;
   double s = f(std::clamp(bend, 0.0, 1.0)) < 0.0 || bend <= 0.0 ? 1.0 : 0.0;
-  for (int i = 0; i < 8; ++i) {
-    const double slope = c1 + s * (2.0 * c2 + s * 3.0 * c3);
-    s = slope > 0.0 ? std::clamp(s - f(s) / slope, 0.0, 1.0) : s;
+  for (int i = 0; i < 6; ++i) {
+    const double value = f(s), slope = c1 + s * (2.0 * c2 + s * 3.0 * c3), bending = 2.0 * c2 + 6.0 * c3 * s;
+    const double root = std::sqrt(std::max(0.0, 4.0 * slope * slope - 6.0 * value * bending));
+    const double denominator = slope + root;
+    s = denominator > 0.0 ? std::clamp(s - 3.0 * value / denominator, 0.0, 1.0) : s;
   }
   return 2.0 * a * (1.0 - s);
 }
