@@ -283,7 +283,7 @@ typedef struct wrc_damage {
   uint32_t reserved;
   double power;               /* total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
   double peak_power_density;  /* [W/m^2] */
-  double t_gamma;             /* |Fx nu_x + Fy nu_y + Mz phi|: energy per metre rolled, spin included [N] */
+  double t_gamma;             /* power / speed: energy dissipated per metre rolled, spin included [N] */
   double t_gamma_no_spin;     /* |Fx nu_x + Fy nu_y|: the other definition in use [N] */
   double utilisation;         /* mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
   double load_factor;         /* p0 / k: ordinate of the shakedown map [-] */

@@ -1,7 +1,7 @@
 /// Plain numbers of the theory that need no contact.
 #include "abi/fp_environment.hpp"
 #include "abi/structs.hpp"
-#include "damage/shakedown.hpp"
+#include "damage/fatigue.hpp"
 #include "linear_theory/sdec.hpp"
 
 namespace abi = wrc::abi;
@@ -12,8 +12,9 @@ extern "C" {
 int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients* coefficients) {
   if (coefficients == nullptr) return WRC_ERROR_NULL;
   const abi::FloatingPointScope scope;
-  for (const Fault& fault : {abi::clear(coefficients), abi::check(a_over_b, "a_over_b", "", 1e-3, 1e3),
-                             abi::check(psi, "psi", "", -0.95, 0.95), abi::check(poisson, "poisson", "", 0.0, 0.5)}) {
+  for (const Fault& fault :
+       {abi::clear(coefficients), abi::check(a_over_b, "a_over_b", "", 1e-3, 1e3),
+        abi::check(psi, "psi", "", -0.95, 0.95), abi::check(poisson, "poisson", "", 0.0, 0.5)}) {
     if (fault.failed()) return fault.status;
   }
   const wrc::SdecTable table(poisson);

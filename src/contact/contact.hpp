@@ -11,7 +11,6 @@
 #include <cstdint>
 
 #include "contact/model.hpp"
-#include "damage/damage.hpp"
 #include "fault.hpp"
 #include "geometry/contact_search.hpp"
 #include "normal/problem.hpp"
@@ -20,6 +19,19 @@
 #include "tangential/problem.hpp"
 
 namespace wrc {
+
+/// Wear and fatigue numbers of one contact.
+struct DamageNumbers {
+  double power = 0.0;                ///< [W]
+  double peak_power_density = 0.0;   ///< [W/m^2]
+  double t_gamma = 0.0;              ///< power / speed [N]
+  double t_gamma_no_spin = 0.0;      ///< |Fx nu_x + Fy nu_y| [N]
+  double utilisation = 0.0;          ///< mu_a [-]
+  double load_factor = 0.0;          ///< p0 / k [-]
+  double shakedown_limit = 0.0;      ///< of p0 / k at mu_a [-]
+  double fatigue_index = 0.0;        ///< [-]
+  double local_fatigue_index = 0.0;  ///< largest of the cells [-]
+};
 
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };

@@ -89,7 +89,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     double* scratch = arrays;
     ProfileMemory given_memory = cut(scratch, node_count(options.wheel));
     Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given);
-    if (!fault.failed()) fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
+    if (!fault.failed())
+      fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
     if (fault.failed()) return named(fault, "config.wheel");
     scratch = arrays;
     given_memory = cut(scratch, node_count(options.rail));

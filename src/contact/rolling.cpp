@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "damage/fatigue.hpp"
+#include "damage/frictional_power.hpp"
 #include "tangential/fastsim.hpp"
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
@@ -16,8 +18,8 @@ bool works_on_ellipse(TangentialMethod method) {
   return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe;
 }
 
-/// Fills the region's strips, in the frame the variant wants them: about the initial contact point (y_contact of the
-/// contact frame), or about the ellipse's own centre.
+/// Fills the region's strips, in the frame the variant wants them: about the initial contact point (y_contact
+/// of the contact frame), or about the ellipse's own centre.
 void prepare_region(Contact& contact, TangentialMethod method) {
   Strips region = region_strips(contact);
   if (works_on_ellipse(method)) {
@@ -52,6 +54,11 @@ void fill_cells(Contact& contact) {
   }
 }
 
+TangentialFields cell_fields(Contact& contact) {
+  return {array(contact, Array::traction_x), array(contact, Array::traction_y), array(contact, Array::slip_x),
+          array(contact, Array::slip_y)};
+}
+
 }  // namespace
 
 Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed) {
@@ -71,8 +78,8 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
   contact.region_strips = 0;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
 
-  // The variants refer everything to the initial contact point; the contact frame of a host's own gap may have its
-  // origin elsewhere: nu_x there is nu_x - phi y_contact, and M_z comes back by - y_contact F_x.
+  // The variants refer everything to the initial contact point; the contact frame of a host's own gap may
+  // have its origin elsewhere: nu_x there is nu_x - phi y_contact, and M_z comes back by - y_contact F_x.
   const double y_contact = contact.normal.y_contact;
   prepare_region(contact, method);
   RollingContact rolling;
@@ -86,8 +93,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
   rolling.creepage = {creepage.longitudinal - creepage.spin * y_contact, creepage.lateral, creepage.spin};
   rolling.friction = friction;
   rolling.bound = model.options.traction_bound;
-  const TangentialFields fields{array(contact, Array::traction_x), array(contact, Array::traction_y),
-                                array(contact, Array::slip_x), array(contact, Array::slip_y)};
+  const TangentialFields fields = cell_fields(contact);
   Fault fault;
   switch (method) {
     case TangentialMethod::fastsim:
@@ -105,7 +111,8 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
   }
   contact.forces.mz -= y_contact * contact.forces.fx;
 
-  const double shift = y_contact + (method == TangentialMethod::fastsim_eqe ? contact.sdec.psi * contact.sdec.b : 0.0);
+  const double shift =
+      y_contact + (method == TangentialMethod::fastsim_eqe ? contact.sdec.psi * contact.sdec.b : 0.0);
   Strips region = region_strips(contact);
   for (std::int32_t j = 0; j < region.count; ++j) region.y[j] += shift;
   fill_cells(contact);
@@ -118,6 +125,30 @@ Fault assess_damage(Contact& contact) {
   }
   contact.reached = Stage::damage;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  const ModelOptions& options = contact.model->options;
+  const Strips region = region_strips(contact);
+  const std::int32_t cells = options.sizes.cells;
+  const TangentialFields fields = cell_fields(contact);
+  double* density = array(contact, Array::power_density);
+  double* per_width = array(contact, Array::strip_power);
+  double* local_index = array(contact, Array::fatigue_index);
+  frictional_power_density(fields, region.count, cells, contact.speed, density);
+  frictional_power_per_width(density, region, cells, per_width);
+  local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
+
+  // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent ellipse.
+  const ShakedownPoint point = shakedown_point(contact.forces, contact.extent.normal_force,
+                                               contact.extent.peak_pressure, options.shear_yield);
+  DamageNumbers& damage = contact.damage;
+  damage.power = frictional_power(per_width, region);
+  damage.peak_power_density = *std::max_element(density, density + cells * region.count);
+  damage.t_gamma = t_gamma(contact.forces);
+  damage.t_gamma_no_spin = t_gamma_without_spin(contact.forces, contact.creepage);
+  damage.utilisation = point.utilised_friction;
+  damage.load_factor = point.load_factor;
+  damage.shakedown_limit = shakedown_limit(point.utilised_friction);
+  damage.fatigue_index = fatigue_index(point);
+  damage.local_fatigue_index = *std::max_element(local_index, local_index + cells * region.count);
   return {};
 }
 
