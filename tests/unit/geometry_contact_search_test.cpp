@@ -214,8 +214,7 @@ TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
       WRC_OK);
   const ReferenceBodies bodies;
   for (double y = 0.735; y < 0.780; y += 1.0 * mm) {
-    // the heads differ by up to 0.023 mm normal to the surface (theory 6.2), the gauge corner shifts them by
-    // as much
+    // The heads differ by a few hundredths of a millimetre at the gauge corner, which shifts them as much.
     EXPECT_NEAR(evaluate(rail.profile, y).z, evaluate(bodies.rail.profile, y).z, 0.05 * mm) << y;
   }
 }
