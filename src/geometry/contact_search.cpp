@@ -114,6 +114,9 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
   // effect.
   const Attitude& a = wheel.attitude;
   const double offset = a.r[1][2] * wheel.wheel->nominal_radius + wheel.centre_y;
+  if (!(a.r[1][1] > 0.5) || !std::isfinite(offset) || !std::isfinite(wheel.centre_z)) {
+    return {.status = WRC_ERROR_NOT_FINITE, .field = "pose", .cause = "check the pose before it is used"};
+  }
   const auto station_index = [&](double y) {
     return static_cast<std::int32_t>(
         std::clamp(((y - offset) / a.r[1][1] - first) / step, -1.0, steps + 1.0));

@@ -21,6 +21,7 @@
 
 #include <cstdint>
 
+#include "fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 
@@ -35,6 +36,10 @@ struct Pose {
   double roll = 0.0;      ///< about the x axis turned by yaw, right wheel down positive [rad]
   double yaw = 0.0;       ///< about z (down), right-hand rule: right wheel back, left wheel forward [rad]
 };
+
+/// The pose is finite and within what a wheelset on rails can do; outside (millimetres, degrees)
+/// WRC_ERROR_RANGE with the field's name, NaN or infinite WRC_ERROR_NOT_FINITE.
+Fault check(const Pose& pose);
 
 /// The rotation R = R_z(yaw) R_x(roll) from wheelset to track axes, worked out once per pose.
 struct Attitude {

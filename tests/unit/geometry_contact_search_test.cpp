@@ -203,6 +203,36 @@ TEST(ContactSearch, WheelBesideTheRailIsAnError) {
   EXPECT_EQ(beside.count, 0);
 }
 
+TEST(ContactSearch, NonsenseInAPoseIsRefusedByName) {
+  EXPECT_EQ(check(Pose{}).status, WRC_OK);
+  EXPECT_EQ(check(Pose{.lateral = 5.0}).status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(check(Pose{.lateral = 5.0}).field, "pose.lateral");
+  EXPECT_STREQ(check(Pose{.yaw = 2.0}).cause, "did you pass degrees?");
+  const ReferenceBodies bodies;
+  for (const Pose& pose :
+       {Pose{.lateral = std::nan("")}, Pose{.vertical = std::nan("")}, Pose{.roll = std::nan("")},
+        Pose{.yaw = std::nan("")}, Pose{.lateral = INFINITY}}) {
+    EXPECT_EQ(check(pose).status, WRC_ERROR_NOT_FINITE);
+    const Found found = find(bodies, pose);
+    EXPECT_TRUE(found.fault.failed());
+    EXPECT_EQ(found.count, 0);
+  }
+}
+
+TEST(Placement, DimensionsInMillimetresAreRefused) {
+  const ReferenceBodies bodies;
+  ProfileStore store;
+  Rail rail;
+  Wheel wheel;
+  const Fault track = place_rail(bodies.rail.profile, {.gauge = 1435.0}, Side::right, store.memory(), rail);
+  EXPECT_EQ(track.status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(track.field, "track.gauge");
+  const Fault wheelset =
+      place_wheel(bodies.wheel.profile, {.nominal_radius = 460.0}, Side::right, store.memory(), wheel);
+  EXPECT_EQ(wheelset.status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(wheelset.cause, "did you pass millimetres?");
+}
+
 TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
   ProfileStore upright, placed;
   Profile profile;

@@ -132,6 +132,27 @@ TEST(GapRows, TouchAtTheOriginAndNowhereElse) {
   }
 }
 
+TEST(GapRows, InTheOverlapWeightedFrameTouchTheSamePoint) {
+  const ReferenceBodies bodies;
+  Gap gap(bodies, Pose{.lateral = 0.3 * mm, .yaw = 0.004});
+  const ContactPoint first = gap.contact;
+  gap.contact = overlap_weighted_point(bodies.rail, gap.wheel, first, 0.07 * mm);
+  ASSERT_GT(std::abs(gap.contact.y - first.y), 2.0 * mm);
+  gap.window = gap_window(bodies.rail, gap.wheel, gap.contact, {});
+  const Fault fault = fill_gap_rows(
+      bodies.rail, gap.wheel, gap.contact, gap.window, 200,
+      {Gap::capacity, gap.y.data(), gap.height.data(), gap.centre.data(), gap.curvature.data()}, gap.rows);
+  ASSERT_EQ(fault.status, WRC_OK);
+  const GapMinimum touch = minimum(gap.rows);
+  EXPECT_NEAR(touch.height, 0.0, 2e-8);
+  const double y_first =
+      gap.contact.cosine * (first.y - gap.contact.y) + gap.contact.sine * (first.z - gap.contact.z);
+  EXPECT_NEAR(touch.y, y_first, 0.02 * mm);
+  for (std::int32_t j = 0; j < gap.rows.count; j += 11) {
+    EXPECT_NEAR(gap.rows.height[j], separation(bodies, gap, gap.rows.centre[j], gap.rows.y[j]), 1e-12);
+  }
+}
+
 TEST(GapRows, CurvatureAtTheContactIsCosineOverRollingRadius) {
   const ReferenceBodies bodies;  // Meusnier, no yaw
   for (const double lateral : {-3.0, 0.0, 3.0, 6.0}) {
