@@ -15,12 +15,12 @@ constexpr double mm = 1e-3;
 struct Found {
   Fault fault;
   std::int32_t count = 0;
-  std::array<ContactPoint, 4> point;
+  ContactPoint point[4];
 };
 
 Found find(const ReferenceBodies& bodies, const Pose& pose) {
   Found found;
-  found.fault = find_contact(bodies.rail, posed(bodies.wheel, pose), 4, found.point.data(), found.count);
+  found.fault = find_contact(bodies.rail, posed(bodies.wheel, pose), 4, found.point, found.count);
   return found;
 }
 
