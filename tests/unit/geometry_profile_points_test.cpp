@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -79,7 +80,7 @@ TEST(ProfilePoints, SplineIsTwiceContinuouslyDifferentiableAndStraightAtItsEnds)
                            store.memory(), profile)
                 .status,
             WRC_OK);
-  for (std::int32_t i = 1; i < count - 1; ++i) {
+  for (std::size_t i = 1; i + 1 < points.y.size(); ++i) {
     const double below = evaluate(profile, points.y[i] - 1e-12).second;
     const double above = evaluate(profile, points.y[i] + 1e-12).second;
     EXPECT_NEAR(above, below, 1e-6 * (1.0 + std::abs(below))) << i;
