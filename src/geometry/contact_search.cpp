@@ -137,7 +137,9 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
       if (now.departing >= 0.0) end_gap = now.gap;
     } else if (before.departing < 0.0 && now.departing >= 0.0) {
       const Station closest = search.refine(before, now, fault);
-      if (closest.over_rail) {
+      if (closest.outline.dy_ds <= 0.0) {
+        // on the folded part of the outline (see outline()): hidden behind the rest of the wheel
+      } else if (closest.over_rail) {
         insert(contact_point(rail, wheel, closest), capacity, points, count);
       } else {
         end_gap = std::min(end_gap, closest.gap);

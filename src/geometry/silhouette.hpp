@@ -70,7 +70,9 @@ struct OutlinePoint {
   double dz_dy() const { return -normal_y / normal_z; }
 };
 
-/// Outline point at wheelset-frame lateral position s; `piece` as in evaluate().
+/// Outline point at wheelset-frame lateral position s; `piece` as in evaluate(). Where the wheel is hollow
+/// (flange root) and the yaw so strong that r r'' yaw^2 > 1 (33 mrad for the S1002 at its steepest), the
+/// outline folds back on itself: dy_ds < 0 there, and that part is hidden behind the rest of the wheel.
 OutlinePoint outline(const PosedWheel& posed_wheel, double s, std::int32_t& piece);
 
 /// d2h/dx2 [1/m] of the separation h measured along the contact normal of a frame inclined by (cosine, sine),

@@ -202,6 +202,20 @@ TEST(GapRows, SayWhenTheProfileEndsBeforeTheGapOpens) {
   EXPECT_NEAR(gap.window.high, profile.y[profile.count - 1] + 7.28 * mm, 0.02 * mm);
 }
 
+TEST(GapRows, EndBeforeTheOutlineFolds) {
+  // Flange contact at 45 mrad: r r'' yaw^2 = 0.475 m * 1900 1/m * 0.045^2 = 1.8 at the top of the flange
+  // root.
+  const ReferenceBodies bodies;
+  const Gap gap(bodies, Pose{.lateral = 7.5 * mm, .yaw = 0.045});
+  ASSERT_EQ(gap.fault.status, WRC_OK);
+  ASSERT_LT(gap.contact.angle, -1.1);
+  EXPECT_EQ(gap.window.high_end, RowsEnd::fold);
+  for (std::int32_t j = 0; j < gap.rows.count; ++j) {
+    EXPECT_GE(gap.rows.height[j], -1e-12);
+    EXPECT_GT(gap.rows.curvature[j], 0.0);
+  }
+}
+
 TEST(GapRows, HalfWidthLimitsTheWindow) {
   const ReferenceBodies bodies;
   const Gap gap(bodies, Pose{}, 200, {.max_half_width = 8.0 * mm});
