@@ -92,6 +92,14 @@ void insert(const ContactPoint& point, std::int32_t capacity, ContactPoint* poin
   points[place] = point;
 }
 
+constexpr double weight_spacing = 0.1e-3;  ///< of the integration over the overlap [m]
+constexpr std::int32_t weight_cap = 1000;  ///< stations on either side
+
+/// Sums of the weight g^(5/2), of y and of the angle over the overlap.
+struct OverlapSums {
+  double weight = 0.0, y = 0.0, angle = 0.0;
+};
+
 }  // namespace
 
 Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capacity, ContactPoint* points,
@@ -106,6 +114,9 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
   // effect.
   const Attitude& a = wheel.attitude;
   const double offset = a.r[1][2] * wheel.wheel->nominal_radius + wheel.centre_y;
+  if (!(a.r[1][1] > 0.5) || !std::isfinite(offset) || !std::isfinite(wheel.centre_z)) {
+    return {.status = WRC_ERROR_NOT_FINITE, .field = "pose", .cause = "check the pose before it is used"};
+  }
   const auto station_index = [&](double y) {
     return static_cast<std::int32_t>(
         std::clamp(((y - offset) / a.r[1][1] - first) / step, -1.0, steps + 1.0));
@@ -126,7 +137,9 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
       if (now.departing >= 0.0) end_gap = now.gap;
     } else if (before.departing < 0.0 && now.departing >= 0.0) {
       const Station closest = search.refine(before, now, fault);
-      if (closest.over_rail) {
+      if (closest.outline.dy_ds <= 0.0) {
+        // on the folded part of the outline (see outline()): hidden behind the rest of the wheel
+      } else if (closest.over_rail) {
         insert(contact_point(rail, wheel, closest), capacity, points, count);
       } else {
         end_gap = std::min(end_gap, closest.gap);
@@ -151,6 +164,44 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
             .cause = "wheel and rail are closest at the end of a profile: is the profile cut too short?"};
   }
   return fault;
+}
+
+ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
+                                    const ContactPoint& first_contact, double overlap) {
+  OverlapSums sums;
+  // Relative to the first contact, so that nothing cancels in the sums. False where the overlap has ended.
+  const auto add = [&](Search& search, double s) {
+    const Station station = search.at(s);
+    const double depth = overlap + first_contact.vertical_gap - station.gap;
+    if (!(depth > 0.0) || !station.over_rail) return false;
+    const double weight = depth * depth * std::sqrt(depth) * station.outline.dy_ds;
+    sums.weight += weight;
+    sums.y += weight * (station.outline.y - first_contact.y);
+    sums.angle += weight * (std::atan(evaluate(rail.profile, station.outline.y, search.rail_piece).slope) -
+                            first_contact.angle);
+    return true;
+  };
+  const double start = first_contact.wheel_s;
+  Search search{rail, wheel, piece_at(rail.profile, first_contact.y), piece_at(wheel.wheel->profile, start)};
+  Search downwards = search;
+  if (!add(search, start)) return first_contact;
+  for (std::int32_t i = 1; i < weight_cap && add(search, start + i * weight_spacing); ++i) continue;
+  for (std::int32_t i = 1; i < weight_cap && add(downwards, start - i * weight_spacing); ++i) continue;
+
+  // The wheel's point over the weighted y: Newton, well started by the first contact.
+  const double y = first_contact.y + sums.y / sums.weight;
+  double s = start;
+  Station station = search.at(s);
+  for (std::int32_t i = 0; i < refine_cap && std::abs(y - station.outline.y) > refine_tolerance; ++i) {
+    s += (y - station.outline.y) / station.outline.dy_ds;
+    station = search.at(s);
+  }
+  ContactPoint point = contact_point(rail, wheel, station);
+  point.vertical_gap = first_contact.vertical_gap;
+  point.angle = first_contact.angle + sums.angle / sums.weight;
+  point.cosine = std::cos(point.angle);
+  point.sine = std::sin(point.angle);
+  return point;
 }
 
 }  // namespace wrc

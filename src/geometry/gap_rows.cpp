@@ -10,6 +10,8 @@ constexpr std::int32_t newton_cap =
     12;  ///< two steps are typical: the start is extrapolated from the next row
 constexpr double newton_tolerance = 1e-7;    ///< last step [m]; what is left then is below 1e-12 m
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
+constexpr double newton_step = 1e-3;         ///< longest step [m]
+constexpr double least_advance = 0.05;  ///< of y per parameter; below, the wheel's outline is about to fold
 constexpr double window_step = scan_spacing;
 
 /// A curve's point in the contact frame.
@@ -62,7 +64,7 @@ FramePoint at_frame_y(const Curve& at, double y, double low, double high, double
   FramePoint p;
   for (std::int32_t i = 0; i < newton_cap; ++i) {
     p = at(t);
-    const double step = (y - p.y) / p.dy_dt;
+    const double step = std::clamp((y - p.y) / std::max(p.dy_dt, least_advance), -newton_step, newton_step);
     if (std::abs(step) <= newton_tolerance) {
       p.z += p.dz_dy * (y - p.y);
       p.y = y;
@@ -78,9 +80,10 @@ FramePoint at_frame_y(const Curve& at, double y, double low, double high, double
 /// wheel to the vertical and to the contact plane give the separation along the contact normal to first order
 /// in g.
 struct Station {
-  double y = 0.0;       ///< of the wheel's point in the contact frame [m]
-  double height = 0.0;  ///< [m]
-  double facing = 1.0;  ///< least cosine of rail and wheel to the contact normal; <= 0 turned away
+  double y = 0.0;        ///< of the wheel's point in the contact frame [m]
+  double height = 0.0;   ///< [m]
+  double facing = 1.0;   ///< least cosine of rail and wheel to the contact normal; <= 0 turned away
+  double advance = 1.0;  ///< dy/ds of the wheel's outline
   bool over_rail = true;
 };
 
@@ -91,6 +94,7 @@ Station station(Frame& frame, double s) {
   const Profile& profile = frame.rail.profile;
   Station result;
   result.y = wheel.y;
+  result.advance = wheel.dy_dt;
   result.over_rail = point.y >= profile.y[0] && point.y <= profile.y[profile.count - 1];
   if (!result.over_rail) return result;
   const ProfilePoint rail = evaluate(profile, point.y, frame.rail_piece);
@@ -143,6 +147,11 @@ double window_end(Frame frame, const GapLimits& limits, double direction, RowsEn
       if (!was_inside) return reached;
       end = RowsEnd::inclination;
       return crossing(before.y, before.facing, now.y, now.facing, least_cosine);
+    }
+    if (now.advance <= least_advance) {
+      if (!was_inside) return reached;
+      end = RowsEnd::fold;
+      return crossing(before.y, before.advance, now.y, now.advance, least_advance);
     }
     if (direction * now.y >= limits.max_half_width) {
       if (!was_inside) return reached;
@@ -203,8 +212,8 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
     on_wheel = frame.wheel_at(s, point);
     for (std::int32_t j = from; j != to; j += direction) {
       const double y = window.low + j * step;
-      rail_y += (y - y_before) / on_rail.dy_dt;
-      s += (y - y_before) / on_wheel.dy_dt;
+      rail_y += (y - y_before) / std::max(on_rail.dy_dt, least_advance);
+      s += (y - y_before) / std::max(on_wheel.dy_dt, least_advance);
       on_rail = at_frame_y([&](double t) { return frame.rail_at(t); }, y, rail_profile.y[0],
                            rail_profile.y[rail_profile.count - 1], rail_y, converged);
       on_wheel = at_frame_y([&](double t) { return frame.wheel_at(t, point); }, y, wheel_profile.y[0],

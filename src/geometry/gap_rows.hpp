@@ -30,6 +30,7 @@ enum class RowsEnd {
   gap,          ///< the gap grew beyond the limit: nothing nearby is left out
   half_width,   ///< max_half_width was reached
   inclination,  ///< a surface turned away from the contact plane
+  fold,         ///< the wheel's outline folds back: flange root under strong yaw (beyond about 30 mrad)
   profile_end,  ///< the wheel's or the rail's profile ends there while the gap is still within the limit
 };
 

@@ -61,7 +61,8 @@ struct Wheel {
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 
-/// Tape circle at half the flange-back distance plus flange_back_to_origin.
+/// Tape circle at half the flange-back distance plus flange_back_to_origin. WRC_ERROR_RANGE for dimensions no
+/// wheelset has.
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel);
 

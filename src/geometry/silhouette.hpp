@@ -21,6 +21,7 @@
 
 #include <cstdint>
 
+#include "fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 
@@ -35,6 +36,10 @@ struct Pose {
   double roll = 0.0;      ///< about the x axis turned by yaw, right wheel down positive [rad]
   double yaw = 0.0;       ///< about z (down), right-hand rule: right wheel back, left wheel forward [rad]
 };
+
+/// The pose is finite and within what a wheelset on rails can do; outside (millimetres, degrees)
+/// WRC_ERROR_RANGE with the field's name, NaN or infinite WRC_ERROR_NOT_FINITE.
+Fault check(const Pose& pose);
 
 /// The rotation R = R_z(yaw) R_x(roll) from wheelset to track axes, worked out once per pose.
 struct Attitude {
@@ -65,7 +70,9 @@ struct OutlinePoint {
   double dz_dy() const { return -normal_y / normal_z; }
 };
 
-/// Outline point at wheelset-frame lateral position s; `piece` as in evaluate().
+/// Outline point at wheelset-frame lateral position s; `piece` as in evaluate(). Where the wheel is hollow
+/// (flange root) and the yaw so strong that r r'' yaw^2 > 1 (33 mrad for the S1002 at its steepest), the
+/// outline folds back on itself: dy_ds < 0 there, and that part is hidden behind the rest of the wheel.
 OutlinePoint outline(const PosedWheel& posed_wheel, double s, std::int32_t& piece);
 
 /// d2h/dx2 [1/m] of the separation h measured along the contact normal of a frame inclined by (cosine, sine),

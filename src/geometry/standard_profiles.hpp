@@ -43,7 +43,7 @@ struct RailHead {
 
 /// Nominal 60E1 head.
 inline constexpr RailHead rail_60e1{0.020456 / 2.0, 0.052053 / 2.0};
-/// The head inside the benchmark UIC60: it differs from 60E1 by up to 0.023 mm.
+/// The head inside the benchmark UIC60: it differs from 60E1 by a few hundredths of a mm.
 inline constexpr RailHead rail_uic60_benchmark{0.0105000, 0.0259881};
 
 /// How far down the 1:20 side the sampled head reaches [m].

@@ -15,12 +15,12 @@ constexpr double mm = 1e-3;
 struct Found {
   Fault fault;
   std::int32_t count = 0;
-  std::array<ContactPoint, 4> point;
+  ContactPoint point[4];
 };
 
 Found find(const ReferenceBodies& bodies, const Pose& pose) {
   Found found;
-  found.fault = find_contact(bodies.rail, posed(bodies.wheel, pose), 4, found.point.data(), found.count);
+  found.fault = find_contact(bodies.rail, posed(bodies.wheel, pose), 4, found.point, found.count);
   return found;
 }
 
@@ -203,6 +203,36 @@ TEST(ContactSearch, WheelBesideTheRailIsAnError) {
   EXPECT_EQ(beside.count, 0);
 }
 
+TEST(ContactSearch, NonsenseInAPoseIsRefusedByName) {
+  EXPECT_EQ(check(Pose{}).status, WRC_OK);
+  EXPECT_EQ(check(Pose{.lateral = 5.0}).status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(check(Pose{.lateral = 5.0}).field, "pose.lateral");
+  EXPECT_STREQ(check(Pose{.yaw = 2.0}).cause, "did you pass degrees?");
+  const ReferenceBodies bodies;
+  for (const Pose& pose :
+       {Pose{.lateral = std::nan("")}, Pose{.vertical = std::nan("")}, Pose{.roll = std::nan("")},
+        Pose{.yaw = std::nan("")}, Pose{.lateral = INFINITY}}) {
+    EXPECT_EQ(check(pose).status, WRC_ERROR_NOT_FINITE);
+    const Found found = find(bodies, pose);
+    EXPECT_TRUE(found.fault.failed());
+    EXPECT_EQ(found.count, 0);
+  }
+}
+
+TEST(Placement, DimensionsInMillimetresAreRefused) {
+  const ReferenceBodies bodies;
+  ProfileStore store;
+  Rail rail;
+  Wheel wheel;
+  const Fault track = place_rail(bodies.rail.profile, {.gauge = 1435.0}, Side::right, store.memory(), rail);
+  EXPECT_EQ(track.status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(track.field, "track.gauge");
+  const Fault wheelset =
+      place_wheel(bodies.wheel.profile, {.nominal_radius = 460.0}, Side::right, store.memory(), wheel);
+  EXPECT_EQ(wheelset.status, WRC_ERROR_RANGE);
+  EXPECT_STREQ(wheelset.cause, "did you pass millimetres?");
+}
+
 TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
   ProfileStore upright, placed;
   Profile profile;
@@ -214,8 +244,7 @@ TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
       WRC_OK);
   const ReferenceBodies bodies;
   for (double y = 0.735; y < 0.780; y += 1.0 * mm) {
-    // the heads differ by up to 0.023 mm normal to the surface (theory 6.2), the gauge corner shifts them by
-    // as much
+    // The heads differ by a few hundredths of a millimetre at the gauge corner, which shifts them as much.
     EXPECT_NEAR(evaluate(rail.profile, y).z, evaluate(bodies.rail.profile, y).z, 0.05 * mm) << y;
   }
 }
