@@ -152,7 +152,7 @@ TEST_F(Interface, FrictionMustBePositive) {
 TEST_F(Interface, PoseInMillimetresIsNoticed) {
   pose.lateral = 3.0;
   expect_refused(WRC_ERROR_RANGE, {"pose.lateral = 3 m", "mm"});
-  pose.lateral = 0.09;  // allowed as a number, but the wheel has left the rail
+  pose.lateral = -0.1;  // allowed as a number, but the wheel has left the rail
   EXPECT_LT(step(), 0);
   EXPECT_EQ(forces.fn, 0.0);
   pose.lateral = 0.0;
@@ -183,7 +183,7 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
   // A parabolic gap cut off at y = 2 mm, well inside the patch.
   std::vector<double> y, height, curvature;
   for (int j = 0; j < 40; ++j) {
-    y.push_back(-0.012 + 0.014 * j / 39.0);
+    y.push_back(-0.025 + 0.027 * j / 39.0);
     height.push_back(0.5 * y.back() * y.back());
     curvature.push_back(1.0 / 0.46);
   }
@@ -361,7 +361,7 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   y = good_y;
   for (double& value : y) value *= 1e3;
   for (double& value : z) value *= 1e3;
-  expect_config_refused(WRC_ERROR_PROFILE, {"mm"});
+  expect_config_refused(WRC_ERROR_PROFILE, {"millimetres"});
   y = good_y;
   z = good_z;
   for (double& value : z) value = -value;
