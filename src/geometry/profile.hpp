@@ -1,9 +1,9 @@
 /// A wheel or rail profile as a smooth curve z(y): cubic Hermite pieces between nodes that carry value and
 /// slope.
 ///
-/// Standard profiles are sampled from their analytic definitions with exact slopes; point arrays get the
-/// slopes of the natural cubic spline. One representation serves both. z points down, y to the field side
-/// (right wheel).
+/// Standard profiles are sampled from their analytic definitions with exact slopes (standard_profiles.hpp);
+/// point arrays get the slopes of the natural cubic spline (profile_points.hpp). One representation serves
+/// both. z points down, y to the field side (right wheel).
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,22 @@ struct Profile {
   const double* slope = nullptr;  ///< dz/dy [-]
 };
 
+/// Memory for the nodes of a profile, handed to the init functions that fill one.
+struct ProfileMemory {
+  std::int32_t capacity = 0;  ///< nodes
+  double* y = nullptr;
+  double* z = nullptr;
+  double* slope = nullptr;
+};
+
+/// The first `count` nodes of `memory` as a profile.
+inline Profile profile_in(const ProfileMemory& memory, std::int32_t count) {
+  return {count, memory.y, memory.z, memory.slope};
+}
+
+/// The fault of every init function whose node memory is too small for `needed` nodes.
+Fault too_few_nodes(std::int32_t capacity, std::int32_t needed);
+
 /// Value and derivatives at one y. Outside the nodes the end tangent continues (curvature 0): a search that
 /// starts there is led back, and the gap there is flagged by the caller as beyond the profile.
 struct ProfilePoint {
@@ -29,5 +45,21 @@ struct ProfilePoint {
 };
 
 ProfilePoint evaluate(const Profile& profile, double y);
+
+/// The same for a caller who moves along the profile in small steps: `piece` is the index of the Hermite
+/// piece of the previous evaluation (any value in [0, count - 2] is a valid start) and is updated. The result
+/// does not depend on it, only the time to find the piece does.
+ProfilePoint evaluate(const Profile& profile, double y, std::int32_t& piece);
+
+/// Index of the Hermite piece that holds y: y[piece] <= y < y[piece + 1], clamped to the first or last piece.
+std::int32_t piece_at(const Profile& profile, double y);
+
+/// Lowest z value of the profile (the highest point: z points down), its y from the zero slope inside a
+/// piece.
+struct ProfileTop {
+  double y = 0.0;  ///< [m]
+  double z = 0.0;  ///< [m]
+};
+ProfileTop highest_point(const Profile& profile);
 
 }  // namespace wrc

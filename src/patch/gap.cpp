@@ -45,6 +45,67 @@ std::int32_t lowest_row(const GapRows& rows) {
   return static_cast<std::int32_t>(std::min_element(rows.height, rows.height + rows.count) - rows.height);
 }
 
+namespace {
+
+struct Parabola {
+  double lowest = 0.0, at = 0.0, curvature = 0.0;
+};
+
+/// Least-squares parabola through points [first, last]; abscissae are taken relative to their mean and scaled
+/// by their span, which keeps the 3 x 3 normal equations well conditioned.
+Parabola fit_parabola(const double* x, const double* h, std::int32_t first, std::int32_t last) {
+  const double count = static_cast<double>(last - first + 1);
+  double mean = 0.0;
+  for (std::int32_t i = first; i <= last; ++i) mean += x[i] / count;
+  const double scale = x[last] - x[first];
+  double t1 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, h0 = 0.0, h1 = 0.0, h2 = 0.0;
+  for (std::int32_t i = first; i <= last; ++i) {
+    const double t = (x[i] - mean) / scale;
+    t1 += t;
+    t2 += t * t;
+    t3 += t * t * t;
+    t4 += t * t * t * t;
+    h0 += h[i];
+    h1 += h[i] * t;
+    h2 += h[i] * t * t;
+  }
+  // h = c0 + c1 t + c2 (t^2 - t2 / count): c2 from the 2 x 2 system left after eliminating c0; t1 is zero up
+  // to rounding.
+  const double s22 = t4 - t2 * t2 / count, s11 = t2 - t1 * t1 / count, s12 = t3 - t1 * t2 / count;
+  const double r1 = h1 - t1 * h0 / count, r2 = h2 - t2 * h0 / count;
+  const double determinant = s11 * s22 - s12 * s12;
+  const double c1 = (r1 * s22 - r2 * s12) / determinant;
+  const double c2 = (r2 * s11 - r1 * s12) / determinant;
+  const double c0 = (h0 - c1 * t1 - c2 * t2) / count;
+  if (!(c2 > 0.0)) return {};
+  return {c0 - 0.25 * c1 * c1 / c2, mean - 0.5 * c1 / c2 * scale, 2.0 * c2 / (scale * scale)};
+}
+
+}  // namespace
+
+Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* centre, double* curvature) {
+  for (std::int32_t j = 0; j < grid.rows; ++j) {
+    const double* h = grid.h + j * grid.row_stride;
+    const auto lowest = static_cast<std::int32_t>(std::min_element(h, h + grid.columns) - h);
+    std::int32_t first = std::clamp(lowest - 1, 0, grid.columns - 3);
+    std::int32_t last = first + 2;
+    while (first > 0 && h[first - 1] - h[lowest] < depth) --first;
+    while (last < grid.columns - 1 && h[last + 1] - h[lowest] < depth) ++last;
+    const Parabola fit = fit_parabola(grid.x, h, first, last);
+    if (!(fit.curvature > 0.0)) {
+      return {
+          .status = WRC_ERROR_GAP,
+          .field = "gap.h row",
+          .cause = "the row has no minimum along x: is the gap convex there, and x the rolling direction?",
+          .index = j};
+    }
+    height[j] = fit.lowest;
+    centre[j] = fit.at;
+    curvature[j] = fit.curvature;
+  }
+  return {};
+}
+
 GapMinimum minimum(const GapRows& rows) {
   // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining
   // pieces.

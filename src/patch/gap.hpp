@@ -38,6 +38,20 @@ GapRow interpolate(const GapRows& rows, double y);
 /// Index of the row with the smallest height.
 std::int32_t lowest_row(const GapRows& rows);
 
+/// An element-wise gap h[j * row_stride + i] at (x[i], y[j]), as a host measures or computes it.
+struct GapGrid {
+  std::int32_t rows = 0, columns = 0;
+  const double* x = nullptr;  ///< [m], increasing
+  const double* y = nullptr;  ///< [m], increasing
+  const double* h = nullptr;  ///< [m]
+  std::int64_t row_stride = 0;
+};
+
+/// Represents each row of the grid by the parabola fitted (least squares) to its lowest part: the run of
+/// points around the row's minimum that lie less than `depth` [m] above it, at least three. Writes grid.rows
+/// values each. WRC_ERROR_GAP names the first row that is not convex there.
+Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* centre, double* curvature);
+
 /// Where two bodies first touch: minimum of the interpolated height around the lowest row.
 struct GapMinimum {
   double y = 0.0;

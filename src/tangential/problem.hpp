@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "linear_theory/flexibility.hpp"
 #include "patch/strips.hpp"
 
 namespace wrc {
@@ -18,16 +19,9 @@ struct Creepage {
   double spin = 0.0;          ///< phi [1/m]
 };
 
-/// Flexibility parameters of the simplified theory [m/Pa]: tractions of full adhesion are
-///   p_x = (nu_x / l11 - phi y / l13) (x - x_l),   p_y = nu_y (x - x_l) / l22 + phi (x^2 - x_l^2) / (2 l23).
-/// Classic FASTSIM is l13 = l23 (Kalker's L3); paper eq. 6 and 8 for four of them.
-struct Flexibility {
-  double l11 = 0.0, l13 = 0.0, l22 = 0.0, l23 = 0.0;
-};
-
-/// Form of the traction bound tau_b(x, y) <= mu * p over a strip.
+/// Form of the traction bound tau_b(x, y) over a strip. Both integrate to mu N over the patch.
 enum class TractionBound {
-  parabolic,  ///< mu N (x_l^2 - x^2) / IInt (x_l^2 - x^2) dA, paper eq. 9; integrates to mu N over the patch
+  parabolic,  ///< mu N (x_l^2 - x^2) / IInt (x_l^2 - x^2) dA: Liu, Bruni (2024), eq. 9, on any region
   elliptic,   ///< mu p_n, the semi-elliptic pressure of each strip as the normal method gives it
 };
 
@@ -37,14 +31,12 @@ struct TangentialProblem {
   Flexibility flexibility;
   double friction = 0.0;  ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
-  std::int32_t cells = 0;  ///< cells along each strip
 };
 
 /// Fields over cells: element (cell i, strip j) is at i * strips + j, cell 0 at the leading edge, so that one
-/// march step of all strips is contiguous. Owned by the caller; x = centre + half_length (1 - (2 i + 1) /
-/// cells).
+/// march step of all strips is contiguous; strips is region.count. The middle of the cell is at
+/// x = centre + half_length (1 - (2 i + 1) / cells). Memory is the caller's; nullptr leaves a field out.
 struct TangentialFields {
-  std::int32_t strips = 0, cells = 0;
   double* traction_x = nullptr;  ///< on the wheel [Pa]
   double* traction_y = nullptr;  ///< [Pa]
   double* slip_x = nullptr;      ///< sliding velocity / rolling speed [-]
@@ -55,7 +47,7 @@ struct TangentialForces {
   double fx = 0.0, fy = 0.0;       ///< on the wheel [N]
   double mz = 0.0;                 ///< about the origin of the creepages [N m]
   double power_per_speed = 0.0;    ///< dissipated power / rolling speed [N]: -IInt (s . p) dA
-  double adhesion_fraction = 0.0;  ///< area of sticking cells / area
+  double adhesion_fraction = 0.0;  ///< area that sticks / area
 };
 
 }  // namespace wrc

@@ -1,0 +1,92 @@
+! main_case: S1002 on UIC60, 80 kN, the source paper's two creepage cases, from Fortran.
+! Exits with an error when a call fails or a result leaves the range the paper's case must have.
+program main_case
+  use wrc
+  implicit none
+  type(wrc_profile), target :: wheel, rail
+  type(wrc_config) :: config
+  type(wrc_pose) :: pose
+  type(wrc_contact_point) :: point
+  type(wrc_load) :: load
+  type(wrc_creepage) :: creepage
+  type(wrc_friction) :: friction
+  type(wrc_patch) :: patch
+  type(wrc_forces) :: forces
+  type(wrc_damage) :: damage
+  type(c_ptr) :: model, contact
+  character(256) :: text
+  real(c_double) :: in(8), out(12)
+  integer :: i
+  real(c_double), parameter :: creepages(3, 2) = reshape([0d0, 0d0, -0.5d0, -0.49d-3, -0.22d-3, 0.29d0], [3, 2])
+  real(c_double), parameter :: contact_power(2) = [68.68d0, 30.60d0]  ! CONTACT [W]
+
+  call wrc_init(wheel)
+  call wrc_init(rail)
+  call wrc_init(config)
+  call wrc_init(pose)
+  call wrc_init(point)
+  call wrc_init(load)
+  call wrc_init(creepage)
+  call wrc_init(friction)
+  call wrc_init(patch)
+  call wrc_init(forces)
+  call wrc_init(damage)
+  ! The last member of each group read right means that the layouts agree.
+  if (config%rail_inclination /= 0d0 .or. config%gauge_depth /= 0.014d0 .or. config%max_iterations < 4) stop 'layout'
+  if (creepage%speed /= 1d0) stop 'layout'
+
+  wheel%kind = WRC_PROFILE_S1002
+  rail%kind = WRC_PROFILE_UIC60_BENCHMARK
+  config%wheel = c_loc(wheel)
+  config%rail = c_loc(rail)
+  if (wrc_config_check(config, text) < 0) then
+    print '(2a)', 'configuration: ', trim(text)
+    stop 1
+  end if
+  call check(wrc_model_create(config, c_null_ptr, model))
+  call check(wrc_contact_create(model, c_null_ptr, contact))
+
+  load%normal_force = 80d3
+  friction%coefficient = 0.35d0
+  call check(wrc_geometry(contact, pose, point))
+  call check(wrc_normal(contact, c_null_ptr, load, patch))
+  print '(a,f5.2,a,f6.2,a,f6.3,a,f7.1,a,f6.2,a)', 'patch: a =', 1d3*patch%a, ' mm, b =', 1d3*patch%b, &
+    ' mm, psi =', patch%psi, ', p_max =', 1d-6*patch%peak_pressure, ' MPa, approach =', 1d6*patch%approach, ' um'
+  do i = 1, 2
+    creepage%longitudinal = creepages(1, i)
+    creepage%lateral = creepages(2, i)
+    creepage%spin = creepages(3, i)
+    call check(wrc_tangential(contact, c_null_ptr, creepage, friction, forces))
+    call check(wrc_damage_numbers(contact, damage))
+    print '(a,i0,a,f8.0,a,f8.0,a,f7.1,a,f7.2,a,f5.1,a)', 'case ', i, ': Fx =', forces%fx, ' N, Fy =', forces%fy, &
+      ' N, Mz =', forces%mz, ' N m, power =', forces%power, ' W (', 100*(forces%power/contact_power(i) - 1), &
+      ' % from CONTACT)'
+    if (abs(forces%power/contact_power(i) - 1) > 0.1d0) stop 'power is off'
+    if (abs(damage%power - forces%power) > 1d-9*forces%power) stop 'damage and forces disagree'
+
+    ! the same through plain arrays
+    in = [0d0, 0d0, 0d0, load%normal_force, creepages(1, i), creepages(2, i), creepages(3, i), friction%coefficient]
+    call check(wrc_step_flat(contact, in, out))
+    if (out(1) /= forces%fx .or. out(5) /= forces%power) stop 'wrc_step_flat differs'
+  end do
+
+  ! a mistake, and what the library says of it
+  load%normal_force = 80d0
+  if (wrc_normal(contact, c_null_ptr, load, patch) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
+  call wrc_last_error(contact, text)
+  print '(2a)', '80 N: ', trim(text)
+
+  call wrc_contact_destroy(contact)
+  call wrc_model_destroy(model)
+
+contains
+
+  subroutine check(status)
+    integer(c_int32_t), intent(in) :: status
+    if (status >= 0) return
+    call wrc_last_error(contact, text)
+    print '(a,i0,2a)', 'status ', status, ': ', trim(text)
+    stop 1
+  end subroutine
+
+end program main_case

@@ -1,0 +1,71 @@
+/* load_at_run_time.c - how a host that is not linked to wrc uses it: dlopen, one dlsym, then the function table.
+ *
+ *   ./load_at_run_time path/to/libwrc.so.1
+ */
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "wrc/wrc.h"
+
+int main(int argc, char** argv) {
+  const char* path = argc > 1 ? argv[1] : "libwrc.so.1";
+  void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  if (library == NULL) {
+    fprintf(stderr, "%s\n", dlerror());
+    return EXIT_FAILURE;
+  }
+
+  /* ISO C has no cast from an object pointer to a function pointer; POSIX says that copying it works. */
+  const wrc_api* (*get_api)(uint32_t) = NULL;
+  void* symbol = dlsym(library, "wrc_get_api");
+  if (symbol == NULL) {
+    fprintf(stderr, "%s has no wrc_get_api: is it libwrc?\n", path);
+    return EXIT_FAILURE;
+  }
+  memcpy(&get_api, &symbol, sizeof get_api);
+  const wrc_api* wrc = get_api(WRC_ABI_VERSION);
+  if (wrc == NULL || wrc->struct_size < sizeof(wrc_api)) {
+    fprintf(stderr, "this library is too old for interface version %d of this program\n", WRC_ABI_VERSION);
+    return EXIT_FAILURE;
+  }
+
+  /* A contact whose normal problem the host solves itself: 100 kN on a 12 x 8 mm ellipse. */
+  wrc_config config;
+  config.struct_size = sizeof config;
+  wrc->config_init(&config);
+  wrc_model* model = NULL;
+  wrc_contact* contact = NULL;
+  if (wrc->model_create(&config, NULL, &model) < 0 || wrc->contact_create(model, NULL, &contact) < 0) {
+    fprintf(stderr, "out of memory\n");
+    return EXIT_FAILURE;
+  }
+  wrc_patch patch;
+  wrc_creepage creepage;
+  wrc_friction friction;
+  wrc_forces forces;
+  patch.struct_size = sizeof patch;
+  creepage.struct_size = sizeof creepage;
+  friction.struct_size = sizeof friction;
+  forces.struct_size = sizeof forces;
+  wrc->patch_init(&patch);
+  wrc->creepage_init(&creepage);
+  wrc->friction_init(&friction);
+  wrc->forces_init(&forces);
+  patch.a = 6e-3;
+  patch.b = 4e-3;
+  patch.normal_force = 100e3;
+  creepage.longitudinal = 1e-3;
+
+  const int32_t status = wrc->tangential(contact, &patch, &creepage, &friction, &forces);
+  char text[256] = "";
+  wrc->last_error(contact, text, sizeof text);
+  printf("wrc %u.%u through %s: %s%s, Fx = %.0f N of at most %.0f N\n", wrc->version() >> 16, wrc->version() >> 8 & 255U,
+         path, wrc->status_name(status), text, forces.fx, friction.coefficient * patch.normal_force);
+
+  wrc->contact_destroy(contact);
+  wrc->model_destroy(model);
+  dlclose(library);
+  return status < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,219 @@
+/* own_case.c - your own profiles, load and creepages from the command line; ./run.sh --help lists the options. */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "wrc/wrc.h"
+
+enum { MOST_POINTS = 20000 };
+
+/* ---------------------------------------------------------------------------------------------------- profile files */
+
+/* Reads "y z" lines into arrays that live as long as the program; returns the number of points. */
+static uint32_t read_points(const char* path, double scale, double* y, double* z) {
+  FILE* file = fopen(path, "r");
+  if (file == NULL) {
+    fprintf(stderr, "cannot open profile file '%s'\n", path);
+    exit(EXIT_FAILURE);
+  }
+  char line[256];
+  uint32_t count = 0;
+  while (fgets(line, sizeof line, file) != NULL) {
+    for (char* c = line; *c != '\0'; ++c) {
+      if (*c == ',' || *c == ';' || *c == '\t') *c = ' ';
+    }
+    double a = 0.0, b = 0.0;
+    if (sscanf(line, "%lf %lf", &a, &b) != 2) continue; /* a heading or a comment */
+    if (count == MOST_POINTS) {
+      fprintf(stderr, "%s has more than %d points\n", path, MOST_POINTS);
+      exit(EXIT_FAILURE);
+    }
+    y[count] = scale * a;
+    z[count] = scale * b;
+    ++count;
+  }
+  fclose(file);
+  return count;
+}
+
+/* A built-in shape by name, or points from a file. */
+static wrc_profile profile_from(const char* source, double scale, double* y, double* z) {
+  wrc_profile profile;
+  profile.struct_size = sizeof profile;
+  wrc_profile_init(&profile);
+  if (strcmp(source, "S1002") == 0) {
+    profile.kind = WRC_PROFILE_S1002;
+  } else if (strcmp(source, "60E1") == 0) {
+    profile.kind = WRC_PROFILE_60E1;
+  } else if (strcmp(source, "UIC60") == 0) {
+    profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  } else {
+    profile.kind = WRC_PROFILE_POINTS;
+    profile.count = read_points(source, scale, y, z);
+    profile.y = y;
+    profile.z = z;
+  }
+  return profile;
+}
+
+/* ----------------------------------------------------------------------------------------------------- command line */
+
+typedef struct options {
+  const char *wheel, *rail, *csv;
+  double scale, load;
+  double inclination, radius, gauge, flange_back, lateral, yaw, friction, speed, shear_modulus, poisson;
+  double creepage[3];
+} options;
+
+static double number(const char* option, const char* text) {
+  char* end = NULL;
+  const double value = text != NULL ? strtod(text, &end) : 0.0;
+  if (text == NULL || end == text || *end != '\0') {
+    fprintf(stderr, "%s needs a number, not '%s'; see ./run.sh --help\n", option, text != NULL ? text : "");
+    exit(EXIT_FAILURE);
+  }
+  return value;
+}
+
+static options parse(int argc, char** argv) {
+  options given = {"S1002", "UIC60", NULL, 1e-3, 80e3, 0.0, 0.46, 1.435, 1.360, 0.0, 0.0, 0.35, 1.0, 80e9, 0.25, {1e-3, 0.0, 0.0}};
+  const struct {
+    const char* name;
+    double* value;
+  } numbers[] = {{"--load", &given.load},         {"--inclination", &given.inclination}, {"--radius", &given.radius},
+                 {"--gauge", &given.gauge},       {"--flange-back", &given.flange_back}, {"--lateral", &given.lateral},
+                 {"--yaw", &given.yaw},           {"--friction", &given.friction},       {"--speed", &given.speed},
+                 {"--poisson", &given.poisson},   {"--shear-modulus", &given.shear_modulus}};
+  for (int i = 1; i < argc; ++i) {
+    const char* option = argv[i];
+    const char* value = i + 1 < argc ? argv[i + 1] : NULL;
+    int known = 0;
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k) {
+      if (strcmp(option, numbers[k].name) == 0) {
+        *numbers[k].value = number(option, value);
+        known = 1;
+      }
+    }
+    if (known) {
+      ++i;
+    } else if (strcmp(option, "--creepage") == 0) {
+      for (int k = 0; k < 3; ++k) given.creepage[k] = number(option, i + 1 + k < argc ? argv[i + 1 + k] : NULL);
+      i += 3;
+    } else if (value != NULL && strcmp(option, "--wheel") == 0) {
+      given.wheel = argv[++i];
+    } else if (value != NULL && strcmp(option, "--rail") == 0) {
+      given.rail = argv[++i];
+    } else if (value != NULL && strcmp(option, "--csv") == 0) {
+      given.csv = argv[++i];
+    } else if (value != NULL && strcmp(option, "--unit") == 0 && (strcmp(value, "mm") == 0 || strcmp(value, "m") == 0)) {
+      given.scale = strcmp(value, "mm") == 0 ? 1e-3 : 1.0;
+      ++i;
+    } else {
+      fprintf(stderr, "unknown option or missing value: %s; see ./run.sh --help\n", option);
+      exit(EXIT_FAILURE);
+    }
+  }
+  return given;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- the job */
+
+static void write_csv(const wrc_contact* contact, const char* path) {
+  static const int32_t fields[] = {WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,   WRC_FIELD_TRACTION_Y,
+                                   WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
+  enum { FIELDS = 8 };
+  wrc_view views[FIELDS], y;
+  y.struct_size = sizeof y;
+  if (wrc_field(contact, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
+  for (int k = 0; k < FIELDS; ++k) {
+    views[k].struct_size = sizeof views[k];
+    if (wrc_field(contact, fields[k], &views[k]) != WRC_OK) return;
+  }
+  FILE* file = fopen(path, "w");
+  if (file == NULL) {
+    fprintf(stderr, "cannot write '%s'\n", path);
+    exit(EXIT_FAILURE);
+  }
+  fprintf(file, "y_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
+  for (uint64_t j = 0; j < views[0].count[1]; ++j) {
+    for (uint64_t i = 0; i < views[0].count[0]; ++i) {
+      fprintf(file, "%.9g", y.data[j * y.stride[0]]);
+      for (int k = 0; k < FIELDS; ++k) {
+        fprintf(file, ",%.9g", views[k].data[i * views[k].stride[0] + j * views[k].stride[1]]);
+      }
+      fprintf(file, "\n");
+    }
+  }
+  fclose(file);
+  printf("fields written to %s\n", path);
+}
+
+int main(int argc, char** argv) {
+  static double points[4][MOST_POINTS];
+  const options given = parse(argc, argv);
+  const wrc_profile wheel = profile_from(given.wheel, given.scale, points[0], points[1]);
+  const wrc_profile rail = profile_from(given.rail, given.scale, points[2], points[3]);
+
+  wrc_config config;
+  config.struct_size = sizeof config;
+  wrc_config_init(&config);
+  config.wheel = &wheel;
+  config.rail = &rail;
+  config.wheel_radius = given.radius;
+  config.track_gauge = given.gauge;
+  config.flange_back_distance = given.flange_back;
+  config.rail_inclination = given.inclination;
+  config.shear_modulus = given.shear_modulus;
+  config.poisson = given.poisson;
+  char text[256];
+  if (wrc_config_check(&config, text, sizeof text) < 0) {
+    fprintf(stderr, "%s\n", text);
+    return EXIT_FAILURE;
+  }
+  wrc_model* model = NULL;
+  wrc_contact* contact = NULL;
+  if (wrc_model_create(&config, NULL, &model) < 0 || wrc_contact_create(model, NULL, &contact) < 0) {
+    fprintf(stderr, "out of memory\n");
+    return EXIT_FAILURE;
+  }
+
+  wrc_pose pose = {sizeof pose, 0, given.lateral, 0.0, given.yaw};
+  wrc_load load = {sizeof load, WRC_PRESCRIBE_LOAD, given.load, 0.0};
+  wrc_creepage creepage = {sizeof creepage, 0, given.creepage[0], given.creepage[1], given.creepage[2], given.speed};
+  wrc_friction friction = {sizeof friction, 0, given.friction};
+  wrc_contact_point point;
+  wrc_patch patch;
+  wrc_forces forces;
+  wrc_damage damage;
+  point.struct_size = sizeof point;
+  patch.struct_size = sizeof patch;
+  forces.struct_size = sizeof forces;
+  damage.struct_size = sizeof damage;
+  const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
+  wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+  const int32_t status = wrc_step(contact, &input, &output);
+  if (status != WRC_OK) {
+    wrc_last_error(contact, text, sizeof text);
+    fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
+  }
+  if (status >= 0) {
+    printf("contact point   wheel y = %.2f mm, rail y = %.2f mm, angle %.2f mrad, rolling radius %.2f mm\n",
+           1e3 * point.y_wheel, 1e3 * point.y_rail, 1e3 * point.angle, 1e3 * point.rolling_radius);
+    printf("patch           length %.2f mm, width %.2f mm (y %.2f .. %.2f mm), area %.1f mm2\n", 1e3 * patch.length,
+           1e3 * patch.width, 1e3 * patch.y_min, 1e3 * patch.y_max, 1e6 * patch.area);
+    printf("double ellipse  a = %.2f mm, b = %.2f mm, psi = %.3f\n", 1e3 * patch.a, 1e3 * patch.b, patch.psi);
+    printf("normal          N = %.0f N, approach %.2f um, stiffness %.3g N/m, peak pressure %.0f MPa\n",
+           patch.normal_force, 1e6 * patch.approach, patch.stiffness, 1e-6 * patch.peak_pressure);
+    printf("on the wheel    Fx = %.1f N, Fy = %.1f N, Mz = %.2f N m (%.0f %% of friction * load, %.0f %% of the area sticks)\n",
+           forces.fx, forces.fy, forces.mz, 100.0 * damage.utilisation / given.friction, 100.0 * forces.adhesion_fraction);
+    printf("wear            power %.3g W, T-gamma %.3g N (without spin %.3g N), largest power density %.3g W/m2\n",
+           damage.power, damage.t_gamma, damage.t_gamma_no_spin, damage.peak_power_density);
+    printf("fatigue         index %.3f, largest local index %.3f; load factor %.2f, shakedown limit %.2f\n",
+           damage.fatigue_index, damage.local_fatigue_index, damage.load_factor, damage.shakedown_limit);
+    if (given.csv != NULL) write_csv(contact, given.csv);
+  }
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+  return status < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+}

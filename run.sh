@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# The main job. Without arguments: the source paper's cases, printed and drawn into out/.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
+  cat <<'HELP'
+./run.sh
+    Builds the library and runs the source paper's cases (S1002 on UIC60, and an exact double ellipse): prints patch,
+    forces and frictional power beside CONTACT and the paper, writes the fields as CSV and draws them, into out/.
+
+./run.sh --wheel FILE --rail FILE [options]
+    Your own profiles and load, through examples_c/own_case.c. A profile file has one point per line, y and z, separated
+    by blanks, commas or semicolons; y increasing, z down; lines that do not start with a number are skipped.
+      wheel: y = 0 at the running circle, flange at y < 0.     rail: z = 0 at its top, gauge side at y < 0.
+    FILE may also be a built-in shape: S1002 for the wheel; 60E1 or UIC60 (canted 1:40 already) for the rail.
+
+      --unit mm|m           of the points                                       [mm]
+      --inclination T       cant of the rail to apply, 0.025 for 1:40           [0]
+      --radius R            nominal wheel radius in m                           [0.46]
+      --gauge G             track gauge in m                                    [1.435]
+      --flange-back D       flange-back distance in m                           [1.360]
+      --lateral Y           lateral shift of the wheelset in m                  [0]
+      --yaw A               yaw angle in rad                                    [0]
+      --load N              normal force in N                                   [80000]
+      --creepage X Y PHI    longitudinal, lateral [-] and spin [1/m]            [0.001 0 0]
+      --friction MU                                                             [0.35]
+      --speed V             in m/s                                              [1]
+      --shear-modulus G --poisson NU                                            [80e9 0.25]
+      --csv FILE            writes the fields over the patch
+
+    Example:  ./run.sh --wheel S1002 --rail 60E1 --inclination 0.025 --lateral 0.003 --load 90000
+
+Needs Debian's build-essential, cmake, ninja-build, libeigen3-dev and, for the pictures, python3-matplotlib; as root
+or with sudo the script installs them itself.
+HELP
+  exit 0
+fi
+
+. .ci/setup.sh
+need_packages g++ gcc cmake ninja-build libeigen3-dev
+mkdir -p build
+cmake -S . -B build/run -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF >build/run.log 2>&1 ||
+  { cat build/run.log; exit 1; }
+cmake --build build/run >>build/run.log 2>&1 || { cat build/run.log; exit 1; }
+
+if [ $# -gt 0 ]; then
+  exec build/run/examples_c/own_case "$@"
+fi
+
+mkdir -p out
+build/run/examples_c/paper_cases out | tee out/paper_cases.txt
+need_packages python3 python3-matplotlib
+/usr/bin/python3 examples_c/draw_paper_figures.py out

@@ -1,0 +1,105 @@
+#include "abi/message.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace wrc::abi {
+namespace {
+
+/// Appends to a bounded, always terminated string.
+class Sentence {
+ public:
+  Sentence(char* text, std::size_t size) : at_(text), end_(text + size - 1) { *at_ = '\0'; }
+
+  void add(const char* piece) {
+    while (*piece != '\0' && at_ < end_) *at_++ = *piece++;
+    *at_ = '\0';
+  }
+
+  void add(double number) {
+    if (std::isnan(number)) return add("NaN");  // to_chars writes "nan", and the sign of a NaN is noise
+    char digits[32];
+    const auto result =
+        std::to_chars(digits, digits + sizeof digits - 1, number, std::chars_format::general, 6);
+    *result.ptr = '\0';
+    add(digits);
+  }
+
+  void add(std::int32_t number) {
+    char digits[16];
+    const auto result = std::to_chars(digits, digits + sizeof digits - 1, number);
+    *result.ptr = '\0';
+    add(digits);
+  }
+
+ private:
+  char* at_;
+  char* end_;
+};
+
+}  // namespace
+
+const char* status_name(std::int32_t status) {
+  switch (status) {
+#define WRC_NAME(name, value, text) \
+  case value:                       \
+    return #name;
+    WRC_STATUS_LIST(WRC_NAME)
+#undef WRC_NAME
+    default:
+      return "unknown status";
+  }
+}
+
+const char* status_text(std::int32_t status) {
+  switch (status) {
+#define WRC_TEXT(name, value, text) \
+  case value:                       \
+    return text;
+    WRC_STATUS_LIST(WRC_TEXT)
+#undef WRC_TEXT
+    default:
+      return "unknown status";
+  }
+}
+
+void write_sentence(const Fault& fault, char* text, std::size_t size) {
+  Sentence out(text, size);
+  if (fault.status == WRC_OK) return;
+  if (fault.field == nullptr) {
+    out.add(status_text(fault.status));
+  } else {
+    out.add(fault.field);
+    if (fault.index >= 0) {
+      out.add("[");
+      out.add(fault.index);
+      out.add("]");
+    }
+    if (fault.unit != nullptr) {
+      out.add(" = ");
+      out.add(fault.value);
+      if (fault.unit[0] != '\0') out.add(" ");
+      out.add(fault.unit);
+    }
+    if (fault.low < fault.high) {
+      out.add(" is outside ");
+      out.add(fault.low);
+      out.add(" .. ");
+      out.add(fault.high);
+      if (fault.unit != nullptr && fault.unit[0] != '\0') {
+        out.add(" ");
+        out.add(fault.unit);
+      }
+    } else {
+      out.add(": ");
+      out.add(status_text(fault.status));
+    }
+  }
+  if (fault.cause != nullptr) {
+    out.add(": ");
+    out.add(fault.cause);
+  }
+}
+
+}  // namespace wrc::abi

@@ -1,0 +1,18 @@
+/// Turns a Fault into the sentence an engineer reads.
+#pragma once
+
+#include <cstddef>
+
+#include "fault.hpp"
+
+namespace wrc::abi {
+
+/// Name ("WRC_ERROR_RANGE") and one-line meaning of a status; never nullptr.
+const char* status_name(std::int32_t status);
+const char* status_text(std::int32_t status);
+
+/// Writes the sentence to `text` (`size` > 0 bytes, always terminated, cut if too long). Empty for WRC_OK.
+/// Uses neither locale nor heap.
+void write_sentence(const Fault& fault, char* text, std::size_t size);
+
+}  // namespace wrc::abi

@@ -1,0 +1,261 @@
+/// wrc_model and wrc_contact: size, init in the caller's memory, create, destroy, save, restore.
+#include <cstdlib>
+#include <cstring>
+
+#include "abi/fp_environment.hpp"
+#include "abi/handles.hpp"
+#include "abi/message.hpp"
+#include "abi/model_options.hpp"
+#include "abi/structs.hpp"
+
+namespace wrc::abi {
+namespace {
+
+bool aligned(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % block_alignment == 0; }
+
+void* default_allocate(void*, std::uint64_t bytes, std::uint64_t alignment) {
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void default_release(void*, void* memory) { std::free(memory); }
+
+Fault buffer_fault(const void* memory, std::uint64_t bytes, std::size_t needed) {
+  if (memory == nullptr) return {.status = WRC_ERROR_NULL, .field = "memory"};
+  if (!aligned(memory)) {
+    return {.status = WRC_ERROR_BUFFER, .field = "memory", .cause = "it must be aligned to 64 bytes"};
+  }
+  if (bytes < needed) {
+    return {.status = WRC_ERROR_BUFFER,
+            .field = "bytes",
+            .value = static_cast<double>(bytes),
+            .unit = "bytes",
+            .low = static_cast<double>(needed),
+            .high = 1e18};
+  }
+  return {};
+}
+
+Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes, wrc_model*& handle) {
+  const Fault fault = buffer_fault(memory, bytes, sizeof(wrc_model) + model_bytes(options));
+  if (fault.failed()) return fault;
+  auto* made = static_cast<wrc_model*>(memory);
+  *made = {};
+  const Fault shape = make_model(options, static_cast<char*>(memory) + sizeof(wrc_model), made->model);
+  if (shape.failed()) return shape;
+  made->tag = model_tag;
+  handle = made;
+  return {};
+}
+
+/// Everything that makes a model out of a configuration, for _check, _init and _create.
+template <typename Work>
+Fault guarded(Work&& work) {
+  const FloatingPointScope scope;
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return {.status = WRC_ERROR_MEMORY};
+  } catch (...) {
+    return {.status = WRC_ERROR_INTERNAL};
+  }
+}
+
+}  // namespace
+
+Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory, wrc_allocator& source) {
+  source = defaults<wrc_allocator>();
+  if (allocator != nullptr) {
+    const Fault fault = read(allocator, "allocator", source);
+    if (fault.failed()) return fault;
+    if ((source.allocate == nullptr) != (source.release == nullptr)) {
+      return {.status = WRC_ERROR_NULL,
+              .field = "allocator",
+              .cause = "give both allocate and release, or neither"};
+    }
+  }
+  if (source.allocate == nullptr) {
+    source.allocate = default_allocate;
+    source.release = default_release;
+  }
+  memory = source.allocate(source.user, bytes, block_alignment);
+  if (memory == nullptr) {
+    return {.status = WRC_ERROR_MEMORY,
+            .field = "allocate",
+            .value = static_cast<double>(bytes),
+            .unit = "bytes",
+            .cause = "the allocator returned NULL"};
+  }
+  if (!aligned(memory)) {
+    source.release(source.user, memory);
+    return {.status = WRC_ERROR_BUFFER,
+            .field = "allocate",
+            .cause = "the allocator ignored the alignment asked for"};
+  }
+  return {};
+}
+
+}  // namespace wrc::abi
+
+using wrc::Fault;
+namespace abi = wrc::abi;
+
+extern "C" {
+
+int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
+  const Fault fault = abi::guarded([&] {
+    wrc::ModelOptions options;
+    Fault found = abi::read_options(config, options);
+    if (found.failed()) return found;
+    const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
+    void* memory = abi::default_allocate(nullptr, bytes, wrc::block_alignment);
+    if (memory == nullptr) return Fault{.status = WRC_ERROR_MEMORY};
+    wrc_model* unused = nullptr;
+    found = abi::init_model(options, memory, bytes, unused);
+    abi::default_release(nullptr, memory);
+    return found;
+  });
+  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size);
+  return fault.status;
+}
+
+int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alignment) {
+  if (bytes != nullptr) *bytes = 0;
+  if (alignment != nullptr) *alignment = 0;
+  if (bytes == nullptr || alignment == nullptr) return WRC_ERROR_NULL;
+  return abi::guarded([&] {
+           wrc::ModelOptions options;
+           const Fault fault = abi::read_options(config, options);
+           if (fault.failed()) return fault;
+           *bytes = sizeof(wrc_model) + wrc::model_bytes(options);
+           *alignment = wrc::block_alignment;
+           return Fault{};
+         })
+      .status;
+}
+
+int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model) {
+  if (model == nullptr) return WRC_ERROR_NULL;
+  *model = nullptr;
+  return abi::guarded([&] {
+           wrc::ModelOptions options;
+           const Fault fault = abi::read_options(config, options);
+           if (fault.failed()) return fault;
+           return abi::init_model(options, memory, bytes, *model);
+         })
+      .status;
+}
+
+int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model) {
+  if (model == nullptr) return WRC_ERROR_NULL;
+  *model = nullptr;
+  return abi::guarded([&] {
+           wrc::ModelOptions options;
+           Fault fault = abi::read_options(config, options);
+           if (fault.failed()) return fault;
+           const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
+           void* memory = nullptr;
+           wrc_allocator source;
+           fault = abi::allocate(allocator, bytes, memory, source);
+           if (fault.failed()) return fault;
+           fault = abi::init_model(options, memory, bytes, *model);
+           if (fault.failed()) {
+             source.release(source.user, memory);
+             return fault;
+           }
+           (*model)->release = source.release;
+           (*model)->user = source.user;
+           return fault;
+         })
+      .status;
+}
+
+void wrc_model_destroy(wrc_model* model) {
+  if (!abi::valid(model)) return;
+  model->tag = 0;
+  if (model->release != nullptr) model->release(model->user, model);
+}
+
+int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alignment) {
+  if (bytes != nullptr) *bytes = 0;
+  if (alignment != nullptr) *alignment = 0;
+  if (bytes == nullptr || alignment == nullptr || !abi::valid(model)) return WRC_ERROR_NULL;
+  *bytes = sizeof(wrc_contact) + wrc::contact_bytes(*model->model);
+  *alignment = wrc::block_alignment;
+  return WRC_OK;
+}
+
+int32_t wrc_contact_init(const wrc_model* model, void* memory, uint64_t bytes, wrc_contact** contact) {
+  if (contact == nullptr) return WRC_ERROR_NULL;
+  *contact = nullptr;
+  if (!abi::valid(model)) return WRC_ERROR_NULL;
+  const Fault fault =
+      abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
+  if (fault.failed()) return fault.status;
+  auto* made = static_cast<wrc_contact*>(memory);
+  *made = {};
+  made->contact = &wrc::make_contact(*model->model, static_cast<char*>(memory) + sizeof(wrc_contact));
+  made->tag = abi::contact_tag;
+  *contact = made;
+  return WRC_OK;
+}
+
+int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* allocator, wrc_contact** contact) {
+  if (contact == nullptr) return WRC_ERROR_NULL;
+  *contact = nullptr;
+  if (!abi::valid(model)) return WRC_ERROR_NULL;
+  const std::size_t bytes = sizeof(wrc_contact) + wrc::contact_bytes(*model->model);
+  void* memory = nullptr;
+  wrc_allocator source;
+  const Fault fault = abi::guarded([&] { return abi::allocate(allocator, bytes, memory, source); });
+  if (fault.failed()) return fault.status;
+  const int32_t status = wrc_contact_init(model, memory, bytes, contact);
+  if (status != WRC_OK) {
+    source.release(source.user, memory);
+    return status;
+  }
+  (*contact)->release = source.release;
+  (*contact)->user = source.user;
+  return WRC_OK;
+}
+
+void wrc_contact_destroy(wrc_contact* contact) {
+  if (!abi::valid(contact)) return;
+  contact->tag = 0;
+  if (contact->release != nullptr) contact->release(contact->user, contact);
+}
+
+int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes) {
+  if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
+  const std::size_t needed = wrc::contact_bytes(*contact->contact->model);
+  if (bytes < needed) return WRC_ERROR_BUFFER;
+  std::memcpy(buffer, contact->contact, needed);
+  return WRC_OK;
+}
+
+int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes) {
+  if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
+  const wrc::Model* model = contact->contact->model;
+  const std::size_t needed = wrc::contact_bytes(*model);
+  if (bytes < needed) return WRC_ERROR_BUFFER;
+  const wrc::Model* saved = nullptr;  // the state begins with its model
+  std::memcpy(&saved, buffer, sizeof saved);
+  if (saved != model) return WRC_ERROR_SEQUENCE;
+  std::memcpy(static_cast<void*>(contact->contact), buffer, needed);
+  return WRC_OK;
+}
+
+int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_t size) {
+  if (buffer != nullptr && size > 0) buffer[0] = '\0';
+  if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
+  if (size == 0) return WRC_ERROR_BUFFER;
+  abi::write_sentence(contact->contact->last, buffer, size);
+  return WRC_OK;
+}
+
+uint32_t wrc_version(void) {
+  return WRC_VERSION_MAJOR * 65536U + WRC_VERSION_MINOR * 256U + WRC_VERSION_PATCH;
+}
+uint32_t wrc_abi_version(void) { return WRC_ABI_VERSION; }
+const char* wrc_status_name(int32_t status) { return abi::status_name(status); }
+const char* wrc_status_text(int32_t status) { return abi::status_text(status); }
+
+}  // extern "C"

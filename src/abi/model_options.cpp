@@ -1,0 +1,183 @@
+#include "abi/model_options.hpp"
+
+#include "abi/structs.hpp"
+
+namespace wrc::abi {
+namespace {
+
+/// An integer of the configuration against its range.
+Fault check_count(std::int32_t value, const char* field, std::int32_t low, std::int32_t high,
+                  const char* cause) {
+  return check(static_cast<double>(value), field, "", low, high, cause, cause);
+}
+
+Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& source) {
+  wrc_profile profile;
+  Fault fault = read(theirs, name, profile);
+  if (fault.failed()) return fault;
+  switch (profile.kind) {
+    case WRC_PROFILE_S1002:
+      source.kind = ProfileSource::Kind::s1002;
+      return {};
+    case WRC_PROFILE_60E1:
+      source.kind = ProfileSource::Kind::rail_60e1;
+      return {};
+    case WRC_PROFILE_UIC60_BENCHMARK:
+      source.kind = ProfileSource::Kind::rail_uic60_benchmark;
+      return {};
+    case WRC_PROFILE_POINTS:
+      break;
+    default:
+      return {.status = WRC_ERROR_UNSUPPORTED,
+              .field = name,
+              .value = static_cast<double>(profile.kind),
+              .unit = "(kind)",
+              .cause = "see enum wrc_profile_kind"};
+  }
+  if (profile.y == nullptr || profile.z == nullptr) {
+    return {
+        .status = WRC_ERROR_NULL, .field = name, .cause = "points y and z are needed for WRC_PROFILE_POINTS"};
+  }
+  if (profile.count < 4 || profile.count > 20000) {
+    return {.status = WRC_ERROR_PROFILE,
+            .field = name,
+            .value = static_cast<double>(profile.count),
+            .unit = "points",
+            .low = 4.0,
+            .high = 20000.0,
+            .cause = "a spline needs at least four points"};
+  }
+  source = {ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y, profile.z};
+  return {};
+}
+
+bool is_wheel(ProfileSource::Kind kind) {
+  return kind == ProfileSource::Kind::s1002 || kind == ProfileSource::Kind::points;
+}
+bool is_rail(ProfileSource::Kind kind) { return kind != ProfileSource::Kind::s1002; }
+
+Fault unsupported(const char* field, std::int32_t value, const char* cause) {
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = field,
+          .value = static_cast<double>(value),
+          .unit = "",
+          .cause = cause};
+}
+
+Fault read_methods(const wrc_config& config, ModelOptions& options) {
+  switch (config.normal_method) {
+    case WRC_NORMAL_HERTZ:
+      options.normal_method = NormalMethod::hertz;
+      break;
+    case WRC_NORMAL_KIK_PIOTROWSKI:
+      options.normal_method = NormalMethod::kik_piotrowski;
+      break;
+    case WRC_NORMAL_EKP:
+      options.normal_method = NormalMethod::ekp;
+      break;
+    default:
+      return unsupported("config.normal_method", config.normal_method, "see enum wrc_normal_method");
+  }
+  switch (config.regularisation) {
+    case WRC_REGULARISE_KEEP_WIDTH:
+      options.regularisation = SecondCriterion::width;
+      break;
+    case WRC_REGULARISE_KEEP_RATIO:
+      options.regularisation = SecondCriterion::aspect_ratio;
+      break;
+    default:
+      return unsupported("config.regularisation", config.regularisation, "see enum wrc_regularisation");
+  }
+  switch (config.tangential_method) {
+    case WRC_TANGENTIAL_FASTSIM:
+      options.tangential_method = TangentialMethod::fastsim;
+      break;
+    case WRC_TANGENTIAL_FASTSIM_EQE:
+      options.tangential_method = TangentialMethod::fastsim_eqe;
+      break;
+    case WRC_TANGENTIAL_FASTSIM_EQL:
+      options.tangential_method = TangentialMethod::fastsim_eql;
+      break;
+    case WRC_TANGENTIAL_FASTSIM_SDEC:
+      options.tangential_method = TangentialMethod::fastsim_sdec;
+      break;
+    default:
+      return unsupported("config.tangential_method", config.tangential_method,
+                         "see enum wrc_tangential_method");
+  }
+  switch (config.traction_bound) {
+    case WRC_BOUND_PARABOLIC:
+      options.traction_bound = TractionBound::parabolic;
+      break;
+    case WRC_BOUND_ELLIPTIC:
+      options.traction_bound = TractionBound::elliptic;
+      break;
+    default:
+      return unsupported("config.traction_bound", config.traction_bound, "see enum wrc_traction_bound");
+  }
+  return {};
+}
+
+}  // namespace
+
+Fault read_options(const wrc_config* theirs, ModelOptions& options) {
+  wrc_config config;
+  Fault fault = read(theirs, "config", config);
+  if (fault.failed()) return fault;
+
+  if (config.side != WRC_SIDE_RIGHT && config.side != WRC_SIDE_LEFT) {
+    return unsupported("config.side", config.side, "see enum wrc_side");
+  }
+  fault = read_methods(config, options);
+  if (fault.failed()) return fault;
+
+  const Fault checks[] = {
+      check_count(config.strips, "config.strips", 4, 512, "more strips cost time in proportion"),
+      check_count(config.cells, "config.cells", 4, 512, "more cells cost time in proportion"),
+      check_count(config.gap_rows, "config.gap_rows", 8, 4096, "the gap is interpolated between rows"),
+      check_count(config.max_iterations, "config.max_iterations", 4, 1000, "40 are plenty"),
+      check(config.shear_modulus, "config.shear_modulus", "Pa", 1e8, 1e12, "did you pass MPa or GPa?",
+            "steel has 80e9"),
+      check(config.poisson, "config.poisson", "", 0.0, 0.5, "steel has 0.25 to 0.3", "steel has 0.25 to 0.3"),
+      check(config.load_tolerance, "config.load_tolerance", "", 1e-14, 1e-2),
+      check(config.gap_limit, "config.gap_limit", "m", 1e-5, 0.02, nullptr, "did you pass mm?"),
+      check(config.shear_yield, "config.shear_yield", "Pa", 1e6, 1e11, "did you pass MPa?"),
+      check(config.wheel_radius, "config.wheel_radius", "m", 0.05, 2.0, nullptr, "did you pass mm?"),
+      check(config.flange_back_distance, "config.flange_back_distance", "m", 0.3, 3.0, nullptr,
+            "did you pass mm?"),
+      check(config.track_gauge, "config.track_gauge", "m", 0.3, 3.0, nullptr, "did you pass mm?"),
+      check(config.gauge_depth, "config.gauge_depth", "m", 1e-3, 0.05, nullptr, "did you pass mm?"),
+      check(config.rail_inclination, "config.rail_inclination", "", -0.2, 0.2, "1:40 is 0.025",
+            "1:40 is 0.025, not 40"),
+  };
+  for (const Fault& each : checks) {
+    if (each.failed()) return each;
+  }
+  options.sizes = {config.strips, config.cells, config.gap_rows};
+  options.max_iterations = config.max_iterations;
+  options.material = {config.shear_modulus, config.poisson};
+  options.load_tolerance = config.load_tolerance;
+  options.gap_limit = config.gap_limit;
+  options.shear_yield = config.shear_yield;
+  options.side = config.side == WRC_SIDE_LEFT ? Side::left : Side::right;
+  options.wheelset.nominal_radius = config.wheel_radius;
+  options.wheelset.flange_back_distance = config.flange_back_distance;
+  options.track.gauge = config.track_gauge;
+  options.track.gauge_depth = config.gauge_depth;
+  options.track.rail_inclination = config.rail_inclination;
+
+  if (config.wheel == nullptr && config.rail == nullptr) return {};  // the host hands over gaps
+  fault = read_profile(config.wheel, "config.wheel", options.wheel);
+  if (fault.failed()) return fault;
+  fault = read_profile(config.rail, "config.rail", options.rail);
+  if (fault.failed()) return fault;
+  if (!is_wheel(options.wheel.kind)) {
+    return {.status = WRC_ERROR_PROFILE, .field = "config.wheel", .cause = "this is a rail profile"};
+  }
+  if (!is_rail(options.rail.kind)) {
+    return {.status = WRC_ERROR_PROFILE, .field = "config.rail", .cause = "this is a wheel profile"};
+  }
+  return {};
+}
+
+}  // namespace wrc::abi

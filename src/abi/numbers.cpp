@@ -1,0 +1,46 @@
+/// Plain numbers of the theory that need no contact.
+#include "abi/fp_environment.hpp"
+#include "abi/structs.hpp"
+#include "damage/fatigue.hpp"
+#include "linear_theory/sdec.hpp"
+
+namespace abi = wrc::abi;
+using wrc::Fault;
+
+extern "C" {
+
+int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients* coefficients) {
+  if (coefficients == nullptr) return WRC_ERROR_NULL;
+  const abi::FloatingPointScope scope;
+  for (const Fault& fault :
+       {abi::clear(coefficients), abi::check(a_over_b, "a_over_b", "", 1e-3, 1e3),
+        abi::check(psi, "psi", "", -0.95, 0.95), abi::check(poisson, "poisson", "", 0.0, 0.5)}) {
+    if (fault.failed()) return fault.status;
+  }
+  const wrc::SdecTable table(poisson);
+  Fault fault;
+  const wrc::KalkerCoefficients kalker = table.ellipse().at(a_over_b, fault);
+  const wrc::SdecCoefficients sdec = table.at(a_over_b, psi, fault);
+  wrc_coefficients ours = abi::defaults<wrc_coefficients>();
+  ours.c11 = kalker.c11;
+  ours.c22 = kalker.c22;
+  ours.c23 = kalker.c23;
+  ours.c11s = sdec.c11;
+  ours.c13s = sdec.c13;
+  ours.c22s = sdec.c22;
+  ours.c23s = sdec.c23;
+  abi::write(ours, coefficients);
+  return fault.status;
+}
+
+int32_t wrc_shakedown_limit(double utilisation, double* load_factor) {
+  if (load_factor == nullptr) return WRC_ERROR_NULL;
+  *load_factor = 0.0;
+  const abi::FloatingPointScope scope;
+  const Fault fault = abi::check(utilisation, "utilisation", "", 0.0, 10.0);
+  if (fault.failed()) return fault.status;
+  *load_factor = wrc::shakedown_limit(utilisation);
+  return WRC_OK;
+}
+
+}  // extern "C"

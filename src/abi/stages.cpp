@@ -1,0 +1,532 @@
+/// The stages, the step and the field views: arguments checked and translated, outputs zeroed on failure.
+#include <algorithm>
+
+#include "abi/fp_environment.hpp"
+#include "abi/handles.hpp"
+#include "abi/structs.hpp"
+
+namespace wrc::abi {
+namespace {
+
+/// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
+/// wrc_last_error.
+template <typename Work>
+int32_t call(wrc_contact* handle, Work&& work) noexcept {
+  if (!valid(handle)) return WRC_ERROR_NULL;
+  const FloatingPointScope scope;
+  Contact& contact = *handle->contact;
+  contact.last = work(contact);
+  return contact.last.status;
+}
+
+// ------------------------------------------------------------------------------------------------ reading
+// arguments
+
+Fault first_of(std::initializer_list<Fault> faults) {
+  for (const Fault& each : faults) {
+    if (each.failed()) return each;
+  }
+  return {};
+}
+
+Fault read_pose(const wrc_pose* theirs, Pose& pose) {
+  wrc_pose ours;
+  const Fault fault = read(theirs, "pose", ours);
+  if (fault.failed()) return fault;
+  pose = {.lateral = ours.lateral, .roll = ours.roll, .yaw = ours.yaw};
+  return first_of(
+      {check(ours.lateral, "pose.lateral", "m", -0.1, 0.1, "did you pass mm?", "did you pass mm?"),
+       check(ours.roll, "pose.roll", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
+             "did you pass degrees or mrad?"),
+       check(ours.yaw, "pose.yaw", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
+             "did you pass degrees or mrad?")});
+}
+
+Fault read_load(const wrc_load* theirs, Load& load) {
+  wrc_load ours;
+  const Fault fault = read(theirs, "load", ours);
+  if (fault.failed()) return fault;
+  switch (ours.prescribed) {
+    case WRC_PRESCRIBE_LOAD:
+      load = {Prescribed::load, ours.normal_force};
+      return check(ours.normal_force, "load.normal_force", "N", 1e2, 1e6,
+                   ours.normal_force < 0.0
+                       ? "the normal force is compressive positive; prescribe the approach near lift-off"
+                       : "did you pass kN? near lift-off prescribe the approach instead",
+                   "did you pass a pressure, or grams?");
+    case WRC_PRESCRIBE_APPROACH:
+      load = {Prescribed::approach, ours.approach};
+      return check(ours.approach, "load.approach", "m", -1.0, 0.01, nullptr, "did you pass mm or um?");
+    default:
+      return {.status = WRC_ERROR_UNSUPPORTED,
+              .field = "load.prescribed",
+              .value = static_cast<double>(ours.prescribed),
+              .unit = "",
+              .cause = "see enum wrc_prescribed"};
+  }
+}
+
+Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, double& speed) {
+  wrc_creepage ours;
+  const Fault fault = read(theirs, "creepage", ours);
+  if (fault.failed()) return fault;
+  creepage = {ours.longitudinal, ours.lateral, ours.spin};
+  speed = ours.speed;
+  return first_of({check(ours.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
+                         "did you pass per mille?", "did you pass per mille?"),
+                   check(ours.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
+                         "did you pass per mille?"),
+                   check(ours.spin, "creepage.spin", "1/m", -1e3, 1e3),
+                   check(ours.speed, "creepage.speed", "m/s", 0.0, 200.0,
+                         "speed is a magnitude; x is the rolling direction", "did you pass km/h?")});
+}
+
+Fault read_friction(const wrc_friction* theirs, double& coefficient) {
+  wrc_friction ours;
+  const Fault fault = read(theirs, "friction", ours);
+  if (fault.failed()) return fault;
+  coefficient = ours.coefficient;
+  return check(ours.coefficient, "friction.coefficient", "", 1e-4, 2.0, "friction must be positive",
+               "did you pass per cent?");
+}
+
+Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* cause) {
+  for (std::uint32_t j = 1; j < count; ++j) {
+    if (!(y[j] > y[j - 1])) {
+      return {.status = WRC_ERROR_GAP,
+              .field = field,
+              .value = y[j],
+              .unit = "m",
+              .cause = cause,
+              .index = static_cast<std::int32_t>(j)};
+    }
+  }
+  return {};
+}
+
+Fault check_extent(const double* values, std::uint32_t count, const char* field) {
+  for (std::uint32_t j = 0; j < count; ++j) {
+    Fault fault = check(values[j], field, "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
+    fault.index = static_cast<std::int32_t>(j);
+    if (fault.failed()) return fault;
+  }
+  return {};
+}
+
+Fault take_gap(Contact& contact, const wrc_gap* theirs) {
+  wrc_gap gap;
+  Fault fault = read(theirs, "gap", gap);
+  if (fault.failed()) return fault;
+  const std::int32_t room = contact.model->options.sizes.gap_rows;
+  fault = check(static_cast<double>(gap.rows), "gap.rows", "", 4.0, static_cast<double>(room),
+                "a gap needs at least four rows", "raise config.gap_rows");
+  if (fault.failed()) return fault;
+  if (gap.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.y"};
+  fault = first_of(
+      {check_extent(gap.y, gap.rows, "gap.y"),
+       check_increasing(gap.y, gap.rows, "gap.y", "rows must be in order of strictly increasing y")});
+  if (fault.failed()) return fault;
+  const auto rows = static_cast<std::int32_t>(gap.rows);
+
+  if (gap.columns > 0) {
+    if (gap.x == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.x"};
+    if (gap.h == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.h"};
+    fault =
+        first_of({check(static_cast<double>(gap.columns), "gap.columns", "", 3.0, 1e5),
+                  check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
+                        static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements")});
+    if (fault.failed()) return fault;
+    fault = first_of(
+        {check_extent(gap.x, gap.columns, "gap.x"),
+         check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
+    if (fault.failed()) return fault;
+    for (std::uint32_t j = 0; j < gap.rows; ++j) {
+      fault = check_finite(gap.h + j * gap.row_stride, gap.columns, "gap.h", "m");
+      if (fault.failed()) return fault;
+    }
+    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.columns), gap.x, gap.y, gap.h,
+                                          static_cast<std::int64_t>(gap.row_stride)});
+  }
+
+  if (gap.height == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.height"};
+  if (gap.curvature == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.curvature"};
+  fault = check_finite(gap.height, gap.rows, "gap.height", "m");
+  if (!fault.failed() && gap.centre != nullptr) fault = check_extent(gap.centre, gap.rows, "gap.centre");
+  if (fault.failed()) return fault;
+  for (std::uint32_t j = 0; j < gap.rows; ++j) {
+    fault = check(gap.curvature[j], "gap.curvature", "1/m", 1e-3, 1e6,
+                  "rows must be convex; did you pass 1/mm, or a radius?", "did you pass 1/um?");
+    fault.index = static_cast<std::int32_t>(j);
+    if (fault.failed()) return fault;
+  }
+  wrc::take_gap(contact, GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
+  return {};
+}
+
+Fault take_strips(Contact& contact, const wrc_strips* theirs) {
+  wrc_strips strips;
+  Fault fault = read(theirs, "strips", strips);
+  if (fault.failed()) return fault;
+  const std::int32_t room = contact.model->options.sizes.strips;
+  fault = check(static_cast<double>(strips.count), "strips.count", "", 1.0, static_cast<double>(room),
+                nullptr, "raise config.strips");
+  if (fault.failed()) return fault;
+  if (strips.y == nullptr || strips.width == nullptr || strips.half_length == nullptr ||
+      strips.peak == nullptr) {
+    return {
+        .status = WRC_ERROR_NULL, .field = "strips", .cause = "y, width, half_length and peak are needed"};
+  }
+  for (std::uint32_t j = 0; j < strips.count; ++j) {
+    fault = first_of(
+        {check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
+         check(strips.width[j], "strips.width", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
+         check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
+         check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11)});
+    if (!fault.failed() && strips.centre != nullptr) {
+      fault =
+          check(strips.centre[j], "strips.centre", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
+    }
+    fault.index = static_cast<std::int32_t>(j);
+    if (fault.failed()) return fault;
+    const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
+    if (j > 0 &&
+        strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
+      return {.status = WRC_ERROR_RANGE,
+              .field = "strips.y",
+              .value = strips.y[j],
+              .unit = "m",
+              .cause = "strips must be in order of increasing y and not overlap",
+              .index = static_cast<std::int32_t>(j)};
+    }
+  }
+  // The strips of the caller are only read; the internal view has no const form.
+  return wrc::take_strips(contact, Strips{.capacity = static_cast<std::int32_t>(strips.count),
+                                          .count = static_cast<std::int32_t>(strips.count),
+                                          .y = const_cast<double*>(strips.y),
+                                          .width = const_cast<double*>(strips.width),
+                                          .centre = const_cast<double*>(strips.centre),
+                                          .half_length = const_cast<double*>(strips.half_length),
+                                          .peak = const_cast<double*>(strips.peak)});
+}
+
+Fault take_patch(Contact& contact, const wrc_patch* theirs) {
+  wrc_patch patch;
+  Fault fault = read(theirs, "patch", patch);
+  if (fault.failed()) return fault;
+  fault = first_of({check(patch.a, "patch.a", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
+                    check(patch.b, "patch.b", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
+                    check(patch.psi, "patch.psi", "", -0.95, 0.95),
+                    check(patch.normal_force, "patch.normal_force", "N", 1e-3, 1e7,
+                          "the normal force is compressive positive", "did you pass mN?")});
+  if (fault.failed()) return fault;
+  return take_double_ellipse(contact, Sdec{patch.a, patch.b, patch.psi}, patch.normal_force);
+}
+
+// ------------------------------------------------------------------------------------------------- writing
+// results
+
+wrc_contact_point point_of(const Contact& contact) {
+  wrc_contact_point ours{};
+  ours.x = contact.point.x;
+  ours.y = contact.point.y;
+  ours.z = contact.point.z;
+  ours.y_wheel = contact.point.y_wheel;
+  ours.y_rail = contact.point.y_rail;
+  ours.angle = contact.point.angle;
+  ours.vertical_gap = contact.point.vertical_gap;
+  ours.rolling_radius = contact.point.rolling_radius;
+  return ours;
+}
+
+wrc_patch patch_of(const Contact& contact) {
+  wrc_patch ours{};
+  if (!contact.touching) {
+    ours.approach = contact.normal.approach;
+    return ours;
+  }
+  ours.strips = contact.patch_strips;
+  ours.iterations = contact.normal.iterations;
+  ours.a = contact.sdec.a;
+  ours.b = contact.sdec.b;
+  ours.psi = contact.sdec.psi;
+  ours.normal_force = contact.extent.normal_force;
+  ours.approach = contact.normal.approach;
+  ours.stiffness = contact.normal.stiffness;
+  ours.peak_pressure = contact.extent.peak_pressure;
+  ours.area = contact.extent.area;
+  ours.length = contact.extent.length;
+  ours.width = contact.extent.y_max - contact.extent.y_min;
+  ours.y_min = contact.extent.y_min;
+  ours.y_max = contact.extent.y_max;
+  return ours;
+}
+
+wrc_forces forces_of(const Contact& contact) {
+  wrc_forces ours{};
+  if (!contact.touching) return ours;
+  ours.fx = contact.forces.fx;
+  ours.fy = contact.forces.fy;
+  ours.fn = contact.extent.normal_force;
+  ours.mz = contact.forces.mz;
+  ours.power = contact.forces.power_per_speed * contact.speed;
+  ours.adhesion_fraction = contact.forces.adhesion_fraction;
+  return ours;
+}
+
+wrc_damage damage_of(const Contact& contact) {
+  wrc_damage ours{};
+  if (!contact.touching) return ours;
+  ours.power = contact.damage.power;
+  ours.peak_power_density = contact.damage.peak_power_density;
+  ours.t_gamma = contact.damage.t_gamma;
+  ours.t_gamma_no_spin = contact.damage.t_gamma_no_spin;
+  ours.utilisation = contact.damage.utilisation;
+  ours.load_factor = contact.damage.load_factor;
+  ours.shakedown_limit = contact.damage.shakedown_limit;
+  ours.fatigue_index = contact.damage.fatigue_index;
+  ours.local_fatigue_index = contact.damage.local_fatigue_index;
+  return ours;
+}
+
+/// struct_size of the local results is that of today's structs; write() keeps the caller's.
+template <typename Struct>
+void give(Struct ours, Struct* theirs) {
+  ours.struct_size = sizeof(Struct);
+  write(ours, theirs);
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// stages
+
+Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
+  wrc_output out;
+  Fault outcome = read(output, "output", out);
+  if (outcome.failed()) return outcome;
+  outcome = first_of({clear(out.point), clear(out.patch), clear(out.forces), clear(out.damage)});
+  if (outcome.failed()) return outcome;
+
+  wrc_input in;
+  outcome = read(input, "input", in);
+  if (outcome.failed()) return outcome;
+  if (in.pose == nullptr && in.gap == nullptr) {
+    return {.status = WRC_ERROR_NULL, .field = "input", .cause = "give a pose, or a gap of your own"};
+  }
+  Load load;
+  Creepage creepage;
+  double speed = 0.0, friction = 0.0;
+  outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, speed),
+                      read_friction(in.friction, friction)});
+  if (outcome.failed()) return outcome;
+  if (in.pose != nullptr) {
+    Pose pose;
+    outcome = read_pose(in.pose, pose);
+    if (!outcome.failed()) worsen(outcome, find_gap(contact, pose));
+  } else {
+    outcome = take_gap(contact, in.gap);
+  }
+  if (!outcome.failed()) worsen(outcome, solve_normal(contact, load));
+  if (!outcome.failed()) worsen(outcome, regularise_patch(contact));
+  if (!outcome.failed()) worsen(outcome, solve_tangential(contact, creepage, friction, speed));
+  if (!outcome.failed()) worsen(outcome, assess_damage(contact));
+  if (outcome.failed()) return outcome;
+
+  if (in.pose != nullptr) give(point_of(contact), out.point);
+  give(patch_of(contact), out.patch);
+  give(forces_of(contact), out.forces);
+  give(damage_of(contact), out.damage);
+  return outcome;
+}
+
+/// Where a field lies and how long it is; nullptr when its stage has not been reached.
+struct Field {
+  const double* data = nullptr;
+  std::uint64_t cells = 0, strips = 0;  ///< cells == 0: one value per strip or row
+};
+
+Field find_field(const Contact& contact, std::int32_t id) {
+  struct Entry {
+    Array array;
+    Stage needs;
+    bool cells;
+  };
+  // The strips shown are those the tangential fields live on, once there are such fields.
+  const bool region = contact.reached >= Stage::tangential;
+  static constexpr Entry cell_fields[] = {
+      {Array::cell_x, Stage::tangential, true},     {Array::pressure, Stage::tangential, true},
+      {Array::traction_x, Stage::tangential, true}, {Array::traction_y, Stage::tangential, true},
+      {Array::slip_x, Stage::tangential, true},     {Array::slip_y, Stage::tangential, true},
+      {Array::power_density, Stage::damage, true},  {Array::fatigue_index, Stage::damage, true},
+  };
+  const Entry strip_fields[] = {
+      {region ? Array::region_y : Array::patch_y, Stage::patch, false},
+      {region ? Array::region_width : Array::patch_width, Stage::patch, false},
+      {region ? Array::region_centre : Array::patch_centre, Stage::patch, false},
+      {region ? Array::region_half_length : Array::patch_half_length, Stage::patch, false},
+      {region ? Array::region_peak : Array::patch_peak, Stage::patch, false},
+      {Array::strip_power, Stage::damage, false},
+  };
+  static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre,
+                                         Array::gap_curvature};
+
+  if (id >= WRC_FIELD_GAP_Y) {
+    if (contact.gap_rows == 0) return {};
+    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0,
+            static_cast<std::uint64_t>(contact.gap_rows)};
+  }
+  const Entry& entry = id < WRC_FIELD_STRIP_Y ? cell_fields[id] : strip_fields[id - WRC_FIELD_STRIP_Y];
+  if (contact.reached < entry.needs || !contact.touching) return {};
+  const std::int32_t strips = region ? contact.region_strips : contact.patch_strips;
+  const std::int32_t cells = entry.cells ? contact.model->options.sizes.cells : 0;
+  return {array(contact, entry.array), static_cast<std::uint64_t>(cells), static_cast<std::uint64_t>(strips)};
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
+using wrc::Contact;
+using wrc::Fault;
+namespace abi = wrc::abi;
+
+extern "C" {
+
+int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
+  return abi::call(handle, [&](Contact& contact) {
+    Fault outcome = abi::clear(point);
+    if (outcome.failed()) return outcome;
+    wrc::Pose ours;
+    outcome = abi::read_pose(pose, ours);
+    if (outcome.failed()) return outcome;
+    outcome = wrc::find_gap(contact, ours);
+    if (!outcome.failed()) abi::give(abi::point_of(contact), point);
+    return outcome;
+  });
+}
+
+int32_t wrc_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch) {
+  return abi::call(handle, [&](Contact& contact) {
+    Fault outcome = abi::clear(patch);
+    if (outcome.failed()) return outcome;
+    wrc::Load ours;
+    outcome = abi::read_load(load, ours);
+    if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap);
+    if (!outcome.failed()) worsen(outcome, wrc::solve_normal(contact, ours));
+    if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
+    if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
+    return outcome;
+  });
+}
+
+int32_t wrc_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch* patch) {
+  return abi::call(handle, [&](Contact& contact) {
+    Fault outcome = abi::clear(patch);
+    if (outcome.failed()) return outcome;
+    if (strips != nullptr) outcome = abi::take_strips(contact, strips);
+    if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
+    if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
+    return outcome;
+  });
+}
+
+int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_creepage* creepage,
+                       const wrc_friction* friction, wrc_forces* forces) {
+  return abi::call(handle, [&](Contact& contact) {
+    Fault outcome = abi::clear(forces);
+    if (outcome.failed()) return outcome;
+    wrc::Creepage ours;
+    double speed = 0.0, coefficient = 0.0;
+    outcome =
+        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, coefficient)});
+    if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
+    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, coefficient, speed));
+    if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
+    return outcome;
+  });
+}
+
+int32_t wrc_damage_numbers(wrc_contact* handle, wrc_damage* damage) {
+  return abi::call(handle, [&](Contact& contact) {
+    Fault outcome = abi::clear(damage);
+    if (outcome.failed()) return outcome;
+    outcome = wrc::assess_damage(contact);
+    if (!outcome.failed()) abi::give(abi::damage_of(contact), damage);
+    return outcome;
+  });
+}
+
+int32_t wrc_step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
+  return abi::call(handle, [&](Contact& contact) { return abi::step(contact, input, output); });
+}
+
+int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
+                       uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
+                       int32_t* statuses) {
+  if (contacts == nullptr || inputs == nullptr || outputs == nullptr) return WRC_ERROR_NULL;
+  Fault gravest;
+  for (uint32_t i = 0; i < count; ++i) {
+    const auto* input =
+        reinterpret_cast<const wrc_input*>(reinterpret_cast<const char*>(inputs) + i * input_stride);
+    const auto* output =
+        reinterpret_cast<const wrc_output*>(reinterpret_cast<const char*>(outputs) + i * output_stride);
+    const int32_t status =
+        abi::call(contacts[i], [&](Contact& contact) { return abi::step(contact, input, output); });
+    if (statuses != nullptr) statuses[i] = status;
+    worsen(gravest, Fault{.status = status});
+  }
+  return gravest.status;
+}
+
+int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
+  if (out != nullptr) std::fill_n(out, WRC_FLAT_OUTPUTS, 0.0);
+  return abi::call(handle, [&](Contact& contact) -> Fault {
+    if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
+    if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
+    wrc_pose pose = abi::defaults<wrc_pose>();
+    pose.lateral = in[0];
+    pose.roll = in[1];
+    pose.yaw = in[2];
+    wrc_load load = abi::defaults<wrc_load>();
+    load.normal_force = in[3];
+    wrc_creepage creepage = abi::defaults<wrc_creepage>();
+    creepage.longitudinal = in[4];
+    creepage.lateral = in[5];
+    creepage.spin = in[6];
+    wrc_friction friction = abi::defaults<wrc_friction>();
+    friction.coefficient = in[7];
+    wrc_input input = abi::defaults<wrc_input>();
+    input.pose = &pose;
+    input.load = &load;
+    input.creepage = &creepage;
+    input.friction = &friction;
+    const wrc_output nothing = abi::defaults<wrc_output>();
+    const Fault outcome = abi::step(contact, &input, &nothing);
+    if (outcome.failed()) return outcome;
+    const wrc_forces forces = abi::forces_of(contact);
+    const wrc_patch patch = abi::patch_of(contact);
+    const double values[WRC_FLAT_OUTPUTS] = {
+        forces.fx,    forces.fy,      forces.fn,           forces.mz,
+        forces.power, patch.approach, patch.peak_pressure, patch.area,
+        patch.a,      patch.b,        patch.psi,           abi::damage_of(contact).fatigue_index};
+    std::copy_n(values, WRC_FLAT_OUTPUTS, out);
+    return outcome;
+  });
+}
+
+int32_t wrc_field(const wrc_contact* handle, int32_t field, wrc_view* view) {
+  if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
+  const Fault sized = abi::clear(view);
+  if (sized.failed()) return sized.status;
+  if (field < 0 || field > WRC_FIELD_GAP_CURVATURE) return WRC_ERROR_UNSUPPORTED;
+  const abi::Field found = abi::find_field(*handle->contact, field);
+  if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
+  wrc_view ours{};
+  ours.data = found.data;
+  ours.rank = found.cells > 0 ? 2 : 1;
+  ours.count[0] = found.cells > 0 ? found.cells : found.strips;
+  ours.count[1] = found.cells > 0 ? found.strips : 1;
+  ours.stride[0] = found.cells > 0 ? found.strips : 1;
+  ours.stride[1] = 1;
+  abi::give(ours, view);
+  return WRC_OK;
+}
+
+}  // extern "C"

@@ -1,0 +1,105 @@
+#include "abi/structs.hpp"
+
+namespace wrc::abi {
+
+// Structs whose default is all zero.
+#define WRC_ZERO_DEFAULTS(type)       \
+  template <>                         \
+  type defaults<type>() {             \
+    type value{};                     \
+    value.struct_size = sizeof(type); \
+    return value;                     \
+  }
+WRC_ZERO_DEFAULTS(wrc_profile)
+WRC_ZERO_DEFAULTS(wrc_pose)
+WRC_ZERO_DEFAULTS(wrc_contact_point)
+WRC_ZERO_DEFAULTS(wrc_gap)
+WRC_ZERO_DEFAULTS(wrc_load)
+WRC_ZERO_DEFAULTS(wrc_patch)
+WRC_ZERO_DEFAULTS(wrc_strips)
+WRC_ZERO_DEFAULTS(wrc_forces)
+WRC_ZERO_DEFAULTS(wrc_damage)
+WRC_ZERO_DEFAULTS(wrc_coefficients)
+WRC_ZERO_DEFAULTS(wrc_input)
+WRC_ZERO_DEFAULTS(wrc_output)
+WRC_ZERO_DEFAULTS(wrc_view)
+WRC_ZERO_DEFAULTS(wrc_allocator)
+#undef WRC_ZERO_DEFAULTS
+
+template <>
+wrc_creepage defaults<wrc_creepage>() {
+  wrc_creepage value{};
+  value.struct_size = sizeof value;
+  value.speed = 1.0;
+  return value;
+}
+
+template <>
+wrc_friction defaults<wrc_friction>() {
+  wrc_friction value{};
+  value.struct_size = sizeof value;
+  value.coefficient = 0.3;
+  return value;
+}
+
+template <>
+wrc_config defaults<wrc_config>() {
+  wrc_config value{};
+  value.struct_size = sizeof value;
+  value.side = WRC_SIDE_RIGHT;
+  value.normal_method = WRC_NORMAL_EKP;
+  value.regularisation = WRC_REGULARISE_KEEP_WIDTH;
+  value.tangential_method = WRC_TANGENTIAL_FASTSIM_SDEC;
+  value.traction_bound = WRC_BOUND_PARABOLIC;
+  value.strips = 60;
+  value.cells = 50;
+  value.gap_rows = 256;
+  value.max_iterations = 60;
+  value.shear_modulus = 80e9;
+  value.poisson = 0.25;
+  value.load_tolerance = 1e-10;
+  value.gap_limit = 1e-3;
+  value.shear_yield = 250e6;
+  value.wheel_radius = 0.46;
+  value.flange_back_distance = 1.360;
+  value.track_gauge = 1.435;
+  value.gauge_depth = 0.014;
+  value.rail_inclination = 0.0;
+  return value;
+}
+
+}  // namespace wrc::abi
+
+namespace {
+
+/// Writes the defaults over as much of the struct as the caller's version has.
+template <typename Struct>
+int32_t init(Struct* theirs) {
+  if (theirs == nullptr) return WRC_ERROR_NULL;
+  const wrc::Fault fault = wrc::abi::check_size(*theirs);
+  if (fault.failed()) return fault.status;
+  wrc::abi::write(wrc::abi::defaults<Struct>(), theirs);
+  return WRC_OK;
+}
+
+}  // namespace
+
+extern "C" {
+int32_t wrc_profile_init(wrc_profile* profile) { return init(profile); }
+int32_t wrc_config_init(wrc_config* config) { return init(config); }
+int32_t wrc_pose_init(wrc_pose* pose) { return init(pose); }
+int32_t wrc_contact_point_init(wrc_contact_point* point) { return init(point); }
+int32_t wrc_gap_init(wrc_gap* gap) { return init(gap); }
+int32_t wrc_load_init(wrc_load* load) { return init(load); }
+int32_t wrc_creepage_init(wrc_creepage* creepage) { return init(creepage); }
+int32_t wrc_friction_init(wrc_friction* friction) { return init(friction); }
+int32_t wrc_patch_init(wrc_patch* patch) { return init(patch); }
+int32_t wrc_strips_init(wrc_strips* strips) { return init(strips); }
+int32_t wrc_forces_init(wrc_forces* forces) { return init(forces); }
+int32_t wrc_damage_init(wrc_damage* damage) { return init(damage); }
+int32_t wrc_coefficients_init(wrc_coefficients* coefficients) { return init(coefficients); }
+int32_t wrc_input_init(wrc_input* input) { return init(input); }
+int32_t wrc_output_init(wrc_output* output) { return init(output); }
+int32_t wrc_view_init(wrc_view* view) { return init(view); }
+int32_t wrc_allocator_init(wrc_allocator* allocator) { return init(allocator); }
+}

@@ -1,0 +1,131 @@
+/// How versioned structs cross the boundary: read the caller's version into today's struct, write today's
+/// result into the caller's version, and check single values.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "fault.hpp"
+#include "wrc/wrc.h"
+
+namespace wrc::abi {
+
+/// Defaults and first published size of every struct, and its name in messages. The size is pinned: it is
+/// what the oldest caller passes.
+template <typename Struct>
+struct Version;
+
+#define WRC_STRUCT(type, pinned_size)                   \
+  template <>                                           \
+  struct Version<type> {                                \
+    static constexpr const char* name = #type;          \
+    static constexpr std::size_t first = (pinned_size); \
+  };
+WRC_STRUCT(wrc_profile, 32)
+WRC_STRUCT(wrc_config, 136)
+WRC_STRUCT(wrc_pose, 32)
+WRC_STRUCT(wrc_contact_point, 72)
+WRC_STRUCT(wrc_gap, 72)
+WRC_STRUCT(wrc_load, 24)
+WRC_STRUCT(wrc_creepage, 40)
+WRC_STRUCT(wrc_friction, 16)
+WRC_STRUCT(wrc_patch, 112)
+WRC_STRUCT(wrc_strips, 48)
+WRC_STRUCT(wrc_forces, 56)
+WRC_STRUCT(wrc_damage, 80)
+WRC_STRUCT(wrc_coefficients, 64)
+WRC_STRUCT(wrc_input, 48)
+WRC_STRUCT(wrc_output, 40)
+WRC_STRUCT(wrc_view, 48)
+WRC_STRUCT(wrc_allocator, 32)
+#undef WRC_STRUCT
+
+/// Today's defaults of a struct, struct_size included.
+template <typename Struct>
+Struct defaults();
+
+/// Is the caller's struct_size one we know? Larger than ours is a newer header than this library.
+template <typename Struct>
+Fault check_size(const Struct& theirs) {
+  if (theirs.struct_size >= Version<Struct>::first && theirs.struct_size <= sizeof(Struct)) return {};
+  return {
+      .status = WRC_ERROR_STRUCT_SIZE,
+      .field = Version<Struct>::name,
+      .value = static_cast<double>(theirs.struct_size),
+      .unit = "bytes",
+      .low = static_cast<double>(Version<Struct>::first),
+      .high = static_cast<double>(sizeof(Struct)) + 0.5,  // the only allowed size is a range too
+      .cause = "set struct_size = sizeof the struct before its init; is the library older than the header?"};
+}
+
+/// Reads the caller's struct, of whatever version, over today's defaults.
+template <typename Struct>
+Fault read(const Struct* theirs, const char* name, Struct& ours) {
+  ours = defaults<Struct>();
+  if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
+  const Fault fault = check_size(*theirs);
+  if (fault.failed()) return fault;
+  std::memcpy(&ours, theirs, theirs->struct_size);
+  ours.struct_size = sizeof(Struct);
+  return {};
+}
+
+/// Writes as much of `ours` as the caller's version holds; NULL means not wanted.
+template <typename Struct>
+void write(const Struct& ours, Struct* theirs) {
+  if (theirs == nullptr || check_size(*theirs).failed()) return;
+  const std::uint32_t size = theirs->struct_size;
+  std::memcpy(theirs, &ours, size);
+  theirs->struct_size = size;
+}
+
+/// Output of a call about to run: zeroed now, so that a failure leaves no old numbers behind. NULL is fine.
+template <typename Struct>
+Fault clear(Struct* theirs) {
+  if (theirs == nullptr) return {};
+  const Fault fault = check_size(*theirs);
+  if (fault.failed()) return fault;
+  Struct zero{};
+  zero.struct_size = sizeof(Struct);
+  write(zero, theirs);
+  return {};
+}
+
+/// One number against its range [low, high]; NaN and infinity are told apart from a range error.
+inline Fault check(double value, const char* field, const char* unit, double low, double high,
+                   const char* too_low = nullptr, const char* too_high = nullptr) {
+  if (!std::isfinite(value)) {
+    return {.status = WRC_ERROR_NOT_FINITE,
+            .field = field,
+            .value = value,
+            .unit = unit,
+            .low = low,
+            .high = high};
+  }
+  if (value >= low && value <= high) return {};
+  return {.status = WRC_ERROR_RANGE,
+          .field = field,
+          .value = value,
+          .unit = unit,
+          .low = low,
+          .high = high,
+          .cause = value < low ? too_low : too_high};
+}
+
+/// An array of numbers: all finite; the fault names the first that is not.
+inline Fault check_finite(const double* values, std::size_t count, const char* field, const char* unit) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(values[i])) {
+      return {.status = WRC_ERROR_NOT_FINITE,
+              .field = field,
+              .value = values[i],
+              .unit = unit,
+              .index = static_cast<std::int32_t>(i)};
+    }
+  }
+  return {};
+}
+
+}  // namespace wrc::abi

@@ -1,0 +1,93 @@
+/// The contact: mutable state of one wheel/rail pair, and the stages of a step.
+///
+///     geometry -> normal -> regularise -> tangential -> damage
+///
+/// Each stage reads what the one before left in the contact and invalidates what comes after, so that a host
+/// may enter in the middle with its own data. All of them are real-time code. Arguments have been checked by
+/// the caller (abi/) for finiteness and range.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "contact/model.hpp"
+#include "fault.hpp"
+#include "geometry/contact_search.hpp"
+#include "normal/problem.hpp"
+#include "patch/sdec.hpp"
+#include "patch/strips.hpp"
+#include "tangential/problem.hpp"
+
+namespace wrc {
+
+/// Wear and fatigue numbers of one contact.
+struct DamageNumbers {
+  double power = 0.0;                ///< [W]
+  double peak_power_density = 0.0;   ///< [W/m^2]
+  double t_gamma = 0.0;              ///< power / speed [N]
+  double t_gamma_no_spin = 0.0;      ///< |Fx nu_x + Fy nu_y| [N]
+  double utilisation = 0.0;          ///< mu_a [-]
+  double load_factor = 0.0;          ///< p0 / k [-]
+  double shakedown_limit = 0.0;      ///< of p0 / k at mu_a [-]
+  double fatigue_index = 0.0;        ///< [-]
+  double local_fatigue_index = 0.0;  ///< largest of the cells [-]
+};
+
+/// The furthest stage whose result the contact holds.
+enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
+
+struct Contact {
+  const Model* model = nullptr;
+  Fault last;  ///< of the last call
+
+  Stage reached = Stage::none;
+  bool touching = false;      ///< false: the bodies are apart and forces are zero
+  std::int32_t gap_rows = 0;  ///< rows in use
+  std::int32_t patch_strips = 0;
+  std::int32_t region_strips = 0;
+
+  ContactPoint point;  ///< of the last geometry stage
+  NormalSolution normal;
+  StripTotals extent;  ///< of the patch
+  Sdec sdec;
+  Creepage creepage;
+  double friction = 0.0;  ///< mu [-]
+  double speed = 0.0;     ///< V [m/s]
+  TangentialForces forces;
+  DamageNumbers damage;
+};
+
+/// What presses the bodies together.
+struct Load {
+  Prescribed prescribed = Prescribed::load;
+  double value = 0.0;  ///< [N] or [m]
+};
+
+std::size_t contact_bytes(const Model& model);
+
+/// Makes an empty contact in `memory` (contact_bytes, aligned).
+Contact& make_contact(const Model& model, void* memory);
+
+/// An array of the contact; its length follows from the sizes in the model.
+double* array(Contact& contact, Array which);
+const double* array(const Contact& contact, Array which);
+
+/// Views over the contact's arrays, for the strips and rows in use.
+GapRows gap_rows(const Contact& contact);
+Strips patch_strips(Contact& contact);
+Strips region_strips(Contact& contact);
+
+/// Stages. Each returns what went wrong and leaves the contact usable.
+Fault find_gap(Contact& contact, const Pose& pose);
+Fault solve_normal(Contact& contact, const Load& load);
+Fault regularise_patch(Contact& contact);
+Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);
+Fault assess_damage(Contact& contact);
+
+/// Entry with data of the host: a gap, a pressure distribution, an exact double ellipse under load.
+void take_gap(Contact& contact, const GapRows& rows);
+Fault take_gap(Contact& contact, const GapGrid& grid);
+Fault take_strips(Contact& contact, const Strips& strips);
+Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force);
+
+}  // namespace wrc

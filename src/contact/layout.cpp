@@ -1,0 +1,31 @@
+#include "contact/layout.hpp"
+
+namespace wrc {
+namespace {
+
+std::size_t length(Array which, const ArraySizes& sizes) {
+  const auto strips = static_cast<std::size_t>(sizes.strips);
+  const auto cells = static_cast<std::size_t>(sizes.cells);
+  if (which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
+  if (which <= Array::region_peak || which == Array::strip_power) return strips;
+  return strips * cells;
+}
+
+std::size_t rounded_up(std::size_t bytes) {
+  return (bytes + block_alignment - 1) / block_alignment * block_alignment;
+}
+
+}  // namespace
+
+ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes) {
+  ArrayLayout layout;
+  std::size_t at = rounded_up(header_bytes);
+  for (std::size_t i = 0; i < array_count; ++i) {
+    layout.offset[i] = at;
+    at += rounded_up(length(static_cast<Array>(i), sizes) * sizeof(double));
+  }
+  layout.bytes = at;
+  return layout;
+}
+
+}  // namespace wrc

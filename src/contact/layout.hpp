@@ -1,0 +1,58 @@
+/// Where the arrays of a contact lie inside its block of memory.
+///
+/// A contact is one relocatable block: a header of plain values, then arrays at offsets that the model fixes.
+/// No pointer into the block is stored in it, so that saving and restoring a contact is a copy of bytes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace wrc {
+
+inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
+
+/// Every array a contact owns. `patch_` strips come from the normal problem; `region_` strips are those the
+/// tangential fields live on (the same values unless a variant replaces the patch by an ellipse).
+enum class Array : std::size_t {
+  gap_y,
+  gap_height,
+  gap_centre,
+  gap_curvature,
+  patch_y,
+  patch_width,
+  patch_centre,
+  patch_half_length,
+  patch_peak,
+  region_y,
+  region_width,
+  region_centre,
+  region_half_length,
+  region_peak,
+  cell_x,
+  pressure,
+  traction_x,
+  traction_y,
+  slip_x,
+  slip_y,
+  power_density,
+  fatigue_index,
+  strip_power,
+  count_
+};
+
+inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count_);
+
+struct ArraySizes {
+  std::int32_t strips = 0, cells = 0, gap_rows = 0;
+};
+
+struct ArrayLayout {
+  std::array<std::size_t, array_count> offset{};  ///< bytes from the start of the contact block
+  std::size_t bytes = 0;                          ///< of the whole block
+};
+
+/// Lays the arrays out behind a header of `header_bytes`, each on a cache line.
+ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes);
+
+}  // namespace wrc

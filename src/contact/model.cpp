@@ -1,0 +1,105 @@
+#include "contact/model.hpp"
+
+#include <new>
+
+#include "contact/contact.hpp"
+#include "geometry/profile_points.hpp"
+#include "geometry/standard_profiles.hpp"
+
+namespace wrc {
+namespace {
+
+/// Nodes the profile of this source needs.
+std::int32_t node_count(const ProfileSource& source) {
+  switch (source.kind) {
+    case ProfileSource::Kind::s1002:
+      return s1002_nodes;
+    case ProfileSource::Kind::rail_60e1:
+      return rail_head_nodes;
+    case ProfileSource::Kind::rail_uic60_benchmark:
+      return uic60_benchmark_nodes;
+    case ProfileSource::Kind::points:
+      return source.count;
+    case ProfileSource::Kind::none:
+      break;
+  }
+  return 0;
+}
+
+std::size_t doubles(const ProfileSource& source) { return 3 * static_cast<std::size_t>(node_count(source)); }
+
+/// Cuts the nodes of one profile from the arrays behind the model.
+ProfileMemory cut(double*& arrays, std::int32_t nodes) {
+  const auto n = static_cast<std::size_t>(nodes);
+  const ProfileMemory memory{nodes, arrays, arrays + n, arrays + 2 * n};
+  arrays += 3 * n;
+  return memory;
+}
+
+/// The profile in its own coordinates. `scratch`: source.count doubles, for points.
+Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratch,
+                   const ProfileMemory& memory, Profile& profile) {
+  switch (source.kind) {
+    case ProfileSource::Kind::s1002:
+      return sample_s1002(memory, profile);
+    case ProfileSource::Kind::rail_60e1:
+      return sample_rail_head(rail_60e1, memory, profile);
+    case ProfileSource::Kind::rail_uic60_benchmark:
+      return sample_uic60_benchmark(memory, profile);
+    case ProfileSource::Kind::points:
+      return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
+    case ProfileSource::Kind::none:
+      break;
+  }
+  return {.status = WRC_ERROR_INTERNAL};
+}
+
+/// A fault of a profile, under the name the caller knows it by.
+Fault named(Fault fault, const char* name) {
+  if (fault.failed() && fault.field == nullptr) fault.field = name;
+  return fault;
+}
+
+}  // namespace
+
+std::size_t model_bytes(const ModelOptions& options) {
+  // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
+  const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
+  const std::size_t given = (wheel > rail ? wheel : rail) / 3 * 4;
+  return sizeof(Model) + sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
+}
+
+Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
+  auto* model = new (memory) Model;
+  model->options = options;
+  model->options.wheel = {};
+  model->options.rail = {};
+  model->layout = lay_out(options.sizes, sizeof(Contact));
+  model->linear_theory = SdecTable(options.material.poisson);
+
+  auto* arrays = reinterpret_cast<double*>(model + 1);
+  model->march_grid = make_march_grid(options.sizes.cells, arrays);
+  arrays += march_grid_size(options.sizes.cells);
+
+  model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
+  if (model->has_geometry) {
+    const ProfileMemory wheel_memory = cut(arrays, node_count(options.wheel));
+    const ProfileMemory rail_memory = cut(arrays, node_count(options.rail));
+    Profile given;
+    double* scratch = arrays;
+    ProfileMemory given_memory = cut(scratch, node_count(options.wheel));
+    Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given);
+    if (!fault.failed())
+      fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
+    if (fault.failed()) return named(fault, "config.wheel");
+    scratch = arrays;
+    given_memory = cut(scratch, node_count(options.rail));
+    fault = load_profile(options.rail, ProfileBody::rail, scratch, given_memory, given);
+    if (!fault.failed()) fault = place_rail(given, options.track, options.side, rail_memory, model->rail);
+    if (fault.failed()) return named(fault, "config.rail");
+  }
+  made = model;
+  return {};
+}
+
+}  // namespace wrc

@@ -1,0 +1,67 @@
+/// The model: everything about a contact pair that does not change during a run. Immutable once made, so any
+/// number of contacts and threads share it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "contact/layout.hpp"
+#include "fault.hpp"
+#include "geometry/placement.hpp"
+#include "geometry/profile.hpp"
+#include "linear_theory/sdec.hpp"
+#include "patch/material.hpp"
+#include "patch/regularise.hpp"
+#include "tangential/march_grid.hpp"
+#include "tangential/problem.hpp"
+
+namespace wrc {
+
+/// The methods a model can be made of, one per stage.
+enum class NormalMethod { hertz, kik_piotrowski, ekp };
+enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec };
+
+/// Where a profile comes from: a standard shape or points of the caller.
+struct ProfileSource {
+  enum class Kind { none, points, s1002, rail_60e1, rail_uic60_benchmark } kind = Kind::none;
+  std::int32_t count = 0;
+  const double* y = nullptr;  ///< [m]
+  const double* z = nullptr;  ///< [m]
+};
+
+struct ModelOptions {
+  NormalMethod normal_method = NormalMethod::ekp;
+  SecondCriterion regularisation = SecondCriterion::width;
+  TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
+  TractionBound traction_bound = TractionBound::parabolic;
+  ArraySizes sizes;
+  std::int32_t max_iterations = 0;
+  Material material;
+  double load_tolerance = 0.0;  ///< relative
+  double gap_limit = 0.0;       ///< [m]
+  double shear_yield = 0.0;     ///< k [Pa]
+  Side side = Side::right;
+  TrackDimensions track;
+  WheelsetDimensions wheelset;
+  ProfileSource wheel, rail;
+};
+
+/// The options, and the profiles as placed; its arrays follow it in the same block of memory.
+struct Model {
+  ModelOptions options;  ///< profile sources cleared: the model keeps no pointer of the caller
+  bool has_geometry = false;
+  Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
+  Rail rail;
+  SdecTable linear_theory;  ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;     ///< along each strip
+  ArrayLayout layout;       ///< of every contact of this model
+};
+
+/// Bytes of a model with these options (alignment: `block_alignment`).
+std::size_t model_bytes(const ModelOptions& options);
+
+/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles; everything else in the options has
+/// been checked by the caller.
+Fault make_model(const ModelOptions& options, void* memory, Model*& model);
+
+}  // namespace wrc

@@ -1,0 +1,43 @@
+/// Surface-initiated rolling-contact fatigue: fatigue indices and the shakedown map.
+///
+/// A point of the map is the utilised friction mu_a = sqrt(Fx^2 + Fy^2) / N against the load factor p0 / k, k
+/// the yield stress in shear of the (work-hardened) material. Above the curve plastic strain accumulates with
+/// every load cycle.
+#pragma once
+
+#include <cstdint>
+
+#include "patch/strips.hpp"
+#include "tangential/problem.hpp"
+
+namespace wrc {
+
+struct ShakedownPoint {
+  double utilised_friction = 0.0;  ///< mu_a = sqrt(Fx^2 + Fy^2) / N [-]
+  double load_factor = 0.0;        ///< p0 / k [-]
+};
+
+/// Both zero without load.
+ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_force, double peak_pressure,
+                               double shear_yield);
+
+/// FI = mu_a - k / p0 (Ekberg, Kabo, Andersson 2002; Liu, Bruni 2024, eq. 11); positive: fatigue is
+/// predicted. -infinity is avoided by returning -1e30 for an unloaded contact.
+double fatigue_index(const ShakedownPoint& point);
+
+/// Local index (sqrt(p_x^2 + p_y^2) - k) / p_n of every cell (Liu, Bruni 2024, eq. 12), p_n the pressure at
+/// the middle of the cell; index: cells * strips values, laid out as the fields (both tractions set).
+void local_fatigue_index(const TangentialFields& fields, const Strips& strips, std::int32_t cells,
+                         double shear_yield, double* index);
+
+/// The shakedown limit p0 / k of a Hertzian line contact in full slip with friction coefficient mu >= 0, for
+/// an elastic, perfectly plastic half-space in plane strain.
+///
+/// By Melan's theorem only tau_xz cannot be cancelled by residual stresses, so p0 / k = p0 / max |tau_xz|,
+/// with tau_xz from the closed-form stresses under a sliding line contact. For mu >= 0.367 its maximum is the
+/// traction at the surface, p0 / k = 1 / mu, the curve FI = 0; below, it lies in the depth and is fitted by
+/// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %. A circular contact starts higher, at about 4.7 for mu =
+/// 0 (literature value, unconfirmed here).
+double shakedown_limit(double friction);
+
+}  // namespace wrc

@@ -1,0 +1,31 @@
+#include "damage/wear.hpp"
+
+namespace wrc {
+
+double worn_area_rate(const TGammaWearLaw& law, double t_gamma, double wheel_diameter) {
+  const double mm3_per_km = t_gamma < law.t1    ? law.slope_mild * t_gamma
+                            : t_gamma <= law.t2 ? law.plateau
+                                                : law.slope_severe * t_gamma - law.offset_severe;
+  // mm^3/km = 1e-12 m^3/m
+  return mm3_per_km * 1e-12 / wheel_diameter;
+}
+
+double wear_depth_rate(const SheffieldWearLaw& law, double t_gamma_density) {
+  const double x = t_gamma_density * 1e-6;  // N/mm^2
+  const double plateau = law.slope_mild * law.x1;
+  const double rate = x < law.x1    ? law.slope_mild * x
+                      : x <= law.x2 ? plateau
+                                    : plateau + law.slope_catastrophic * (x - law.x2);
+  // microgram/(m mm^2) = 1e-3 kg/(m m^2)
+  return rate * 1e-3 / law.density;
+}
+
+double wear_depth_velocity(const ArchardWearLaw& law, double pressure, double sliding_velocity) {
+  const double by_speed = sliding_velocity < law.v1    ? law.mild_low_speed
+                          : sliding_velocity <= law.v2 ? law.severe
+                                                       : law.mild_high_speed;
+  const double k = pressure > law.seizure_pressure * law.hardness ? law.seizure : by_speed;
+  return k * pressure * sliding_velocity / law.hardness;
+}
+
+}  // namespace wrc

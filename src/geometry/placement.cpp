@@ -1,0 +1,136 @@
+#include "geometry/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+/// Steepest tangent kept at the ends of a rotated profile: 89.4 degrees, beyond any contact.
+constexpr double steepest = 100.0;
+
+void shift(const ProfileMemory& memory, const Profile& profile, double y, double z) {
+  for (std::int32_t i = 0; i < profile.count; ++i) {
+    memory.y[i] += y;
+    memory.z[i] += z;
+  }
+}
+
+/// y of the innermost point with z <= depth, searched from the crown inwards (towards negative y) [m].
+double gauge_face(const Profile& profile, double crown_y, double depth) {
+  std::int32_t i = piece_at(profile, crown_y);
+  while (i >= 0 && profile.z[i] <= depth) --i;
+  if (i < 0) return profile.y[0];
+  double low = profile.y[i], high = profile.y[i + 1];
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (evaluate(profile, middle).z > depth ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+Fault check_range(const char* field, double value, const char* unit, double low, double high) {
+  if (value >= low && value <= high) return {};
+  return {.status = std::isfinite(value) ? WRC_ERROR_RANGE : WRC_ERROR_NOT_FINITE,
+          .field = field,
+          .value = value,
+          .unit = unit,
+          .low = low,
+          .high = high,
+          .cause = value > high ? "did you pass millimetres?" : nullptr};
+}
+
+Fault check(const TrackDimensions& track) {
+  Fault fault;
+  worsen(fault, check_range("track.gauge", track.gauge, "m", 0.3, 2.5));
+  worsen(fault, check_range("track.gauge_depth", track.gauge_depth, "m", 0.005, 0.040));
+  worsen(fault, check_range("track.rail_inclination", track.rail_inclination, "", -0.2, 0.2));
+  return fault;
+}
+
+Fault check(const WheelsetDimensions& wheelset) {
+  Fault fault;
+  worsen(fault, check_range("wheelset.flange_back_distance", wheelset.flange_back_distance, "m", 0.3, 2.5));
+  worsen(fault, check_range("wheelset.flange_back_to_origin", wheelset.flange_back_to_origin, "m", 0.0, 0.2));
+  worsen(fault, check_range("wheelset.nominal_radius", wheelset.nominal_radius, "m", 0.1, 1.5));
+  return fault;
+}
+
+}  // namespace
+
+Fault place(const Profile& profile, const Placement& placement, const ProfileMemory& memory,
+            Profile& placed) {
+  const double c = 1.0 / std::sqrt(1.0 + placement.inclination * placement.inclination);
+  const double s = placement.inclination * c;
+  // dy'/dy > 0 with a slope that is not too steep: what remains a function z(y) after the rotation.
+  const auto usable = [&](std::int32_t i) {
+    const double run = c + s * profile.slope[i];
+    const double rise = c * profile.slope[i] - s;
+    return run > 0.0 && std::abs(rise) <= steepest * run;
+  };
+  std::int32_t first = 0, last = profile.count - 1;
+  while (first < last && !usable(first)) ++first;
+  while (last > first && !usable(last)) --last;
+  const std::int32_t count = last - first + 1;
+  if (memory.capacity < count) return too_few_nodes(memory.capacity, count);
+
+  for (std::int32_t i = 0; i < count; ++i) {
+    const double y = profile.y[first + i], z = profile.z[first + i], slope = profile.slope[first + i];
+    memory.y[i] = c * y + s * z + placement.y;
+    memory.z[i] = c * z - s * y + placement.z;
+    memory.slope[i] = (c * slope - s) / (c + s * slope);
+    if (!usable(first + i) || (i > 0 && memory.y[i] <= memory.y[i - 1])) {
+      return {.status = WRC_ERROR_PROFILE,
+              .field = "rail inclination",
+              .value = placement.inclination,
+              .unit = "",
+              .cause = "the canted profile folds back: it is no longer a height over lateral position",
+              .index = first + i};
+    }
+  }
+  placed = profile_in(memory, count);
+  return {};
+}
+
+void mirror(const ProfileMemory& memory, const Profile& profile) {
+  std::reverse(memory.y, memory.y + profile.count);
+  std::reverse(memory.z, memory.z + profile.count);
+  std::reverse(memory.slope, memory.slope + profile.count);
+  for (std::int32_t i = 0; i < profile.count; ++i) {
+    memory.y[i] = -memory.y[i];
+    memory.slope[i] = -memory.slope[i];
+  }
+}
+
+Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
+                 Rail& rail) {
+  if (const Fault fault = check(track); fault.failed()) return fault;
+  Profile canted;
+  const Fault fault = place(profile, Placement{.inclination = track.rail_inclination}, memory, canted);
+  if (fault.failed()) return fault;
+  const ProfileTop top = highest_point(canted);
+  const double origin = 0.5 * track.gauge - gauge_face(canted, top.y, top.z + track.gauge_depth);
+  shift(memory, canted, origin, -top.z);
+  if (side == Side::left) mirror(memory, canted);
+  rail.outward = side == Side::left ? -1.0 : 1.0;
+  rail.profile = canted;
+  rail.origin_y = rail.outward * origin;
+  return {};
+}
+
+Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
+                  const ProfileMemory& memory, Wheel& wheel) {
+  if (const Fault fault = check(wheelset); fault.failed()) return fault;
+  const double origin = 0.5 * wheelset.flange_back_distance + wheelset.flange_back_to_origin;
+  Profile placed;
+  const Fault fault = place(profile, Placement{.y = origin}, memory, placed);
+  if (fault.failed()) return fault;
+  if (side == Side::left) mirror(memory, placed);
+  wheel.outward = side == Side::left ? -1.0 : 1.0;
+  wheel.profile = placed;
+  wheel.origin_y = wheel.outward * origin;
+  wheel.nominal_radius = wheelset.nominal_radius;
+  return {};
+}
+
+}  // namespace wrc

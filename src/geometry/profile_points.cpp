@@ -1,0 +1,166 @@
+#include "geometry/profile_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+struct Names {
+  const char *points, *y, *z;
+};
+Names names_of(ProfileBody body) {
+  if (body == ProfileBody::rail) return {"rail profile", "rail profile y", "rail profile z"};
+  return {"wheel profile", "wheel profile y", "wheel profile z"};
+}
+
+Fault unusable(const char* field, double value, const char* cause, std::int32_t index = -1) {
+  return {.status = WRC_ERROR_PROFILE,
+          .field = field,
+          .value = value,
+          .unit = "m",
+          .cause = cause,
+          .index = index};
+}
+
+/// Mean of z over y, by trapezoids [m].
+double mean_height(std::int32_t count, const double* y, const double* z) {
+  double area = 0.0;
+  for (std::int32_t i = 1; i < count; ++i) area += 0.5 * (z[i] + z[i - 1]) * (y[i] - y[i - 1]);
+  return area / (y[count - 1] - y[0]);
+}
+
+/// A head is highest (least z) inside and falls off to both ends.
+Fault check_rail_orientation(std::int32_t count, const double* y, const double* z) {
+  const auto [top, bottom] = std::minmax_element(z, z + count);
+  const double mean = mean_height(count, y, z);
+  if (mean - *top > *bottom - mean) {
+    return unusable("rail profile z", *bottom, "the head is upside down: z must point down, turn its sign",
+                    static_cast<std::int32_t>(bottom - z));
+  }
+  if (top == z || top == z + count - 1) {
+    return unusable("rail profile z", *top,
+                    "the highest point of the head is at an end of the points: the profile is cut too short",
+                    static_cast<std::int32_t>(top - z));
+  }
+  return {};
+}
+
+/// A wheel is lowest (largest z) at its flange, on the inner side. A tread without flange cannot be told.
+Fault check_wheel_orientation(std::int32_t count, const double* y, const double* z) {
+  constexpr double flange_least = 0.015;  // flanges are 26..36 mm high, treads fall by 4 mm
+  const auto [least, most] = std::minmax_element(z, z + count);
+  if (*most - *least < flange_least) return {};
+  const double mean = mean_height(count, y, z);
+  const bool upside_down = mean - *least > *most - mean;
+  const auto flange = static_cast<std::int32_t>((upside_down ? least : most) - z);
+  if (upside_down) {
+    return unusable("wheel profile z", z[flange], "the flange points up: z must point down, turn its sign",
+                    flange);
+  }
+  if (y[flange] > 0.5 * (y[0] + y[count - 1])) {
+    return unusable(
+        "wheel profile y", y[flange],
+        "the flange is on the field side: the profile is mirrored, turn the sign of y and the order "
+        "of the points",
+        flange);
+  }
+  return {};
+}
+
+/// Slopes of the natural cubic spline: the tridiagonal system
+///   h_i m_{i-1} + 2 (h_{i-1} + h_i) m_i + h_{i-1} m_{i+1} = 3 (h_i d_{i-1} + h_{i-1} d_i),
+/// h the spacings, d the chord slopes, with 2 m_0 + m_1 = 3 d_0 at the ends (zero curvature), by elimination.
+void natural_slopes(std::int32_t count, const double* y, const double* z, double* scratch, double* slope) {
+  const auto spacing = [&](std::int32_t i) { return y[i + 1] - y[i]; };
+  const auto chord = [&](std::int32_t i) { return (z[i + 1] - z[i]) / spacing(i); };
+  const std::int32_t last = count - 1;
+  scratch[0] = 0.5;
+  slope[0] = 1.5 * chord(0);
+  for (std::int32_t i = 1; i <= last; ++i) {
+    double below = 1.0, diagonal = 2.0, above = 0.0, right = 3.0 * chord(last - 1);
+    if (i < last) {
+      below = spacing(i);
+      above = spacing(i - 1);
+      diagonal = 2.0 * (below + above);
+      right = 3.0 * (below * chord(i - 1) + above * chord(i));
+    }
+    const double pivot = diagonal - below * scratch[i - 1];
+    scratch[i] = above / pivot;
+    slope[i] = (right - below * slope[i - 1]) / pivot;
+  }
+  for (std::int32_t i = last - 1; i >= 0; --i) slope[i] -= scratch[i] * slope[i + 1];
+}
+
+}  // namespace
+
+Fault check_points(ProfileBody body, std::int32_t count, const double* y, const double* z) {
+  const Names name = names_of(body);
+  if (count < 4) {
+    return {.status = WRC_ERROR_PROFILE,
+            .field = name.points,
+            .value = static_cast<double>(count),
+            .unit = "points",
+            .low = 4.0,
+            .high = 1e6,
+            .cause = "a profile needs at least four points"};
+  }
+  for (std::int32_t i = 0; i < count; ++i) {
+    const bool y_bad = !std::isfinite(y[i]);
+    if (y_bad || !std::isfinite(z[i])) {
+      return {.status = WRC_ERROR_NOT_FINITE,
+              .field = y_bad ? name.y : name.z,
+              .value = y_bad ? y[i] : z[i],
+              .unit = "m",
+              .cause = "a point is NaN or infinite",
+              .index = i};
+    }
+    const bool y_far = std::abs(y[i]) > profile_reach;
+    if (y_far || std::abs(z[i]) > profile_reach) {
+      Fault fault = unusable(y_far ? name.y : name.z, y_far ? y[i] : z[i], "did you pass millimetres?", i);
+      fault.low = -profile_reach;
+      fault.high = profile_reach;
+      return fault;
+    }
+  }
+  if (y[count - 1] < y[0]) {
+    return unusable(name.y, y[1] - y[0], "the points run from the field side inwards: reverse their order",
+                    1);
+  }
+  for (std::int32_t i = 1; i < count; ++i) {
+    if (y[i] == y[i - 1]) return unusable(name.y, y[i], "two neighbouring points have the same y", i);
+    if (y[i] < y[i - 1]) {
+      return unusable(name.y, y[i],
+                      "the profile folds back or crosses itself: y must increase from point to point", i);
+    }
+    if (y[i] - y[i - 1] > profile_spacing_most) {
+      Fault fault = unusable(name.y, y[i] - y[i - 1], "points are missing before this one", i);
+      fault.high = profile_spacing_most;
+      return fault;
+    }
+  }
+  const double width = y[count - 1] - y[0];
+  if (width < profile_width_least || width > profile_width_most) {
+    Fault fault =
+        unusable(name.points, width,
+                 width < profile_width_least ? "the profile is too short" : "did you pass millimetres?");
+    fault.low = profile_width_least;
+    fault.high = profile_width_most;
+    return fault;
+  }
+  return body == ProfileBody::rail ? check_rail_orientation(count, y, z)
+                                   : check_wheel_orientation(count, y, z);
+}
+
+Fault spline_through(ProfileBody body, std::int32_t count, const double* y, const double* z, double* scratch,
+                     const ProfileMemory& memory, Profile& profile) {
+  if (const Fault fault = check_points(body, count, y, z); fault.failed()) return fault;
+  if (memory.capacity < count) return too_few_nodes(memory.capacity, count);
+  std::copy(y, y + count, memory.y);
+  std::copy(z, z + count, memory.z);
+  natural_slopes(count, memory.y, memory.z, scratch, memory.slope);
+  profile = profile_in(memory, count);
+  return {};
+}
+
+}  // namespace wrc

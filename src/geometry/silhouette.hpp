@@ -1,0 +1,86 @@
+/// The wheelset's pose and the silhouette of its wheels along the track: what makes wheel/rail contact
+/// geometry a problem between two plane curves, exactly.
+///
+/// The rail is a cylinder along the track's x axis, so only the outline of the wheel seen along x matters:
+/// the points of the wheel whose surface normal is perpendicular to x. The wheel is the surface of revolution
+///     p(s, theta) = (r(s) sin(theta), s, r(s) cos(theta)),   r = nominal radius + profile z,
+/// in the wheelset frame (s lateral, theta = 0 at the bottom), with normal n ~ (sin(theta), -r', cos(theta)).
+/// With e = R^T x_track the condition e . n = 0 reads
+///     e1 sin(theta) + e3 cos(theta) = e2 r'(s),
+/// solved in closed form: one outline point per lateral position s. For zero yaw it is theta = 0, the wheel's
+/// profile; with yaw psi the contact locus leaves it by x ~ -r r' psi.
+///
+/// Two consequences used downstream, both exact:
+///   - the tangent of the projected outline is perpendicular to the projected normal: dz/dy = -N_y / N_z, N =
+///   R n;
+///   - the separation at fixed contact-frame y is least on the outline, and its curvature there is the
+///   wheel's
+///     normal curvature in direction x divided by the cosine between the surface normal and the contact
+///     normal (Meusnier), see longitudinal_curvature().
+#pragma once
+
+#include <cstdint>
+
+#include "fault.hpp"
+#include "geometry/placement.hpp"
+#include "geometry/profile.hpp"
+
+namespace wrc {
+
+/// Position of the wheelset in the track frame. Only the position relative to the rail counts: an
+/// irregularity of one rail is entered by subtracting its displacement from `lateral` and `vertical` for that
+/// wheel.
+struct Pose {
+  double lateral = 0.0;   ///< y of the wheelset's middle [m]
+  double vertical = 0.0;  ///< downwards, 0: tape circle level with the top of the rail [m]
+  double roll = 0.0;      ///< about the x axis turned by yaw, right wheel down positive [rad]
+  double yaw = 0.0;       ///< about z (down), right-hand rule: right wheel back, left wheel forward [rad]
+};
+
+/// The pose is finite and within what a wheelset on rails can do; outside (millimetres, degrees)
+/// WRC_ERROR_RANGE with the field's name, NaN or infinite WRC_ERROR_NOT_FINITE.
+Fault check(const Pose& pose);
+
+/// The rotation R = R_z(yaw) R_x(roll) from wheelset to track axes, worked out once per pose.
+struct Attitude {
+  double r[3][3];         ///< track = r * wheelset
+  double e1_unit = 1.0;   ///< e1 / sqrt(e1^2 + e3^2)
+  double e3_unit = 0.0;   ///< e3 / sqrt(e1^2 + e3^2)
+  double e2_ratio = 0.0;  ///< e2 / sqrt(e1^2 + e3^2)
+};
+Attitude attitude(const Pose& pose);
+
+/// One wheel of a wheelset in a pose.
+struct PosedWheel {
+  const Wheel* wheel = nullptr;
+  Attitude attitude;
+  double centre_y = 0.0, centre_z = 0.0;  ///< of the wheelset's middle in the track frame [m]
+};
+PosedWheel posed(const Wheel& wheel, const Pose& pose);
+
+/// A point of the outline, in the track frame.
+struct OutlinePoint {
+  double x = 0.0, y = 0.0, z = 0.0;       ///< [m]
+  double normal_y = 0.0, normal_z = 1.0;  ///< normal N (not of unit length), out of the wheel; N_x = 0
+  double dy_ds = 1.0;  ///< derivative of y along the outline by the profile coordinate s [-]
+  double sin_theta = 0.0, cos_theta = 1.0;
+  double radius = 0.0;               ///< r(s) [m]
+  double slope = 0.0, second = 0.0;  ///< r'(s) [-], r''(s) [1/m]
+
+  double dz_dy() const { return -normal_y / normal_z; }
+};
+
+/// Outline point at wheelset-frame lateral position s; `piece` as in evaluate(). Where the wheel is hollow
+/// (flange root) and the yaw so strong that r r'' yaw^2 > 1 (33 mrad for the S1002 at its steepest), the
+/// outline folds back on itself: dy_ds < 0 there, and that part is hidden behind the rest of the wheel.
+OutlinePoint outline(const PosedWheel& posed_wheel, double s, std::int32_t& piece);
+
+/// d2h/dx2 [1/m] of the separation h measured along the contact normal of a frame inclined by (cosine, sine),
+/// at fixed lateral position of that frame.
+///     [ cos^2(chi) / r - sin^2(chi) r'' / (1 + r'^2) ] / (n_c . N)
+/// with chi the angle between x and the wheel's parallel circle: the parallel's normal curvature cos(delta)/r
+/// and the meridian's -r'' / (1 + r'^2)^(3/2) in Euler's formula; |N| = sqrt(1 + r'^2) cancels one cosine.
+double longitudinal_curvature(const PosedWheel& posed_wheel, const OutlinePoint& point, double cosine,
+                              double sine);
+
+}  // namespace wrc

@@ -1,0 +1,11 @@
+/// FASTSIM-EQ.L: FASTSIM on the actual region, with the flexibilities of the equivalent ellipse.
+#pragma once
+
+#include "tangential/rolling_contact.hpp"
+
+namespace wrc {
+
+/// contact.region: the strips of the actual patch; contact.a, contact.b: its equivalent ellipse.
+TangentialForces fastsim_eql(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+
+}  // namespace wrc

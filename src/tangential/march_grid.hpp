@@ -1,0 +1,38 @@
+/// The cells of a strip, and what a traction bound amounts to in each of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tangential/problem.hpp"
+
+namespace wrc {
+
+/// A traction bound over a strip relative to its value at the strip's middle: 1 - s^2 (parabolic) or
+/// sqrt(1 - s^2) (elliptic), s = (x - centre) / half_length.
+struct BoundShape {
+  /// Mean over each cell. Means instead of mid-cell values make the bound integrate to mu N exactly on any
+  /// grid (Coulomb's limit); as the shape is concave they never exceed the mid-cell value.
+  const double* mean = nullptr;
+  /// Change from the leading to the trailing border of each cell, as half the change of the square over the
+  /// mean: with it the elastic part of the dissipated power sums to zero over a strip that slips as a whole.
+  const double* rise = nullptr;
+};
+
+/// Cells along a strip, cell 0 at the leading edge; the same for every strip and every step of a model.
+struct MarchGrid {
+  std::int32_t cells = 0;
+  BoundShape parabolic, elliptic;
+
+  const BoundShape& shape(TractionBound bound) const {
+    return bound == TractionBound::parabolic ? parabolic : elliptic;
+  }
+};
+
+/// Memory a grid needs [doubles].
+constexpr std::size_t march_grid_size(std::int32_t cells) { return 4 * static_cast<std::size_t>(cells); }
+
+/// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
+MarchGrid make_march_grid(std::int32_t cells, double* memory);
+
+}  // namespace wrc

@@ -1,0 +1,634 @@
+/// The C interface as a vendor meets it: handles, memory, struct versions, bad input, errors as sentences.
+/// Links the shared library and nothing of its inside.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "wrc/wrc.h"
+
+namespace {
+
+template <typename Struct>
+Struct made(int32_t (*init)(Struct*)) {
+  Struct value{};
+  value.struct_size = sizeof value;
+  EXPECT_EQ(init(&value), WRC_OK);
+  return value;
+}
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// S1002 on UIC60, 80 kN, the paper's Case 2: a contact that works, to break one thing at a time.
+class Interface : public testing::Test {
+ protected:
+  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
+  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  void SetUp() override {
+    wheel.kind = WRC_PROFILE_S1002;
+    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.wheel = &wheel;
+    config.rail = &rail;
+    load.normal_force = 80e3;
+    creepage.longitudinal = -0.49e-3;
+    creepage.lateral = -0.22e-3;
+    creepage.spin = 0.29;
+    friction.coefficient = 0.35;
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
+  void TearDown() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+
+  int32_t step() {
+    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+    return wrc_step(contact, &input, &output);
+  }
+  std::string error() const {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return text;
+  }
+  /// The step fails with this status and a sentence that contains all these words, leaves zeros, and the next
+  /// one works.
+  void expect_refused(int32_t status, const std::vector<std::string>& words) {
+    EXPECT_EQ(step(), status);
+    const std::string sentence = error();
+    for (const std::string& word : words)
+      EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
+    EXPECT_EQ(forces.fx, 0.0);
+    EXPECT_EQ(forces.fn, 0.0);
+    EXPECT_EQ(patch.area, 0.0);
+    EXPECT_EQ(damage.power, 0.0);
+    EXPECT_EQ(forces.struct_size, sizeof forces);
+  }
+  void expect_works() {
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_GT(forces.power, 0.0);
+    EXPECT_NEAR(forces.fn, 80e3, 1.0);
+    EXPECT_EQ(error(), "");
+  }
+  /// The configuration is refused, and says these words.
+  void expect_config_refused(int32_t status, const std::vector<std::string>& words) {
+    char text[256];
+    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
+    const std::string sentence = text;
+    for (const std::string& word : words)
+      EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
+    wrc_model* none = model;
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &none), status);
+    EXPECT_EQ(none, nullptr);
+  }
+};
+
+// ------------------------------------------------------------------------------------------------------- bad
+// values
+
+TEST_F(Interface, AGoodStepWorks) { expect_works(); }
+
+TEST_F(Interface, LoadInKilonewtonsIsNoticed) {
+  load.normal_force = 80.0;
+  expect_refused(WRC_ERROR_RANGE, {"load.normal_force = 80 N", "100 .. 1e+06 N", "kN"});
+  load.normal_force = 80e3;
+  expect_works();
+}
+
+TEST_F(Interface, NegativeAndAbsurdLoadsAreRefused) {
+  load.normal_force = -80e3;
+  expect_refused(WRC_ERROR_RANGE, {"load.normal_force = -80000 N", "compressive"});
+  load.normal_force = 861e6;
+  expect_refused(WRC_ERROR_RANGE, {"load.normal_force", "pressure"});
+  load.normal_force = 80e3;
+  expect_works();
+}
+
+TEST_F(Interface, NanAndInfinityAreNamedWhereverTheyStand) {
+  double* const values[] = {&pose.lateral,          &pose.roll,        &pose.yaw,      &load.normal_force,
+                            &creepage.longitudinal, &creepage.lateral, &creepage.spin, &creepage.speed,
+                            &friction.coefficient};
+  const char* const names[] = {
+      "pose.lateral",     "pose.roll",     "pose.yaw",       "load.normal_force",   "creepage.longitudinal",
+      "creepage.lateral", "creepage.spin", "creepage.speed", "friction.coefficient"};
+  for (std::size_t i = 0; i < sizeof values / sizeof *values; ++i) {
+    const double good = *values[i];
+    for (double bad : {nan_value, infinity, -infinity}) {
+      *values[i] = bad;
+      expect_refused(WRC_ERROR_NOT_FINITE, {names[i]});
+    }
+    *values[i] = good;
+  }
+  expect_works();
+}
+
+TEST_F(Interface, FrictionMustBePositive) {
+  for (double bad : {0.0, -0.3}) {
+    friction.coefficient = bad;
+    expect_refused(WRC_ERROR_RANGE, {"friction.coefficient", "positive"});
+  }
+  friction.coefficient = 35.0;
+  expect_refused(WRC_ERROR_RANGE, {"friction.coefficient = 35", "per cent"});
+}
+
+TEST_F(Interface, PoseInMillimetresIsNoticed) {
+  pose.lateral = 3.0;
+  expect_refused(WRC_ERROR_RANGE, {"pose.lateral = 3 m", "mm"});
+  pose.lateral = -0.1;  // allowed as a number, but the wheel has left the rail
+  EXPECT_LT(step(), 0);
+  EXPECT_EQ(forces.fn, 0.0);
+  pose.lateral = 0.0;
+  expect_works();
+}
+
+TEST_F(Interface, ApproachInMillimetresIsNoticed) {
+  load.prescribed = WRC_PRESCRIBE_APPROACH;
+  load.approach = 0.067;
+  expect_refused(WRC_ERROR_RANGE, {"load.approach = 0.067 m", "mm"});
+}
+
+TEST_F(Interface, WheelAboveTheRailIsNoContactAndNoError) {
+  load.prescribed = WRC_PRESCRIBE_APPROACH;
+  for (double apart : {0.0, -1e-6, -0.5}) {
+    load.approach = apart;
+    EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
+    EXPECT_EQ(forces.fn, 0.0);
+    EXPECT_EQ(forces.power, 0.0);
+    EXPECT_EQ(patch.area, 0.0);
+  }
+  load.approach = 67e-6;
+  EXPECT_EQ(step(), WRC_OK);
+  EXPECT_NEAR(forces.fn, 80e3, 5e3);
+}
+
+TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
+  // A parabolic gap cut off at y = 2 mm, well inside the patch.
+  std::vector<double> y, height, curvature;
+  for (int j = 0; j < 40; ++j) {
+    y.push_back(-0.025 + 0.027 * j / 39.0);
+    height.push_back(0.5 * y.back() * y.back());
+    curvature.push_back(1.0 / 0.46);
+  }
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = 40;
+  gap.y = y.data();
+  gap.height = height.data();
+  gap.curvature = curvature.data();
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_FLAG_PATCH_AT_EDGE) << error();
+  EXPECT_GT(patch.area, 0.0);
+}
+
+TEST_F(Interface, GapOfTheCallerIsChecked) {
+  std::vector<double> y{-0.02, -0.01, 0.0, 0.01, 0.02}, height{4e-4, 1e-4, 0.0, 1e-4, 4e-4},
+      curvature(5, 2.0);
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = 5;
+  gap.y = y.data();
+  gap.height = height.data();
+  gap.curvature = curvature.data();
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+  height[3] = nan_value;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_NOT_FINITE);
+  EXPECT_NE(error().find("gap.height[3]"), std::string::npos) << error();
+  EXPECT_EQ(patch.area, 0.0);
+  height[3] = 1e-4;
+  y[2] = -0.015;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_GAP);
+  EXPECT_NE(error().find("gap.y[2]"), std::string::npos) << error();
+  y[2] = 0.0;
+  curvature[4] = -2.0;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  EXPECT_NE(error().find("gap.curvature[4]"), std::string::npos) << error();
+  curvature[4] = 2.0;
+  gap.rows = 3;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  gap.rows = 100000;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  gap.rows = 5;
+  gap.height = nullptr;
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_NULL);
+  gap.height = height.data();
+  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+}
+
+TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
+  std::vector<double> x, y, h, height, centre, curvature;
+  for (int i = 0; i < 61; ++i) x.push_back(-0.015 + 0.03 * i / 60.0);
+  for (int j = 0; j < 101; ++j) {
+    y.push_back(-0.02 + 0.04 * j / 100.0);
+    height.push_back(0.8 * y[static_cast<std::size_t>(j)] * y[static_cast<std::size_t>(j)]);
+    centre.push_back(0.1 * y[static_cast<std::size_t>(j)]);
+    curvature.push_back(2.2);
+    for (double xi : x) h.push_back(height.back() + 1.1 * (xi - centre.back()) * (xi - centre.back()));
+  }
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = 101;
+  gap.y = y.data();
+  gap.height = height.data();
+  gap.centre = centre.data();
+  gap.curvature = curvature.data();
+  wrc_patch by_rows = made<wrc_patch>(wrc_patch_init);
+  ASSERT_EQ(wrc_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
+  gap.columns = 61;
+  gap.x = x.data();
+  gap.h = h.data();
+  gap.row_stride = 61;
+  ASSERT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+  EXPECT_NEAR(patch.approach, by_rows.approach, 1e-9 * by_rows.approach);
+  EXPECT_NEAR(patch.area, by_rows.area, 1e-9 * by_rows.area);
+}
+
+TEST_F(Interface, StagesOutOfOrderAreRefused) {
+  wrc_contact* fresh = nullptr;
+  ASSERT_EQ(wrc_contact_create(model, nullptr, &fresh), WRC_OK);
+  EXPECT_EQ(wrc_normal(fresh, nullptr, &load, &patch), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_regularise(fresh, nullptr, &patch), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_damage_numbers(fresh, &damage), WRC_ERROR_SEQUENCE);
+  wrc_view view = made<wrc_view>(wrc_view_init);
+  EXPECT_EQ(wrc_field(fresh, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(view.data, nullptr);
+  EXPECT_EQ(wrc_field(fresh, 4711, &view), WRC_ERROR_UNSUPPORTED);
+  wrc_contact_destroy(fresh);
+}
+
+TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
+  expect_works();
+  const wrc_forces whole = forces;
+  const wrc_damage whole_damage = damage;
+  EXPECT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  EXPECT_EQ(wrc_normal(contact, nullptr, &load, &patch), WRC_OK);
+  EXPECT_EQ(wrc_regularise(contact, nullptr, &patch), WRC_OK);
+  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(wrc_damage_numbers(contact, &damage), WRC_OK);
+  EXPECT_EQ(std::memcmp(&whole, &forces, sizeof forces), 0);
+  EXPECT_EQ(std::memcmp(&whole_damage, &damage, sizeof damage), 0);
+}
+
+TEST_F(Interface, StripsOfTheCallerGoThrough) {
+  // Two strips of 40 kN each.
+  const double y[] = {-2e-3, 2e-3}, width[] = {4e-3, 4e-3}, half[] = {5e-3, 5e-3};
+  const double peak_pressure = 40e3 / (0.5 * 3.14159265358979 * 5e-3 * 4e-3);
+  double peak[] = {peak_pressure, peak_pressure};
+  wrc_strips strips = made<wrc_strips>(wrc_strips_init);
+  strips.count = 2;
+  strips.y = y;
+  strips.width = width;
+  strips.half_length = half;
+  strips.peak = peak;
+  ASSERT_EQ(wrc_regularise(contact, &strips, &patch), WRC_OK) << error();
+  EXPECT_NEAR(patch.normal_force, 80e3, 1e-6);
+  EXPECT_NEAR(patch.b, 4e-3, 1e-15);
+  EXPECT_NEAR(patch.psi, 0.0, 1e-12);
+  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK) << error();
+  EXPECT_NEAR(forces.fn, 80e3, 1e-6);
+  peak[1] = -1.0;
+  EXPECT_EQ(wrc_regularise(contact, &strips, &patch), WRC_ERROR_RANGE);
+  EXPECT_NE(error().find("strips.peak[1]"), std::string::npos);
+}
+
+// ----------------------------------------------------------------------------------------------------
+// configuration
+
+TEST_F(Interface, ConfigurationValuesAreChecked) {
+  config.poisson = 0.51;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.poisson = 0.51", "0 .. 0.5"});
+  config.poisson = -0.1;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.poisson"});
+  config.poisson = nan_value;
+  expect_config_refused(WRC_ERROR_NOT_FINITE, {"config.poisson"});
+  config.poisson = 0.28;
+  config.shear_modulus = 80e3;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.shear_modulus", "MPa"});
+  config.shear_modulus = 80e9;
+  config.wheel_radius = 460.0;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_radius", "mm"});
+  config.wheel_radius = 0.46;
+  config.strips = 0;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.strips"});
+  config.strips = 60;
+  config.normal_method = 99;
+  expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.normal_method"});
+  config.normal_method = WRC_NORMAL_EKP;
+  config.rail = nullptr;
+  expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
+  config.rail = &wheel;
+  expect_config_refused(WRC_ERROR_PROFILE, {"config.rail"});
+}
+
+TEST_F(Interface, ProfilesFromPointsAreChecked) {
+  std::vector<double> y, z;
+  for (int i = 0; i <= 140; ++i) {  // a rail crown of 300 mm radius
+    y.push_back(-0.035 + 0.0005 * i);
+    z.push_back(0.3 - std::sqrt(0.09 - y.back() * y.back()));
+  }
+  rail.kind = WRC_PROFILE_POINTS;
+  const auto set = [&](std::size_t count) {
+    rail.count = static_cast<uint32_t>(count);
+    rail.y = y.data();
+    rail.z = z.data();
+  };
+  const std::vector<double> good_y = y, good_z = z;
+  set(y.size());
+  char text[256];
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
+  set(3);
+  expect_config_refused(WRC_ERROR_PROFILE, {"config.rail", "4"});
+  set(y.size());
+  z[17] = nan_value;
+  expect_config_refused(WRC_ERROR_NOT_FINITE, {"17"});
+  z = good_z;
+  std::swap(y[50], y[51]);
+  expect_config_refused(WRC_ERROR_PROFILE, {"51"});
+  y = good_y;
+  for (double& value : y) value *= 1e3;
+  for (double& value : z) value *= 1e3;
+  expect_config_refused(WRC_ERROR_PROFILE, {"millimetres"});
+  y = good_y;
+  z = good_z;
+  for (double& value : z) value = -value;
+  expect_config_refused(WRC_ERROR_PROFILE, {"down"});
+  z = good_z;
+  rail.z = nullptr;
+  expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
+}
+
+// ------------------------------------------------------------------------------------------------ memory and
+// handles
+
+TEST_F(Interface, MemoryOfTheCallerFitsExactly) {
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> storage(bytes + alignment);
+  auto* memory = reinterpret_cast<unsigned char*>(
+      (reinterpret_cast<std::uintptr_t>(storage.data()) + alignment - 1) / alignment * alignment);
+  wrc_model* own = nullptr;
+  EXPECT_EQ(wrc_model_init(&config, memory, bytes - 1, &own), WRC_ERROR_BUFFER);
+  EXPECT_EQ(own, nullptr);
+  EXPECT_EQ(wrc_model_init(&config, memory + 8, bytes, &own), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, nullptr, bytes, &own), WRC_ERROR_NULL);
+  ASSERT_EQ(wrc_model_init(&config, memory, bytes, &own), WRC_OK);
+
+  uint64_t contact_bytes = 0;
+  ASSERT_EQ(wrc_contact_size(own, &contact_bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> contact_storage(contact_bytes + alignment);
+  auto* contact_memory = reinterpret_cast<unsigned char*>(
+      (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
+  wrc_contact* own_contact = nullptr;
+  EXPECT_EQ(wrc_contact_init(own, contact_memory, contact_bytes - 1, &own_contact), WRC_ERROR_BUFFER);
+  EXPECT_EQ(own_contact, nullptr);
+  ASSERT_EQ(wrc_contact_init(own, contact_memory, contact_bytes, &own_contact), WRC_OK);
+  expect_works();
+  const wrc_forces expected = forces;
+  std::swap(contact, own_contact);
+  expect_works();
+  EXPECT_EQ(std::memcmp(&expected, &forces, sizeof forces), 0);
+  std::swap(contact, own_contact);
+  wrc_contact_destroy(own_contact);  // memory of the caller: nothing to release, and harmless
+  wrc_model_destroy(own);
+}
+
+struct Counter {
+  int live = 0, left = 1000;
+};
+void* counting_allocate(void* user, uint64_t bytes, uint64_t alignment) {
+  auto* counter = static_cast<Counter*>(user);
+  if (counter->left-- <= 0) return nullptr;
+  ++counter->live;
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void counting_release(void* user, void* memory) {
+  --static_cast<Counter*>(user)->live;
+  std::free(memory);
+}
+
+TEST_F(Interface, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
+  wrc_allocator allocator = made<wrc_allocator>(wrc_allocator_init);
+  Counter counter;
+  allocator.user = &counter;
+  allocator.allocate = counting_allocate;
+  allocator.release = counting_release;
+  for (int allowed = 0; allowed <= 2; ++allowed) {
+    counter = {0, allowed};
+    wrc_model* own = nullptr;
+    wrc_contact* own_contact = nullptr;
+    EXPECT_EQ(wrc_model_create(&config, &allocator, &own), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
+    EXPECT_EQ(own != nullptr, allowed > 0);
+    if (own != nullptr) {
+      EXPECT_EQ(wrc_contact_create(own, &allocator, &own_contact), allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
+    }
+    wrc_contact_destroy(own_contact);
+    wrc_model_destroy(own);
+    EXPECT_EQ(counter.live, 0);
+  }
+  counter = {0, 1000};
+  config.poisson = 9.0;
+  wrc_model* own = nullptr;
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_RANGE);
+  EXPECT_EQ(counter.live, 0);
+  config.poisson = 0.25;
+  allocator.release = nullptr;
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_NULL);
+}
+
+TEST_F(Interface, SavedStateRestoresBitForBit) {
+  expect_works();
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> saved(bytes + 1);
+  ASSERT_EQ(wrc_contact_save(contact, saved.data() + 1, bytes), WRC_OK);  // any alignment
+  const wrc_forces before = forces;
+  pose.lateral = 2e-3;
+  creepage.spin = -0.7;
+  ASSERT_EQ(step(), WRC_OK);
+  EXPECT_NE(forces.fx, before.fx);
+  ASSERT_EQ(wrc_contact_restore(contact, saved.data() + 1, bytes), WRC_OK);
+  creepage.spin = 0.29;
+  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
+
+  wrc_contact* other = nullptr;  // relocatable: into another contact of the model
+  ASSERT_EQ(wrc_contact_create(model, nullptr, &other), WRC_OK);
+  ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
+  ASSERT_EQ(wrc_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
+  wrc_contact_destroy(other);
+
+  EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
+  std::vector<unsigned char> rubbish(bytes, 0x5a);
+  EXPECT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
+  expect_works();
+}
+
+TEST_F(Interface, NullIsSafeEverywhere) {
+  EXPECT_EQ(wrc_config_init(nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_config_check(nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_model_size(&config, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_model_create(&config, nullptr, nullptr), WRC_ERROR_NULL);
+  wrc_model* none = nullptr;
+  EXPECT_EQ(wrc_model_create(nullptr, nullptr, &none), WRC_ERROR_NULL);
+  wrc_contact* no_contact = nullptr;
+  EXPECT_EQ(wrc_contact_create(nullptr, nullptr, &no_contact), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_geometry(contact, &pose, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_normal(nullptr, nullptr, &load, &patch), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_normal(contact, nullptr, nullptr, &patch), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_normal(contact, nullptr, &load, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_damage_numbers(contact, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_field(contact, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_restore(nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_linear_coefficients(1.0, 0.0, 0.25, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_shakedown_limit(0.3, nullptr), WRC_ERROR_NULL);
+  wrc_model_destroy(nullptr);
+  wrc_contact_destroy(nullptr);
+}
+
+TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
+  load.struct_size = 7;
+  expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_load", "struct_size"});
+  load.struct_size = 0;
+  expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_load"});
+  load.struct_size = 4096;  // of a header newer than the library
+  expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_load"});
+  load.struct_size = sizeof load;
+  patch.struct_size = 3;
+  EXPECT_EQ(step(), WRC_ERROR_STRUCT_SIZE);
+  patch.struct_size = sizeof patch;
+  expect_works();
+}
+
+TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
+  constexpr int count = 5;
+  std::vector<wrc_contact*> contacts(count);
+  std::vector<wrc_creepage> creepages(count, creepage);
+  std::vector<wrc_forces> batch(count, forces), single(count, forces);
+  std::vector<wrc_input> inputs;
+  std::vector<wrc_output> outputs;
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contacts[i]), WRC_OK);
+    creepages[i].spin = 0.1 * static_cast<double>(i);
+    inputs.push_back({sizeof(wrc_input), 0, &pose, nullptr, &load, &creepages[i], &friction});
+    outputs.push_back({sizeof(wrc_output), 0, nullptr, nullptr, &single[i], nullptr});
+    EXPECT_EQ(wrc_step(contacts[i], &inputs[i], &outputs[i]), WRC_OK);
+    outputs[i].forces = &batch[i];
+  }
+  creepages[3].spin = nan_value;
+  std::vector<int32_t> statuses(count);
+  EXPECT_EQ(wrc_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_input), outputs.data(),
+                           sizeof(wrc_output), statuses.data()),
+            WRC_ERROR_NOT_FINITE);
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(statuses[i], i == 3 ? WRC_ERROR_NOT_FINITE : WRC_OK);
+    if (i != 3) {
+      EXPECT_EQ(std::memcmp(&batch[i], &single[i], sizeof forces), 0);
+    }
+    wrc_contact_destroy(contacts[i]);
+  }
+}
+
+TEST_F(Interface, FloatArrayStepAgreesWithTheStructs) {
+  expect_works();
+  const double in[WRC_FLAT_INPUTS] = {0, 0, 0, 80e3, -0.49e-3, -0.22e-3, 0.29, 0.35};
+  double out[WRC_FLAT_OUTPUTS];
+  ASSERT_EQ(wrc_step_flat(contact, in, out), WRC_OK);
+  EXPECT_EQ(out[0], forces.fx);
+  EXPECT_EQ(out[3], forces.mz);
+  EXPECT_EQ(out[10], patch.psi);
+  EXPECT_EQ(out[11], damage.fatigue_index);
+}
+
+// --------------------------------------------------------------------------------------------- host's
+// environment
+
+TEST_F(Interface, HostKeepsItsFloatingPointEnvironmentAndItsTrapsStayQuiet) {
+  expect_works();
+  const wrc_forces plain = forces;
+  std::fesetround(FE_UPWARD);
+  feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW);
+  EXPECT_EQ(step(), WRC_OK);
+  creepage.spin = 0.0;
+  creepage.longitudinal = 0.0;
+  creepage.lateral = 0.0;
+  EXPECT_EQ(step(), WRC_OK);  // nothing slips: every 0/0 that could be is here
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  EXPECT_EQ(fegetexcept(), FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW);
+  fedisableexcept(FE_ALL_EXCEPT);
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(forces.fx, 0.0);
+  creepage.longitudinal = -0.49e-3;
+  creepage.lateral = -0.22e-3;
+  creepage.spin = 0.29;
+  EXPECT_EQ(step(), WRC_OK);
+  EXPECT_EQ(std::memcmp(&plain, &forces, sizeof forces), 0);
+}
+
+// ------------------------------------------------------------------------------------------------------------
+// table
+
+TEST(FunctionTable, ServesThisInterfaceVersionOnly) {
+  const wrc_api* api = wrc_get_api(WRC_ABI_VERSION);
+  ASSERT_NE(api, nullptr);
+  EXPECT_EQ(api->struct_size, sizeof(wrc_api));
+  EXPECT_EQ(api->abi_version, static_cast<uint32_t>(WRC_ABI_VERSION));
+  EXPECT_EQ(api->version(), wrc_version());
+  EXPECT_EQ(api->step, wrc_step);
+  EXPECT_EQ(api->shakedown_limit, wrc_shakedown_limit);
+  EXPECT_EQ(wrc_get_api(WRC_ABI_VERSION + 1), nullptr);
+  // every pointer is filled in
+  const char* bytes = reinterpret_cast<const char*>(api);
+  for (std::size_t at = offsetof(wrc_api, version); at < sizeof(wrc_api); at += sizeof(void*)) {
+    void* entry = nullptr;
+    std::memcpy(&entry, bytes + at, sizeof entry);
+    EXPECT_NE(entry, nullptr) << "offset " << at;
+  }
+}
+
+TEST(Statuses, HaveNamesAndTexts) {
+  for (int32_t status = WRC_STATUS_LAST; status <= WRC_FLAG_TABLE_RANGE; ++status) {
+    EXPECT_EQ(std::string(wrc_status_name(status)).rfind("WRC_", 0), 0U) << status;
+    EXPECT_GT(std::strlen(wrc_status_text(status)), 3U);
+  }
+  EXPECT_STREQ(wrc_status_name(-4711), "unknown status");
+}
+
+TEST(LinearCoefficients, AreKalkersForTheCircle) {
+  wrc_coefficients c = made<wrc_coefficients>(wrc_coefficients_init);
+  ASSERT_EQ(wrc_linear_coefficients(1.0, 0.0, 0.25, &c), WRC_OK);
+  EXPECT_NEAR(c.c11, 4.12, 0.005);
+  EXPECT_NEAR(c.c22, 3.67, 0.005);
+  EXPECT_NEAR(c.c23, 1.47, 0.005);
+  EXPECT_EQ(c.c13s, 0.0);
+  EXPECT_EQ(wrc_linear_coefficients(-1.0, 0.0, 0.25, &c), WRC_ERROR_RANGE);
+  EXPECT_EQ(c.c11, 0.0);
+  EXPECT_EQ(wrc_linear_coefficients(1.0, nan_value, 0.25, &c), WRC_ERROR_NOT_FINITE);
+}
+
+}  // namespace

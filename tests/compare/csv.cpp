@@ -1,0 +1,57 @@
+#include "csv.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+namespace compare {
+namespace {
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> pieces(1);
+  for (char c : line) {
+    if (c == ',') {
+      pieces.emplace_back();
+    } else if (c != '\r' && c != ' ') {
+      pieces.back() += c;
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+Csv::Csv(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  std::string line;
+  if (!std::getline(file, line)) throw std::runtime_error(path + " is empty");
+  const std::vector<std::string> names = split(line);
+  while (std::getline(file, line)) {
+    if (line.empty()) continue;
+    const std::vector<std::string> pieces = split(line);
+    const std::string where = path + ", line " + std::to_string(rows_ + 2);
+    if (pieces.size() != names.size()) {
+      throw std::runtime_error(where + " has " + std::to_string(pieces.size()) + " values, the heading " +
+                               std::to_string(names.size()));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      double value = 0.0;
+      const char* end = pieces[i].data() + pieces[i].size();
+      const auto result = std::from_chars(pieces[i].data(), end, value);
+      if (result.ec != std::errc() || result.ptr != end) {
+        throw std::runtime_error(where + ", column " + names[i] + ": '" + pieces[i] + "' is not a number");
+      }
+      columns_[names[i]].push_back(value);
+    }
+    ++rows_;
+  }
+}
+
+double Csv::operator()(std::size_t row, const std::string& column) const {
+  const auto found = columns_.find(column);
+  if (found == columns_.end()) throw std::runtime_error("the file has no column '" + column + "'");
+  return found->second.at(row);
+}
+
+}  // namespace compare

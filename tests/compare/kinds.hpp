@@ -1,0 +1,15 @@
+/// The kinds of comparison, one file each.
+#pragma once
+
+#include "csv.hpp"
+#include "report.hpp"
+
+namespace compare {
+
+/// Exact double ellipses with prescribed pressure: forces and power of every tangential variant.
+Report compare_sdec(const Csv& file);
+
+/// Normal contact of S1002 on the benchmark UIC60, strip by strip: every normal method.
+Report compare_normal(const Csv& file);
+
+}  // namespace compare

@@ -1,0 +1,51 @@
+/// The public interface with C++ comfort for the report commands: initialised structs, owned handles.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "wrc/wrc.h"
+
+namespace compare {
+
+/// A struct with struct_size and defaults set: made<wrc_load>(wrc_load_init).
+template <typename Struct>
+Struct made(int32_t (*init)(Struct*)) {
+  Struct value{};
+  value.struct_size = sizeof value;
+  init(&value);
+  return value;
+}
+
+/// A model and one contact of it.
+class Solver {
+ public:
+  explicit Solver(const wrc_config& config) {
+    char text[256];
+    if (wrc_config_check(&config, text, sizeof text) < 0) throw std::runtime_error(text);
+    if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("out of memory");
+    if (wrc_contact_create(model_, nullptr, &contact_) < 0) throw std::runtime_error("out of memory");
+  }
+  ~Solver() {
+    wrc_contact_destroy(contact_);
+    wrc_model_destroy(model_);
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  wrc_contact* contact() const { return contact_; }
+
+  /// Status name and sentence of the last call.
+  std::string reason(int32_t status) const {
+    char text[256] = "";
+    wrc_last_error(contact_, text, sizeof text);
+    return std::string(wrc_status_name(status)) + " " + text;
+  }
+
+ private:
+  wrc_model* model_ = nullptr;
+  wrc_contact* contact_ = nullptr;
+};
+
+}  // namespace compare

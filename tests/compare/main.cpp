@@ -1,0 +1,50 @@
+/// wrc_compare - errors of every variant against exact results.
+///
+///   wrc_compare sdec|normal FILE.csv [--json]
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "kinds.hpp"
+
+namespace {
+
+struct Kind {
+  const char* name;
+  compare::Report (*run)(const compare::Csv&);
+  const char* columns;
+};
+
+constexpr Kind kinds[] = {
+    {"sdec", compare::compare_sdec,
+     "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
+    {"normal", compare::compare_normal,
+     "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
+};
+
+int usage() {
+  std::fprintf(stderr, "usage: wrc_compare KIND FILE.csv [--json]\n\nKIND and the columns FILE must have:\n");
+  for (const Kind& kind : kinds) std::fprintf(stderr, "  %-8s %s\n", kind.name, kind.columns);
+  std::fprintf(stderr, "--json: the last line of the output is one JSON object\n");
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool json = argc == 4 && std::strcmp(argv[3], "--json") == 0;
+  if (argc != 3 && !json) return usage();
+  for (const Kind& kind : kinds) {
+    if (std::strcmp(argv[1], kind.name) != 0) continue;
+    try {
+      const compare::Report report = kind.run(compare::Csv(argv[2]));
+      report.print_table();
+      if (json) report.print_json();
+      return 0;
+    } catch (const std::exception& problem) {
+      std::fprintf(stderr, "wrc_compare: %s\n", problem.what());
+      return 1;
+    }
+  }
+  return usage();
+}

@@ -1,0 +1,48 @@
+/// Errors of every variant over the rows of a file, and how they are printed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace compare {
+
+/// Signed errors of one measure (fractions), one per row that counts, with the row's number in the file.
+struct Errors {
+  std::vector<double> values;
+  std::vector<std::size_t> rows;
+  void add(std::size_t row, double error) {
+    values.push_back(error);
+    rows.push_back(row);
+  }
+};
+
+struct Statistics {
+  double median = 0.0, p95 = 0.0, max = 0.0;  ///< of |error|
+  double bias = 0.0;                          ///< median of the signed error
+  std::size_t worst_row = 0;
+};
+Statistics statistics(const Errors& errors);
+
+struct Failure {
+  std::size_t row;
+  std::string variant, reason;
+};
+
+struct Report {
+  std::string kind;
+  std::size_t rows = 0;
+  std::vector<std::string> measures;                            ///< in the order they are printed
+  std::vector<std::string> variants;                            ///< in the order they are printed
+  std::map<std::string, std::map<std::string, Errors>> errors;  ///< variant -> measure -> errors
+  std::vector<Failure> failed;
+  std::string default_variant;
+
+  /// A row that failed counts as error 1 in every measure.
+  void fail(std::size_t row, const std::string& variant, const std::string& reason);
+
+  void print_table() const;
+  void print_json() const;  ///< one line: {"kind", "rows", "variants": {...}, "default", "failed"}
+};
+
+}  // namespace compare

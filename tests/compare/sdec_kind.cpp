@@ -1,0 +1,78 @@
+#include <cmath>
+
+#include "kinds.hpp"
+#include "library.hpp"
+
+namespace compare {
+namespace {
+
+struct Variant {
+  const char* name;
+  int32_t method, bound;
+};
+
+constexpr Variant variants[] = {
+    {"fastsim_sdec/parabolic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
+    {"fastsim_sdec/elliptic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC},
+    {"fastsim_eql/parabolic", WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
+    {"fastsim_eql/elliptic", WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_ELLIPTIC},
+    {"fastsim_eqe/parabolic", WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_PARABOLIC},
+    {"fastsim_eqe/elliptic", WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_ELLIPTIC},
+    {"fastsim/parabolic", WRC_TANGENTIAL_FASTSIM, WRC_BOUND_PARABOLIC},
+    {"fastsim/elliptic", WRC_TANGENTIAL_FASTSIM, WRC_BOUND_ELLIPTIC},
+};
+
+}  // namespace
+
+Report compare_sdec(const Csv& file) {
+  const wrc_config standard = made<wrc_config>(wrc_config_init);
+  Report report;
+  report.kind = "sdec";
+  report.rows = file.rows();
+  report.measures = {"force", "power"};
+  for (const Variant& variant : variants) {
+    report.variants.emplace_back(variant.name);
+    if (variant.method == standard.tangential_method && variant.bound == standard.traction_bound) {
+      report.default_variant = variant.name;
+    }
+    for (std::size_t row = 0; row < file.rows(); ++row) {
+      wrc_config config = standard;
+      config.tangential_method = variant.method;
+      config.traction_bound = variant.bound;
+      config.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.poisson = file(row, "nu");
+      const Solver solver(config);
+
+      wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+      patch.a = 1e-3 * file(row, "a_mm");
+      patch.b = 1e-3 * file(row, "b_mm");
+      patch.psi = file(row, "psi");
+      patch.normal_force = 1e3 * file(row, "N_kN");
+      wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+      creepage.longitudinal = file(row, "cx");
+      creepage.lateral = file(row, "cy");
+      creepage.spin = file(row, "phi_per_m");
+      wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+      friction.coefficient = file(row, "mu");
+      wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+      const int32_t status = wrc_tangential(solver.contact(), &patch, &creepage, &friction, &forces);
+      if (status < 0) {
+        report.fail(row, variant.name, solver.reason(status));
+        continue;
+      }
+      const double limit = friction.coefficient * patch.normal_force;
+      auto& errors = report.errors[variant.name];
+      errors["force"].add(row,
+                          std::hypot(forces.fx - file(row, "Fx_N"), forces.fy - file(row, "Fy_N")) / limit);
+      // Where nearly all of the patch sticks, hardly any power is dissipated and its relative error says
+      // nothing.
+      if (file(row, "adh_frac") < 0.9)
+        errors["power"].add(row, forces.power / file(row, "P_W_at_1mps") - 1.0);
+      else
+        errors["power"];
+    }
+  }
+  return report;
+}
+
+}  // namespace compare

@@ -1,0 +1,117 @@
+// FASTSIM variants against exact half-space theory on random SDEC patches (sdec_cases.csv, see its README).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tangential/fastsim_eqe.hpp"
+#include "tangential/fastsim_eql.hpp"
+#include "tangential/fastsim_sdec.hpp"
+#include "unit/tangential_patches.hpp"
+
+namespace wrc {
+namespace {
+
+struct Row {
+  double a, b, psi, poisson, shear_modulus, friction, normal_force;
+  Creepage creepage;
+  double fx, fy, power, adhesion;
+};
+
+std::vector<Row> read_rows() {
+  const char* shared = std::getenv("WRC_SHARED");
+  std::vector<Row> rows;
+  if (!shared) return rows;
+  std::ifstream file(std::string(shared) + "/reference/sdec_cases.csv");
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream in(line);
+    Row r;
+    double p0, mz;
+    in >> r.a >> r.b >> r.psi >> r.poisson >> r.shear_modulus >> r.friction >> r.normal_force >> p0 >>
+        r.creepage.longitudinal >> r.creepage.lateral >> r.creepage.spin >> r.fx >> r.fy >> mz >> r.power >>
+        r.adhesion;
+    r.a *= 1e-3;
+    r.b *= 1e-3;
+    r.shear_modulus *= 1e6;
+    r.normal_force *= 1e3;
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+struct Spread {
+  double median, p95, max, bias;
+};
+
+Spread spread(std::vector<double> signed_errors) {
+  std::sort(signed_errors.begin(), signed_errors.end());
+  const auto at = [](const std::vector<double>& v, double q) {
+    return v[static_cast<std::size_t>(q * static_cast<double>(v.size() - 1) + 0.5)];
+  };
+  const double bias = at(signed_errors, 0.5);
+  for (double& e : signed_errors) e = std::fabs(e);
+  std::sort(signed_errors.begin(), signed_errors.end());
+  return {at(signed_errors, 0.5), at(signed_errors, 0.95), signed_errors.back(), bias};
+}
+
+using Method = std::function<TangentialForces(const RollingContact&, const TangentialFields&, Fault&)>;
+
+struct Errors {
+  Spread force, power;
+};
+
+/// Force error |F - F_exact| / (mu N) over all rows, relative power error over rows with adhesion below 0.9.
+Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, bool on_ellipse,
+           const Method& method) {
+  constexpr int n = 32;
+  const test::OwnedGrid grid(n);
+  std::vector<double> force, power;
+  for (const Row& r : rows) {
+    const SdecTable table(r.poisson);
+    const test::OwnedStrips strips = test::sdec_strips(r.a, r.b, on_ellipse ? 0.0 : r.psi, r.normal_force, n);
+    Fault fault;
+    const RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
+                                 &table,       &grid.get(), r.creepage, r.friction, bound};
+    const TangentialForces f = method(contact, {}, fault);
+    force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
+    if (r.adhesion < 0.9) power.push_back(f.power_per_speed / r.power - 1.0);
+  }
+  const Errors e{spread(force), spread(power)};
+  std::printf("%-24s force %5.2f %% / %5.2f %% / %5.2f %%   power %5.2f %% / %5.1f %% / bias %+5.2f %%\n",
+              name, 100 * e.force.median, 100 * e.force.p95, 100 * e.force.max, 100 * e.power.median,
+              100 * e.power.p95, 100 * e.power.bias);
+  return e;
+}
+
+TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
+  const std::vector<Row> rows = read_rows();
+  if (rows.empty()) GTEST_SKIP() << "WRC_SHARED is not set";
+  ASSERT_EQ(rows.size(), 150u);
+  std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst\n");
+  using enum TractionBound;
+  const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false, fastsim_sdec);
+  const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false, fastsim_eql);
+  const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true, fastsim_eqe);
+  const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false, fastsim_sdec);
+  EXPECT_LT(sdec.force.median, 0.014);
+  EXPECT_LT(sdec.force.p95, 0.115);
+  EXPECT_LT(sdec.force.max, 0.128);
+  EXPECT_LT(sdec.power.median, 0.043);
+  EXPECT_LT(eql.force.median, 0.025);
+  EXPECT_LT(eqe.force.median, 0.036);
+  EXPECT_LT(sdec_elliptic.force.median, 0.0165);
+  EXPECT_LT(sdec_elliptic.force.p95, 0.067);
+}
+
+}  // namespace
+}  // namespace wrc

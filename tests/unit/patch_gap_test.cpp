@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "patch/gap.hpp"
+
+namespace wrc {
+namespace {
+
+/// Rows of the elliptic gap A x^2 + B (y - y0)^2 with the rows' minimum moving along x = c y, as yaw makes
+/// it.
+struct EllipticRows {
+  std::vector<double> y, height, centre, curvature;
+  EllipticRows(double a_curvature, double b_curvature, double y0, double c, int rows) {
+    for (int j = 0; j < rows; ++j) {
+      const double at = -0.02 + 0.04 * j / (rows - 1);
+      y.push_back(at);
+      height.push_back(b_curvature * (at - y0) * (at - y0));
+      centre.push_back(c * at);
+      curvature.push_back(2.0 * a_curvature);
+    }
+  }
+  GapRows rows() const {
+    return {static_cast<std::int32_t>(y.size()), y.data(), height.data(), centre.data(), curvature.data()};
+  }
+};
+
+TEST(Gap, InterpolationIsExactForParabolasBetweenUnevenRows) {
+  EllipticRows gap(1.0, 3.0, 0.0017, 0.1, 41);
+  gap.y[7] += 3e-4;  // one row out of step
+  gap.height[7] = 3.0 * std::pow(gap.y[7] - 0.0017, 2);
+  gap.centre[7] = 0.1 * gap.y[7];
+  for (double y : {-0.0199, -0.01333, 0.0, 0.00171, 0.0188}) {
+    const GapRow row = interpolate(gap.rows(), y);
+    EXPECT_NEAR(row.height, 3.0 * (y - 0.0017) * (y - 0.0017), 1e-15);
+    EXPECT_NEAR(row.slope, 6.0 * (y - 0.0017), 1e-12);
+    EXPECT_NEAR(row.centre, 0.1 * y, 1e-15);
+  }
+}
+
+TEST(Gap, MinimumLiesBetweenRows) {
+  const EllipticRows gap(1.0, 3.0, 0.00171, 0.0, 41);
+  const GapMinimum lowest = minimum(gap.rows());
+  EXPECT_NEAR(lowest.y, 0.00171, 1e-9);
+  EXPECT_NEAR(lowest.height, 0.0, 1e-15);
+}
+
+TEST(Gap, MinimumAtTheEdgeIsTheEdge) {
+  const EllipticRows gap(1.0, 3.0, 0.05, 0.0, 41);
+  EXPECT_DOUBLE_EQ(minimum(gap.rows()).y, 0.02);
+}
+
+TEST(Gap, GridOfASkewedParaboloidGivesItsRows) {
+  std::vector<double> x, y, h;
+  for (int i = 0; i < 31; ++i) x.push_back(-0.015 + 0.001 * i);
+  for (int j = 0; j < 21; ++j) y.push_back(-0.01 + 0.001 * j);
+  for (double yj : y)
+    for (double xi : x) h.push_back(1.1 * (xi - 0.2 * yj) * (xi - 0.2 * yj) + 4.0 * yj * yj - 1e-5);
+  std::vector<double> height(y.size()), centre(y.size()), curvature(y.size());
+  const GapGrid grid{21, 31, x.data(), y.data(), h.data(), 31};
+  ASSERT_EQ(rows_from_grid(grid, 1e-4, height.data(), centre.data(), curvature.data()).status, WRC_OK);
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    EXPECT_NEAR(height[j], 4.0 * y[j] * y[j] - 1e-5, 1e-15);
+    EXPECT_NEAR(centre[j], 0.2 * y[j], 1e-12);
+    EXPECT_NEAR(curvature[j], 2.2, 1e-9);
+  }
+}
+
+TEST(Gap, GridRowWithoutMinimumIsNamed) {
+  const std::vector<double> x{-1e-3, 0.0, 1e-3}, y{0.0, 1e-3, 2e-3, 3e-3};
+  const std::vector<double> h{1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, 1};
+  std::vector<double> out(12);
+  const Fault fault =
+      rows_from_grid({4, 3, x.data(), y.data(), h.data(), 3}, 1e-4, &out[0], &out[4], &out[8]);
+  EXPECT_EQ(fault.status, WRC_ERROR_GAP);
+  EXPECT_EQ(fault.index, 2);
+}
+
+}  // namespace
+}  // namespace wrc

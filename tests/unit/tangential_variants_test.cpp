@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "tangential/fastsim.hpp"
+#include "tangential/fastsim_eqe.hpp"
+#include "tangential/fastsim_eql.hpp"
+#include "tangential/fastsim_sdec.hpp"
+#include "tangential_patches.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGrid;
+using test::OwnedStrips;
+using test::sdec_strips;
+
+class Variants : public ::testing::Test {
+ protected:
+  static constexpr double a = 4.25e-3, b = 6.375e-3, psi = 0.4;
+  static constexpr double normal_force = 2.0 / 3.0 * pi * a * b * 300e6;
+  OwnedStrips patch = sdec_strips(a, b, psi, normal_force, 64);
+  OwnedStrips ellipse = sdec_strips(a, b, 0.0, normal_force, 64);
+  OwnedGrid grid{64};
+  SdecTable table{0.25};
+  Fault fault;
+
+  RollingContact contact(const Strips& region, const Creepage& creepage) const {
+    return {region, a, b, psi, 80e9, &table, &grid.get(), creepage, 0.35, TractionBound::parabolic};
+  }
+};
+
+// The exact SDEC case of Liu, Bruni (2024): a = 4.25 mm, b = 6.375 mm, psi = 0.4, p0 = 300 MPa. Exact
+// half-space theory gives P = 6.02 W, Fx = 3644 N, Fy = -1582 N, Mz = -16.3 N m.
+TEST_F(Variants, ExactSdecCaseOfThePaper) {
+  const Creepage case2{-0.49e-3, -0.22e-3, 0.29};
+  const TangentialForces sdec = fastsim_sdec(contact(patch.get(), case2), {}, fault);
+  const TangentialForces eql = fastsim_eql(contact(patch.get(), case2), {}, fault);
+  const TangentialForces eqe = fastsim_eqe(contact(ellipse.get(), case2), {}, fault);
+  // FASTSIM-SDEC is the closest of the three, as in the paper.
+  EXPECT_NEAR(sdec.power_per_speed, 6.02, 0.05 * 6.02);
+  EXPECT_LT(std::fabs(sdec.power_per_speed - 6.02), std::fabs(eql.power_per_speed - 6.02));
+  EXPECT_LT(std::fabs(eql.power_per_speed - 6.02), std::fabs(eqe.power_per_speed - 6.02));
+  EXPECT_NEAR(sdec.fx, 3644.0, 0.02 * 3644.0);
+  EXPECT_NEAR(sdec.fy, -1582.0, 0.06 * 1582.0);
+}
+
+TEST_F(Variants, EquivalentEllipseSpinsAboutItsOwnCentre) {
+  // Pure spin about the ellipse's centre: seen from the contact point, psi b away, it comes with the creepage
+  // phi psi b, and the longitudinal force vanishes.
+  const double phi = 0.4;
+  const TangentialForces f = fastsim_eqe(contact(ellipse.get(), {phi * psi * b, 0.0, phi}), {}, fault);
+  EXPECT_NEAR(f.fx, 0.0, 1e-9 * normal_force);
+  EXPECT_LT(f.fy, -0.1 * normal_force);
+  // A pure creepage at the contact point turns the wheel about it: Mz = -y_c Fx.
+  const TangentialForces g = fastsim_eqe(contact(ellipse.get(), {1e-3, 0.0, 0.0}), {}, fault);
+  EXPECT_NEAR(g.mz, -psi * b * g.fx, 1e-9 * normal_force);
+}
+
+TEST_F(Variants, OriginalAndEquivalentEllipseAgreeWithoutShift) {
+  RollingContact c = contact(ellipse.get(), {-0.49e-3, -0.22e-3, 0.29});
+  c.shape_number = 0.0;
+  const TangentialForces f = fastsim(c, {}, fault), g = fastsim_eqe(c, {}, fault),
+                         h = fastsim_eql(c, {}, fault);
+  EXPECT_EQ(f.fx, g.fx);
+  EXPECT_EQ(f.mz, g.mz);
+  EXPECT_EQ(f.fy, h.fy);
+}
+
+// The FASTSIM test of the field's reference program (a = 8 mm, b = 4 mm, N = 82 kN, nu_y = -6.25e-4, phi =
+// 0.625 1/m, mu = 0.3, G = 82 GPa, nu = 0.28). Its first-order march gives |Fy| / (mu N) = 0.6118 and 0.6359
+// with 40 x 40 and 200 x 200 cells under the parabolic bound, 0.6016 and 0.5956 under the elliptic one;
+// extrapolated to vanishing cells 0.642 and 0.594.
+TEST_F(Variants, AgreesWithTheReferenceProgramsOwnFastsim) {
+  const double A = 8e-3, B = 4e-3, N = 82e3;
+  const OwnedStrips strips = sdec_strips(A, B, 0.0, N, 200);
+  const OwnedGrid fine(200);
+  const SdecTable material(0.28);
+  RollingContact c{strips.get(),
+                   A,
+                   B,
+                   0.0,
+                   82e9,
+                   &material,
+                   &fine.get(),
+                   {0.0, -6.25e-4, 0.625},
+                   0.3,
+                   TractionBound::parabolic};
+  const double parabolic = std::fabs(fastsim(c, {}, fault).fy) / (0.3 * N);
+  c.bound = TractionBound::elliptic;
+  const double elliptic = std::fabs(fastsim(c, {}, fault).fy) / (0.3 * N);
+  EXPECT_NEAR(parabolic, 0.642, 0.006);
+  EXPECT_NEAR(elliptic, 0.594, 0.004);
+}
+
+}  // namespace
+}  // namespace wrc
