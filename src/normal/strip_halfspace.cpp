@@ -398,6 +398,12 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
     if (!touches_the_grids_end(s) || s.grid.at_edge) break;
     depth *= 1.4;
   }
+  if (!(approach > 0.0))
+    return {.status = WRC_ERROR_GAP,
+            .field = "gap.height",
+            .value = approach,
+            .unit = "m",
+            .cause = "heights leap from row to row: the gap between them dips below the rows"};
   if (approach > ceiling || s.active_count == 0)
     return {.status = WRC_ERROR_LOAD,
             .field = load ? "normal_force" : "approach",
