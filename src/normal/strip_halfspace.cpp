@@ -428,9 +428,14 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   }
   const SolvedStrips solved{s.active_count, s.grid.y, s.grid.width, s.centre,
                             s.half_length,  s.peak,   s.grid.region};
-  const double carried = recut_strips(solved, problem.strips, strips);
+  solution.normal_force = recut_strips(solved, problem.strips, strips);
   solution.approach = approach;
-  solution.normal_force = carried;
+  if (load) {
+    // Equal already, unless the cap cut the last exchange of strips short.
+    for (std::int32_t j = 0; j < strips.count; ++j)
+      strips.peak[j] *= problem.normal_force / solution.normal_force;
+    solution.normal_force = problem.normal_force;
+  }
   const bool at_edge = s.grid.at_edge && touches_the_grids_end(s);
   complete_solution(strips, lowest, at_edge, solution, fault);
   solution.stiffness = punch_stiffness(solution.stiffness, totals(strips));
