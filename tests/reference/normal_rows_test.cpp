@@ -91,7 +91,8 @@ TEST(NormalReference, RowsOfTheExactTheory) {
   constexpr std::int32_t count = 60;
   const auto kernel = std::make_unique<StripKernel>();
   tabulate(*kernel);
-  std::vector<double> scratch(static_cast<std::size_t>(strip_halfspace_workspace(count))), start(4 * count);
+  std::vector<std::byte> scratch(static_cast<std::size_t>(strip_halfspace_workspace(count)));
+  std::vector<double> start(4 * count);
   const auto half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
     NormalWorkspace workspace{scratch.data(), static_cast<std::int64_t>(scratch.size())};
     StripHalfspaceStart cold{count, 0, &start[0], &start[count], &start[2 * count], &start[3 * count]};

@@ -79,7 +79,8 @@ class RoughGaps : public testing::Test {
   }
 
   std::unique_ptr<StripKernel> kernel;
-  std::vector<double> scratch, start_memory;
+  std::vector<std::byte> scratch;
+  std::vector<double> start_memory;
   NormalWorkspace workspace;
   StripHalfspaceStart start;
   test::OwnedStrips owned;
