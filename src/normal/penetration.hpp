@@ -11,7 +11,8 @@
 
 namespace wrc {
 
-/// The scale eps(y) of the virtual penetration: a parabola about `centre`, kept within 0..1.
+/// The scale eps(y) of the virtual penetration: a parabola about `centre`, kept within 0.05..1 (not 0: a
+/// contact point far from the middle must stay inside its own patch).
 struct PenetrationScale {
   double at_centre = 0.5;  ///< eps(centre) [-]
   double bend = 0.0;       ///< [1/m^2]
@@ -19,7 +20,7 @@ struct PenetrationScale {
 
   double at(double y) const noexcept {
     const double eps = at_centre + bend * (y - centre) * (y - centre);
-    return eps < 0.0 ? 0.0 : (eps > 1.0 ? 1.0 : eps);
+    return std::clamp(eps, 0.05, 1.0);
   }
 };
 

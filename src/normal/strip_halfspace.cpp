@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "normal/check.hpp"
 #include "normal/collocation_grid.hpp"
@@ -45,32 +46,33 @@ struct System {
   double* level = nullptr;         ///< p / l the edge conditions ask for [Pa/m]
   double* shift = nullptr;         ///< of the centre against the gap's [m]
   std::int32_t* active = nullptr;  ///< indices of the strips in contact
+  std::int32_t* next_active = nullptr;
   std::int32_t active_count = 0;
   bool skewed = false;
 };
 
-constexpr std::int64_t arrays_of_doubles = 17;
-constexpr std::int64_t arrays_of_indices = 2;
+constexpr std::int64_t arrays_of_doubles = 15;
+constexpr std::int64_t arrays_of_indices = 3;
 
-System lay_out(NormalWorkspace& workspace, std::int32_t n) {
-  double* next = workspace.memory;
+System lay_out(const NormalWorkspace& workspace, std::int32_t n) {
+  auto* next = static_cast<double*>(workspace.memory);
   const auto take = [&](std::int64_t size) {
     double* const block = next;
     next += size;
     return block;
   };
   System s;
-  s.grid.y = take(n);
-  s.grid.width = take(n);
-  for (double** field :
-       {&s.cell_y, &s.cell_width, &s.height, &s.curvature, &s.gap_centre, &s.half_length, &s.inverse_length,
-        &s.centre, &s.peak, &s.by_approach, &s.by_height, &s.level, &s.shift})
+  for (double** field : {&s.grid.y, &s.grid.width, &s.cell_y, &s.cell_width, &s.height, &s.curvature,
+                         &s.gap_centre, &s.half_length, &s.inverse_length, &s.centre, &s.peak, &s.by_approach,
+                         &s.by_height, &s.level, &s.shift})
     *field = take(n);
   s.influence = take(static_cast<std::int64_t>(n) * n);
   s.matrix = take(static_cast<std::int64_t>(n) * n);
-  // Indices live in doubles' places: both are plain memory of sufficient size and alignment.
-  s.grid.region = reinterpret_cast<std::int32_t*>(take(n));
-  s.active = reinterpret_cast<std::int32_t*>(take(n));
+  auto* const indices =
+      reinterpret_cast<std::int32_t*>(next);  // behind the doubles, in memory nobody has typed yet
+  s.grid.region = indices;
+  s.active = indices + n;
+  s.next_active = indices + 2 * n;
   return s;
 }
 
@@ -216,10 +218,9 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
           in = compliance * displacement < (1.0 - overlap_to_enter) * approach - s.height[j];
           changed = changed || in;
         }
-        // level is free by now and keeps the new list until the old one has been read.
-        if (in) s.level[next_count++] = j;
+        if (in) s.next_active[next_count++] = j;
       }
-      for (std::int32_t k = 0; k < next_count; ++k) s.active[k] = static_cast<std::int32_t>(s.level[k]);
+      std::swap(s.active, s.next_active);
     }
     s.active_count = next_count;
     if (!changed || next_count == 0) break;
@@ -359,7 +360,9 @@ bool touches_the_grids_end(const System& s) {
 
 std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept {
   const auto n = static_cast<std::int64_t>(strips);
-  return (arrays_of_doubles + arrays_of_indices) * n + 2 * n * n;
+  constexpr auto real = static_cast<std::int64_t>(sizeof(double));
+  constexpr auto index = static_cast<std::int64_t>(sizeof(std::int32_t));
+  return (arrays_of_doubles * n + 2 * n * n) * real + arrays_of_indices * n * index;
 }
 
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
@@ -368,9 +371,8 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   solution = {};
   Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
-  if (workspace.capacity < strip_halfspace_workspace(problem.strips) || start.capacity < problem.strips)
-    return {
-        .status = WRC_ERROR_BUFFER, .field = "workspace", .value = static_cast<double>(workspace.capacity)};
+  if (workspace.bytes < strip_halfspace_workspace(problem.strips) || start.capacity < problem.strips)
+    return {.status = WRC_ERROR_BUFFER, .field = "workspace", .value = static_cast<double>(workspace.bytes)};
 
   const GapRows& rows = problem.gap;
   const GapMinimum lowest = minimum(rows);
@@ -398,6 +400,12 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
     if (!touches_the_grids_end(s) || s.grid.at_edge) break;
     depth *= 1.4;
   }
+  if (!(approach > 0.0))
+    return {.status = WRC_ERROR_GAP,
+            .field = "gap.height",
+            .value = approach,
+            .unit = "m",
+            .cause = "heights leap from row to row: the gap between them dips below the rows"};
   if (approach > ceiling || s.active_count == 0)
     return {.status = WRC_ERROR_LOAD,
             .field = load ? "normal_force" : "approach",
@@ -422,9 +430,14 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   }
   const SolvedStrips solved{s.active_count, s.grid.y, s.grid.width, s.centre,
                             s.half_length,  s.peak,   s.grid.region};
-  const double carried = recut_strips(solved, problem.strips, strips);
+  solution.normal_force = recut_strips(solved, problem.strips, strips);
   solution.approach = approach;
-  solution.normal_force = carried;
+  if (load) {
+    // Equal already, unless the cap cut the last exchange of strips short.
+    for (std::int32_t j = 0; j < strips.count; ++j)
+      strips.peak[j] *= problem.normal_force / solution.normal_force;
+    solution.normal_force = problem.normal_force;
+  }
   const bool at_edge = s.grid.at_edge && touches_the_grids_end(s);
   complete_solution(strips, lowest, at_edge, solution, fault);
   solution.stiffness = punch_stiffness(solution.stiffness, totals(strips));

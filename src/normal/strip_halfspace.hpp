@@ -32,13 +32,13 @@ struct StripHalfspaceOptions {
   double tolerance = 5e-3;  ///< a sweep that moves less of the area is the last [-]
 };
 
-/// Scratch memory of a solve; nothing in it outlives the call.
+/// Scratch memory of a solve, aligned for double; nothing in it outlives the call.
 struct NormalWorkspace {
-  double* memory = nullptr;
-  std::int64_t capacity = 0;  ///< doubles
+  void* memory = nullptr;
+  std::int64_t bytes = 0;
 };
 
-/// Doubles of scratch memory a solve with this many strips needs.
+/// Bytes of scratch memory a solve with this many strips needs.
 std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept;
 
 /// The last solution, from which the next solve of the same contact starts (or not: count = 0 is a cold

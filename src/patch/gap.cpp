@@ -17,19 +17,43 @@ double row_slope(const GapRows& rows, std::int32_t j) {
   return slope + second * (rows.y[j] - rows.y[middle]);
 }
 
+/// The j with y[j] <= y < y[j + 1] (the last interval includes its end): rows are spread nearly evenly, so
+/// the proportional guess is right or next to it.
+std::int32_t interval_of(const GapRows& rows, double y) {
+  const std::int32_t last = rows.count - 1;
+  const double share = (y - rows.y[0]) / (rows.y[last] - rows.y[0]);
+  auto j = std::clamp(static_cast<std::int32_t>(share * last), 0, last - 1);
+  while (j > 0 && y < rows.y[j]) --j;
+  while (j < last - 1 && y >= rows.y[j + 1]) ++j;
+  return j;
+}
+
 }  // namespace
 
 GapRow interpolate(const GapRows& rows, double y) {
   const std::int32_t last = rows.count - 1;
   y = std::clamp(y, rows.y[0], rows.y[last]);
-  const double* above = std::upper_bound(rows.y, rows.y + rows.count, y);
-  const std::int32_t j = std::clamp(static_cast<std::int32_t>(above - rows.y) - 1, 0, last - 1);
+  const std::int32_t j = interval_of(rows, y);
 
   const double dy = rows.y[j + 1] - rows.y[j];
   const double t = (y - rows.y[j]) / dy;
   const double rise = rows.height[j + 1] - rows.height[j];
-  const double m0 = row_slope(rows, j) * dy;
-  const double m1 = row_slope(rows, j + 1) * dy;
+  double slope_0, slope_1;
+  if (j > 0 && j + 1 < last) {
+    // row_slope of both rows at once: they share the middle chord.
+    const double before = rows.y[j] - rows.y[j - 1];
+    const double after = rows.y[j + 2] - rows.y[j + 1];
+    const double chord_before = (rows.height[j] - rows.height[j - 1]) / before;
+    const double chord = rise / dy;
+    const double chord_after = (rows.height[j + 2] - rows.height[j + 1]) / after;
+    slope_0 = (chord_before * dy + chord * before) / (before + dy);
+    slope_1 = (chord * after + chord_after * dy) / (dy + after);
+  } else {
+    slope_0 = row_slope(rows, j);
+    slope_1 = row_slope(rows, j + 1);
+  }
+  const double m0 = slope_0 * dy;
+  const double m1 = slope_1 * dy;
   // Hermite cubic: height = h0 + t (m0 + t (c2 + t c3))
   const double c2 = 3.0 * rise - 2.0 * m0 - m1;
   const double c3 = m0 + m1 - 2.0 * rise;

@@ -46,7 +46,8 @@ struct Solver {
   const Strips& strips() const { return owned.strips; }
 
   OwnedStrips owned;
-  std::vector<double> scratch, start_memory;
+  std::vector<std::byte> scratch;
+  std::vector<double> start_memory;
   NormalWorkspace workspace;
   StripHalfspaceStart start;
   StripHalfspaceOptions options;
@@ -261,9 +262,9 @@ TEST(StripHalfspace, NamesWhatIsWrong) {
   EXPECT_EQ(solve.cold(test::under_load(good, 1e9)).status, WRC_ERROR_LOAD);
   EXPECT_EQ(solve.cold(test::under_approach(good, 1.0)).status, WRC_ERROR_LOAD);
   EXPECT_EQ(solve.cold(test::under_load(good, 80e3, 61)).status, WRC_ERROR_BUFFER);
-  solve.workspace.capacity -= 1;
+  solve.workspace.bytes -= 1;
   EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_ERROR_BUFFER);
-  solve.workspace.capacity += 1;
+  solve.workspace.bytes += 1;
 
   solve.options.max_sweeps = 1;
   EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_FLAG_ITERATION_CAP);
