@@ -85,7 +85,11 @@ enum wrc_profile_kind {
 enum wrc_normal_method {
   WRC_NORMAL_HERTZ = 0,           /* Hertz with the curvatures of the gap at the contact point */
   WRC_NORMAL_KIK_PIOTROWSKI = 1,  /* Kik and Piotrowski, VSD 46 (2008) */
-  WRC_NORMAL_EKP = 2              /* extended Kik-Piotrowski: yaw and varying lateral curvature, after VSD 54 (2016) */
+  WRC_NORMAL_EKP = 2,             /* extended Kik-Piotrowski: yaw and varying lateral curvature, after VSD 54 (2016) */
+  WRC_NORMAL_EKP_ELLIPSE = 3,     /* EKP with the threshold varying over y, exact for elliptic gaps (CONTACT's KPEC) */
+  WRC_NORMAL_ANALYN = 4,          /* ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
+  WRC_NORMAL_STRIPES = 5,         /* STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
+  WRC_NORMAL_STRIP_HALFSPACE = 6  /* strips with their own peaks and lengths in half-space equilibrium; several patches */
 };
 
 enum wrc_regularisation {
@@ -156,6 +160,9 @@ typedef struct wrc_config {
   int32_t cells;             /* cells along each strip, 4..512 [50] */
   int32_t gap_rows;          /* rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
   int32_t max_iterations;    /* cap of every iteration in the normal problem, 4..1000 [60] */
+  int32_t max_patches;       /* patches reported; more are flagged, 1..16 [4] */
+  int32_t warm_start;        /* 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; 0: it does not, and
+                                results depend on the inputs of the call alone [0] */
   double shear_modulus;      /* G of both bodies, 1e6..1e12 Pa [80e9] */
   double poisson;            /* nu of both bodies, 0..0.5 [0.25] */
   double load_tolerance;     /* relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
@@ -241,7 +248,7 @@ typedef struct wrc_patch {
   uint32_t struct_size;
   int32_t strips;       /* strips the patch is made of */
   int32_t iterations;   /* of the normal problem's root find */
-  int32_t reserved;
+  int32_t patches;      /* separate patches in the contact; a, b, psi are those of the one that carries most */
   double a;             /* equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
   double b;             /* half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
   double psi;           /* shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
@@ -276,6 +283,18 @@ typedef struct wrc_forces {
   double power;              /* frictional power at the given speed [W], >= 0 */
   double adhesion_fraction;  /* share of the patch's area that sticks */
 } wrc_forces;
+
+/* Velocity of the wheelset relative to the track, in the track frame. */
+typedef struct wrc_motion {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double speed;             /* of its middle along the track, 0..200 m/s [0] */
+  double lateral_velocity;  /* to the right, -20..20 m/s [0] */
+  double vertical_velocity; /* down, -20..20 m/s [0] */
+  double roll_rate;         /* -100..100 rad/s [0] */
+  double yaw_rate;          /* -100..100 rad/s [0] */
+  double pitch_rate;        /* about the axle (y, to the right): negative when rolling forward, -2000..2000 rad/s [0] */
+} wrc_motion;
 
 /* Wear and rolling contact fatigue numbers of the last wrc_tangential. */
 typedef struct wrc_damage {
@@ -366,6 +385,7 @@ WRC_API int32_t wrc_friction_init(wrc_friction* friction);
 WRC_API int32_t wrc_patch_init(wrc_patch* patch);
 WRC_API int32_t wrc_strips_init(wrc_strips* strips);
 WRC_API int32_t wrc_forces_init(wrc_forces* forces);
+WRC_API int32_t wrc_motion_init(wrc_motion* motion);
 WRC_API int32_t wrc_damage_init(wrc_damage* damage);
 WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);
 WRC_API int32_t wrc_input_init(wrc_input* input);
@@ -429,6 +449,11 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
+/* Creepages at the contact point of the last wrc_geometry from the rigid motion of the wheelset; creepage->speed becomes
+ * the rolling speed, the mean of the speeds at which wheel and rail material pass through the contact. Zero creepages
+ * at standstill. Statuses: WRC_ERROR_SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE. @rt hard @thread contact */
+WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
+
 /* Solves the normal problem for `gap`, or with gap == NULL for the gap of the last wrc_geometry, and regularises the
  * patch. patch may be NULL. Pressure field and strips stay in the contact.
  * Statuses: WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE; WRC_ERROR_SEQUENCE (gap is NULL and
@@ -471,9 +496,15 @@ WRC_API int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, con
 #define WRC_FLAT_OUTPUTS 12
 WRC_API int32_t wrc_step_flat(wrc_contact* contact, const double* in, double* out);
 
-/* Shows a field of the last call without copying; view->data is NULL when the field has not been computed
- * (WRC_ERROR_SEQUENCE). @rt hard @thread contact */
-WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t field, wrc_view* view);
+/* One of the contact's patches (0 .. wrc_patch.patches - 1, by increasing y) with its forces; moments are about the
+ * origin of the contact frame, so that forces of patches add up. patch and forces may be NULL.
+ * Statuses: WRC_ERROR_SEQUENCE (no patch yet), _RANGE (no such patch). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
+
+/* Shows a field of one patch after the last call without copying; view->data is NULL when the field has not been
+ * computed (WRC_ERROR_SEQUENCE) or there is no such patch (WRC_ERROR_RANGE). The gap's fields ignore `patch`.
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */
 
@@ -506,6 +537,7 @@ typedef struct wrc_api {
   int32_t (*patch_init)(wrc_patch*);
   int32_t (*strips_init)(wrc_strips*);
   int32_t (*forces_init)(wrc_forces*);
+  int32_t (*motion_init)(wrc_motion*);
   int32_t (*damage_init)(wrc_damage*);
   int32_t (*coefficients_init)(wrc_coefficients*);
   int32_t (*input_init)(wrc_input*);
@@ -525,6 +557,7 @@ typedef struct wrc_api {
   int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t);
   int32_t (*last_error)(const wrc_contact*, char*, uint64_t);
   int32_t (*geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*);
+  int32_t (*creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*);
   int32_t (*normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*);
   int32_t (*regularise)(wrc_contact*, const wrc_strips*, wrc_patch*);
   int32_t (*tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*, wrc_forces*);
@@ -533,7 +566,8 @@ typedef struct wrc_api {
   int32_t (*step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, const wrc_output*, uint64_t,
                         int32_t*);
   int32_t (*step_flat)(wrc_contact*, const double*, double*);
-  int32_t (*field)(const wrc_contact*, int32_t, wrc_view*);
+  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*, wrc_forces*);
+  int32_t (*field)(const wrc_contact*, int32_t, int32_t, wrc_view*);
   int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*);
   int32_t (*shakedown_limit)(double, double*);
 } wrc_api;

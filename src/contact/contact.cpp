@@ -41,16 +41,16 @@ void back_to(Contact& contact, Stage stage) {
   contact.damage = {};
 }
 
-/// Where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which come without a
-/// gap, the origin if the patch holds it, and otherwise the strip of the largest peak.
+/// Where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which come
+/// without a gap, the origin if the patch holds it, and otherwise the strip of the largest peak.
 double contact_of(Contact& contact, const Strips& strips, const StripTotals& extent) {
   if (contact.gap_rows > 0) return minimum(gap_rows(contact), extent.y_min, extent.y_max).y;
   if (extent.y_min < 0.0 && extent.y_max > 0.0) return 0.0;
   return strips.y[std::max_element(strips.peak, strips.peak + strips.count) - strips.peak];
 }
 
-/// Splits the strips into patches. Those beyond the room the model has are dropped from the tangential stage and
-/// flagged; the normal result keeps them.
+/// Splits the strips into patches. Those beyond the room the model has are dropped from the tangential stage
+/// and flagged; the normal result keeps them.
 Fault find_patches(Contact& contact) {
   const Strips strips = all_strips(contact);
   contact.extent = totals(strips);
@@ -130,6 +130,7 @@ double* cell_block(Contact& contact, Array which, const Patch& patch) {
 Fault find_gap(Contact& contact, const Pose& pose) {
   back_to(contact, Stage::none);
   contact.gap_rows = 0;
+  contact.posed = false;
   const Model& model = *contact.model;
   if (!model.has_geometry) {
     return sequence(
@@ -149,12 +150,22 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   worsen(fault, fill_gap_rows(model.rail, wheel, contact.point, window, memory.capacity, memory, rows));
   if (fault.failed()) return fault;
   contact.gap_rows = rows.count;
+  contact.pose = pose;
+  contact.posed = true;
   contact.reached = Stage::gap;
   return fault;
 }
 
+Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
+  if (!contact.posed)
+    return sequence("pose", "call wrc_geometry first: creepages belong to its contact point");
+  rigid = creepage(posed(contact.model->wheel, contact.pose), contact.point, motion);
+  return {};
+}
+
 void take_gap(Contact& contact, const GapRows& rows) {
   back_to(contact, Stage::gap);
+  contact.posed = false;
   contact.gap_rows = rows.count;
   std::copy_n(rows.y, rows.count, array(contact, Array::gap_y));
   std::copy_n(rows.height, rows.count, array(contact, Array::gap_height));
@@ -168,6 +179,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
 
 Fault take_gap(Contact& contact, const GapGrid& grid) {
   back_to(contact, Stage::none);
+  contact.posed = false;
   contact.gap_rows = 0;
   // Rows are needed accurately where they may touch; a quarter of the depth that matters leaves the rest out
   // of the fit.
@@ -196,8 +208,8 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
                             array(contact, Array::start_width),
                             array(contact, Array::start_length_squared),
                             array(contact, Array::start_shift)};
-  const Fault fault = solve_strip_halfspace(problem, {}, *contact.model->strip_kernel, workspace, start, strips,
-                                            contact.normal);
+  const Fault fault = solve_strip_halfspace(problem, {}, *contact.model->strip_kernel, workspace, start,
+                                            strips, contact.normal);
   contact.start_strips = fault.failed() ? 0 : start.count;
   return fault;
 }
@@ -255,6 +267,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
 
 Fault take_strips(Contact& contact, const Strips& strips) {
   back_to(contact, Stage::patch);
+  contact.posed = false;
   contact.gap_rows = 0;
   contact.strips = strips.count;
   const Strips ours = all_strips(contact);
@@ -274,6 +287,7 @@ Fault take_strips(Contact& contact, const Strips& strips) {
 
 Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force) {
   back_to(contact, Stage::patch);
+  contact.posed = false;
   contact.gap_rows = 0;
   Strips strips = all_strips(contact);
   sdec_strips(sdec, 0.0, 0.0, normal_force, contact.model->options.sizes.strips, strips);
@@ -300,7 +314,8 @@ Fault regularise_patch(Contact& contact) {
   Fault fault;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    worsen(fault, regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
+    worsen(fault,
+           regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
   }
   return fault;
 }

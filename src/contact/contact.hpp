@@ -13,6 +13,7 @@
 #include "contact/model.hpp"
 #include "fault.hpp"
 #include "geometry/contact_search.hpp"
+#include "geometry/creepages.hpp"
 #include "normal/problem.hpp"
 #include "patch/sdec.hpp"
 #include "patch/split.hpp"
@@ -45,9 +46,9 @@ struct Patch {
   std::int32_t first = 0, count = 0;                ///< strips of the patch
   std::int32_t region_first = 0, region_count = 0;  ///< strips its tangential fields live on
   StripTotals extent;
-  double y_contact = 0.0;  ///< where its bodies first touch [m]
-  Sdec sdec;               ///< its equivalent double ellipse about y_contact
-  TangentialForces forces; ///< moment about the origin of the contact frame
+  double y_contact = 0.0;   ///< where its bodies first touch [m]
+  Sdec sdec;                ///< its equivalent double ellipse about y_contact
+  TangentialForces forces;  ///< moment about the origin of the contact frame
 };
 
 struct Contact {
@@ -55,12 +56,14 @@ struct Contact {
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
-  bool touching = false;      ///< false: the bodies are apart and forces are zero
-  std::int32_t gap_rows = 0;  ///< rows in use
-  std::int32_t strips = 0;    ///< of all patches
+  bool touching = false;          ///< false: the bodies are apart and forces are zero
+  std::int32_t gap_rows = 0;      ///< rows in use
+  std::int32_t strips = 0;        ///< of all patches
   std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
 
-  ContactPoint point;  ///< of the last geometry stage
+  bool posed = false;  ///< pose and point belong to the gap in the contact
+  Pose pose;           ///< of the last geometry stage
+  ContactPoint point;
   NormalSolution normal;
   StripTotals extent;  ///< of all patches together
   std::int32_t patches = 0;
@@ -94,11 +97,13 @@ Strips all_strips(Contact& contact);
 Strips patch_strips(Contact& contact, const Patch& patch);
 Strips region_strips(Contact& contact, const Patch& patch);
 
-/// The block of a cell array that belongs to one patch: element (cell i, strip j) at i * patch.region_count + j.
+/// The block of a cell array that belongs to one patch: element (cell i, strip j) at i * patch.region_count +
+/// j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
 
 /// Stages. Each returns what went wrong and leaves the contact usable.
 Fault find_gap(Contact& contact, const Pose& pose);
+Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);

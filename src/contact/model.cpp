@@ -71,7 +71,8 @@ std::size_t model_bytes(const ModelOptions& options) {
   // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
   const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
   const std::size_t given = (wheel > rail ? wheel : rail) / 3 * 4;
-  return sizeof(Model) + kernel_bytes(options) + sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
+  return sizeof(Model) + kernel_bytes(options) +
+         sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {

@@ -56,9 +56,9 @@ struct Model {
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
-  SdecTable linear_theory;  ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;     ///< along each strip
-  ArrayLayout layout;       ///< of every contact of this model
+  SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;                       ///< along each strip
+  ArrayLayout layout;                         ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

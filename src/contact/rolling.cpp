@@ -18,8 +18,8 @@ bool works_on_ellipse(TangentialMethod method) {
   return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe;
 }
 
-/// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial contact
-/// point, or about the ellipse's own centre.
+/// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial
+/// contact point, or about the ellipse's own centre.
 void prepare_region(Contact& contact, Patch& patch, TangentialMethod method) {
   patch.region_first = patch.first;
   patch.region_count = patch.count;
@@ -60,9 +60,9 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
-/// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of the
-/// contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and M_z comes back
-/// by - y_contact F_x.
+/// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of
+/// the contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and
+/// M_z comes back by - y_contact F_x.
 Fault roll(Contact& contact, Patch& patch) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
@@ -167,9 +167,10 @@ Fault assess_damage(Contact& contact) {
     damage.peak_power_density = std::max(damage.peak_power_density, densest);
     const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
 
-    // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent ellipse.
-    const ShakedownPoint point = shakedown_point(patch.forces, patch.extent.normal_force, patch.extent.peak_pressure,
-                                                 options.shear_yield);
+    // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent
+    // ellipse.
+    const ShakedownPoint point = shakedown_point(patch.forces, patch.extent.normal_force,
+                                                 patch.extent.peak_pressure, options.shear_yield);
     const double index = fatigue_index(point);
     if (k == 0 || worst_cell > damage.local_fatigue_index) damage.local_fatigue_index = worst_cell;
     if (k == 0 || index > damage.fatigue_index) {  // the patch nearest to damage speaks for the contact

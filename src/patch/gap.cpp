@@ -133,7 +133,8 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
 GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y[rows.count - 1]); }
 
 GapMinimum minimum(const GapRows& rows, double low, double high) {
-  // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining pieces.
+  // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining
+  // pieces.
   std::int32_t lowest = -1;
   for (std::int32_t j = 0; j < rows.count; ++j) {
     if (rows.y[j] < low || rows.y[j] > high) continue;
