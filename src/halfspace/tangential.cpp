@@ -53,6 +53,7 @@ class Newton {
   Convolution& convolution_;
   double rho_;
   std::vector<Cell> cells_;
+  std::vector<Cell> frictionless_;  // in contact, but without traction whatever the slip
   std::vector<CellUnknowns> unknowns_;
   Vector radial_x_, radial_y_;  // changes of traction that bring slipping cells onto the circle
   Vector rhs_;
@@ -75,11 +76,15 @@ Newton::Newton(const Grid& grid, Convolution& convolution, const RollingProblem&
       const std::size_t at = grid.index(i, j);
       if (problem.pressure[at] <= 0.0) continue;
       const double bound = full() ? 0.0 : friction_of(problem, at) * problem.pressure[at];
-      if (!full() && bound <= 0.0) continue;  // frictionless: no traction, whatever the slip
-      cells_.push_back({.at = at,
-                        .bound = bound,
-                        .wx = c.longitudinal - c.spin * grid.y(j),
-                        .wy = c.lateral + c.spin * (grid.x(i) + ahead)});
+      const Cell cell{.at = at,
+                      .bound = bound,
+                      .wx = c.longitudinal - c.spin * grid.y(j),
+                      .wy = c.lateral + c.spin * (grid.x(i) + ahead)};
+      if (!full() && bound <= 0.0) {
+        frictionless_.push_back(cell);
+        continue;
+      }
+      cells_.push_back(cell);
       unknowns_.push_back({.i = i, .j = j});
     }
   }
@@ -100,6 +105,11 @@ void Newton::update_slip() {
   for (const Cell& c : cells_) {
     s.slip_x[c.at] = c.wx + field_x_[c.at];
     s.slip_y[c.at] = c.wy + field_y_[c.at];
+  }
+  for (const Cell& c : frictionless_) {
+    s.slip_x[c.at] = c.wx + field_x_[c.at];
+    s.slip_y[c.at] = c.wy + field_y_[c.at];
+    s.state[c.at] = CellState::slip;
   }
 }
 
@@ -291,6 +301,32 @@ void clear(const Grid& grid, RollingSolution& s) {
   s.state.assign(grid.cells(), CellState::exterior);
 }
 
+Fault check(const Grid& grid, const RollingProblem& problem) {
+  const auto range = [](const char* field, double value) {
+    return Fault{.status = WRC_ERROR_RANGE, .field = field, .value = value};
+  };
+  if (problem.pressure.size() != grid.cells()) {
+    return range("halfspace.pressure.size", static_cast<double>(problem.pressure.size()));
+  }
+  for (const double p : problem.pressure) {
+    if (!std::isfinite(p)) return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.pressure", .value = p};
+  }
+  const Creepage& c = problem.creepage;
+  if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
+    return {.status = WRC_ERROR_NOT_FINITE, .field = "creepage"};
+  }
+  if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0))
+    return range("halfspace.tolerance", problem.tolerance);
+  if (problem.adhesion == Adhesion::full) return {};
+  if (problem.friction.size() != 1 && problem.friction.size() != grid.cells()) {
+    return range("halfspace.friction.size", static_cast<double>(problem.friction.size()));
+  }
+  for (const double mu : problem.friction) {
+    if (!(mu >= 0.0 && std::isfinite(mu))) return range("halfspace.friction", mu);
+  }
+  return {};
+}
+
 }  // namespace
 
 RollingSolver::RollingSolver(const Grid& grid, const Material& material) {
@@ -302,6 +338,12 @@ RollingSolver::RollingSolver(const Grid& grid, const Material& material) {
 }
 
 RollingSolution RollingSolver::solve(const RollingProblem& problem) {
+  if (const Fault fault = check(levels_[0].grid, problem); fault.failed()) {
+    RollingSolution failed;
+    clear(levels_[0].grid, failed);
+    failed.fault = fault;
+    return failed;
+  }
   std::vector<RollingProblem> problems{problem};
   if (problem.adhesion == Adhesion::coulomb) {
     for (std::size_t l = 1; l < levels_.size(); ++l) {
