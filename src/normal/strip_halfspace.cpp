@@ -120,6 +120,7 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     put(problem.gap, lowest.height, j, s.cell_y[j], s.cell_width[j], s);
     s.skewed = s.skewed || s.gap_centre[j] != s.gap_centre[0];
     const double overlap = approach - 2.0 * s.height[j];
+    s.peak[j] = 0.0;
     s.half_length[j] = std::sqrt(std::max(overlap, 0.06 * approach) / s.curvature[j]);
     s.centre[j] = s.gap_centre[j];
     bool in_contact = start.count == 0 && s.height[j] < 0.7 * approach;
@@ -250,21 +251,30 @@ bool touch(const System& s, std::int32_t a) {
   return s.active[a + 1] == s.active[a] + 1 && s.grid.region[s.active[a + 1]] == s.grid.region[s.active[a]];
 }
 
-/// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch count as their
-/// inner neighbours.
+/// One past the last active strip of the patch that active strip `first` opens.
+std::int32_t run_end(const System& s, std::int32_t first) {
+  std::int32_t a = first;
+  while (a + 1 < s.active_count && touch(s, a)) ++a;
+  return a + 1;
+}
+
+/// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch take the value
+/// of their inner neighbours; two strips alone their mean.
 void smooth(const System& s, double* value) {
-  double before = value[0];
-  for (std::int32_t a = 0; a < s.active_count; ++a) {
-    const double here = value[a];
-    const bool left = a > 0 && touch(s, a - 1);
-    const bool right = a + 1 < s.active_count && touch(s, a);
-    if (left && right)
+  for (std::int32_t first = 0, end = 0; first < s.active_count; first = end) {
+    end = run_end(s, first);
+    const std::int32_t last = end - 1;
+    if (last == first + 1) value[first] = value[last] = 0.5 * (value[first] + value[last]);
+    if (last < first + 2) continue;
+    double before = value[first];
+    value[first] = value[first + 1];
+    const double last_inner = value[last - 1];
+    for (std::int32_t a = first + 1; a < last; ++a) {
+      const double here = value[a];
       value[a] = 0.25 * before + 0.5 * here + 0.25 * value[a + 1];
-    else if (left)
-      value[a] = before;
-    else if (right)
-      value[a] = value[a + 1];
-    before = here;
+      before = here;
+    }
+    value[last] = last_inner;
   }
 }
 
@@ -307,10 +317,10 @@ double move_edges(const NormalProblem& problem, const StripKernel& kernel, doubl
   return moved / area;
 }
 
-/// Fits the outermost strips of every patch to its border, where l^2, linear through the last two strips,
-/// vanishes. Between half a cell and one and a half of the outermost strip stretches; beyond, the next one is
-/// in contact or this one no longer is. Without it a strip the border runs through counts as wholly in
-/// contact, and area jumps by cells.
+/// Fits the outermost strips of every patch of three or more to its border, where l^2, linear through the
+/// last two strips, vanishes. The outermost strip may stretch to one and a half of its cell: beyond, the next
+/// one is in contact. Without it a strip the border runs through counts as wholly in contact, and area jumps
+/// by cells.
 void fit_ends(const GapRows& rows, double lowest_height, System& s) {
   const auto refit = [&](std::int32_t j, double y, double width, double half_length) {
     const double centre_before = s.gap_centre[j];
@@ -319,27 +329,29 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
     put(rows, lowest_height, j, y, width, s);
     s.centre[j] += s.gap_centre[j] - centre_before;
   };
-  std::int32_t before = -2;  // the strip in contact before this one
-  for (std::int32_t a = 0; a < s.active_count; ++a) {
-    const std::int32_t j = s.active[a];
-    const bool left = before == j - 1 && s.grid.region[before] == s.grid.region[j];
-    const bool right = a + 1 < s.active_count && touch(s, a);
-    before = j;
-    if (left != right) {
-      const double side = left ? 1.0 : -1.0;  // where the border is, seen from the strip
-      const std::int32_t inner = left ? j - 1 : j + 1;
-      const double l2 = s.half_length[j] * s.half_length[j];
-      const double inner_l2 = s.half_length[inner] * s.half_length[inner];
-      const double slope = (inner_l2 - l2) / std::abs(s.grid.y[inner] - s.grid.y[j]);
-      if (slope > 0.0) {
-        const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
-        const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
-        const double extent = std::clamp(reach, 0.1 * s.cell_width[j], 1.5 * s.cell_width[j]);
-        refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
-      }
-    } else if (s.grid.width[j] != s.cell_width[j]) {
-      refit(j, s.cell_y[j], s.cell_width[j], s.half_length[j]);
+  const auto fit = [&](std::int32_t j, std::int32_t inner) {
+    const double side = j > inner ? 1.0 : -1.0;  // where the border is, seen from the strip
+    const double l2 = s.half_length[j] * s.half_length[j];
+    const double inner_l2 = s.half_length[inner] * s.half_length[inner];
+    const double slope = (inner_l2 - l2) / std::abs(s.grid.y[inner] - s.grid.y[j]);
+    if (!(slope > 0.0)) return;
+    const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
+    const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
+    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], 1.5 * s.cell_width[j]);
+    refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
+  };
+  for (std::int32_t first = 0, end = 0; first < s.active_count; first = end) {
+    end = run_end(s, first);
+    const bool fitted = end - first >= 3;
+    for (std::int32_t a = first; a < end; ++a) {
+      const std::int32_t j = s.active[a];
+      const bool outermost = a == first || a == end - 1;
+      if (s.grid.width[j] != s.cell_width[j] && !(fitted && outermost))
+        refit(j, s.cell_y[j], s.cell_width[j], s.half_length[j]);
     }
+    if (!fitted) continue;
+    fit(s.active[first], s.active[first + 1]);
+    fit(s.active[end - 1], s.active[end - 2]);
   }
 }
 
@@ -388,6 +400,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   bool converged = false;
   for (int attempt = 0; attempt < widenings; ++attempt) {
     place(problem, lowest, approach, depth, start, s);
+    if (start.count > 0) fit_ends(rows, lowest.height, s);
     converged = false;
     for (std::int32_t sweep = 0; sweep < options.max_sweeps && !converged; ++sweep) {
       build_influence(kernel, s);
