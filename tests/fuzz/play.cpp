@@ -42,7 +42,7 @@ std::vector<double> all_doubles(const Results& results) {
 std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
   wrc_view view = made<wrc_view>(wrc_view_init);
   std::vector<double> values;
-  if (wrc_field(contact, id, &view) != WRC_OK) return values;
+  if (wrc_field(contact, 0, id, &view) != WRC_OK) return values;
   for (std::uint64_t i = 0; i < view.count[0]; ++i)
     for (std::uint64_t j = 0; j < view.count[1]; ++j)
       values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
