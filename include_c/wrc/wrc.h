@@ -180,7 +180,7 @@ typedef struct wrc_config {
   int32_t tangential_method;   /**< enum wrc_tangential_method [FASTSIM-SDEC] */
   int32_t traction_bound;      /**< enum wrc_traction_bound [parabolic] */
   int32_t strips;              /**< strips across the patch, 4..512 [60] */
-  int32_t cells;               /**< cells along each strip, 4..512 [50] */
+  int32_t cells;               /**< cells along each strip, 4..512 [32] */
   int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
   int32_t max_iterations;      /**< cap of every iteration in the normal problem, 4..1000 [60] */
   int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */

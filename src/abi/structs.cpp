@@ -53,7 +53,7 @@ wrc_config defaults<wrc_config>() {
   value.tangential_method = WRC_TANGENTIAL_FASTSIM_SDEC;
   value.traction_bound = WRC_BOUND_PARABOLIC;
   value.strips = 60;
-  value.cells = 50;
+  value.cells = 32;
   value.gap_rows = 256;
   value.max_iterations = 60;
   value.max_patches = 4;
