@@ -337,7 +337,9 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
     if (!(slope > 0.0)) return;
     const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
     const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
-    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], 1.5 * s.cell_width[j]);
+    const std::int32_t beyond = std::clamp(2 * j - inner, 0, s.grid.count - 1);
+    const double most = s.cell_width[j] + 0.5 * s.cell_width[beyond];
+    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], most);
     refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
   };
   for (std::int32_t first = 0, end = 0; first < s.active_count; first = end) {
