@@ -14,13 +14,14 @@ Fault check_rows(const GapRows& rows) {
             .field = "gap.count",
             .value = static_cast<double>(rows.count),
             .cause = "at least four rows are needed"};
+  // Finiteness first, by bits: a comparison with a NaN would raise a trap that the host may have armed.
+  if (!std::isfinite(rows.height[0])) return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = 0};
   double lowest = rows.height[0], highest = rows.height[0];
   for (std::int32_t j = 0; j < rows.count; ++j) {
+    for (const double value : {rows.y[j], rows.height[j], rows.centre[j], rows.curvature[j]})
+      if (!std::isfinite(value)) return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = j};
     lowest = std::min(lowest, rows.height[j]);
     highest = std::max(highest, rows.height[j]);
-    // A sum is finite only if every term is.
-    if (!std::isfinite(rows.y[j] + rows.height[j] + rows.centre[j] + rows.curvature[j]))
-      return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = j};
     if (j > 0 && rows.y[j] <= rows.y[j - 1])
       return {.status = WRC_ERROR_GAP,
               .field = "gap.y",
@@ -51,6 +52,8 @@ Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcep
   output.count = 0;
   if (Fault fault = check_rows(problem.gap); fault.failed()) return fault;
   const Material& material = problem.material;
+  if (!std::isfinite(material.shear_modulus) || !std::isfinite(material.poisson))
+    return {.status = WRC_ERROR_NOT_FINITE, .field = "material"};
   if (!(material.shear_modulus > 0.0) || !(material.poisson >= 0.0 && material.poisson <= 0.5))
     return {.status = WRC_ERROR_RANGE, .field = "material", .value = material.shear_modulus, .unit = "Pa"};
   const bool load = problem.prescribed == Prescribed::load;

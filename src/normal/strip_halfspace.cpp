@@ -43,15 +43,16 @@ struct System {
   double* matrix = nullptr;  ///< of the active strips
   double* by_approach = nullptr;
   double* by_height = nullptr;
-  double* level = nullptr;         ///< p / l the edge conditions ask for [Pa/m]
-  double* shift = nullptr;         ///< of the centre against the gap's [m]
+  double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
+  double* shift = nullptr;  ///< of the centre against the gap's [m]
+  double *pair_y = nullptr, *pair_centre = nullptr, *pair_inverse_length = nullptr, *pair_strength = nullptr;
   std::int32_t* active = nullptr;  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
   std::int32_t active_count = 0;
   bool skewed = false;
 };
 
-constexpr std::int64_t arrays_of_doubles = 15;
+constexpr std::int64_t arrays_of_doubles = 19;
 constexpr std::int64_t arrays_of_indices = 3;
 
 System lay_out(const NormalWorkspace& workspace, std::int32_t n) {
@@ -62,9 +63,10 @@ System lay_out(const NormalWorkspace& workspace, std::int32_t n) {
     return block;
   };
   System s;
-  for (double** field : {&s.grid.y, &s.grid.width, &s.cell_y, &s.cell_width, &s.height, &s.curvature,
-                         &s.gap_centre, &s.half_length, &s.inverse_length, &s.centre, &s.peak, &s.by_approach,
-                         &s.by_height, &s.level, &s.shift})
+  for (double** field :
+       {&s.grid.y, &s.grid.width, &s.cell_y, &s.cell_width, &s.height, &s.curvature, &s.gap_centre,
+        &s.half_length, &s.inverse_length, &s.centre, &s.peak, &s.by_approach, &s.by_height, &s.level,
+        &s.shift, &s.pair_y, &s.pair_centre, &s.pair_inverse_length, &s.pair_strength})
     *field = take(n);
   s.influence = take(static_cast<std::int64_t>(n) * n);
   s.matrix = take(static_cast<std::int64_t>(n) * n);
@@ -203,8 +205,13 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
     std::int32_t next_count = 0;
     bool changed = false;
     if (pulls) {
-      for (std::int32_t a = 0; a < m; ++a)
-        if (s.peak[s.active[a]] > 0.0) s.active[next_count++] = s.active[a];
+      for (std::int32_t a = 0; a < m; ++a) {
+        double& peak = s.peak[s.active[a]];
+        if (peak > 0.0)
+          s.active[next_count++] = s.active[a];
+        else
+          peak = 0.0;
+      }
       changed = true;
     } else {
       std::int32_t a = 0;
@@ -229,20 +236,51 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
   return approach;
 }
 
-/// Displacement at the edge of strip j towards +x (side = 1) or -x (side = -1) [m].
-double edge_displacement(const StripKernel& kernel, const System& s, std::int32_t j, double side) {
-  double sum = 0.0;
-  const double x = s.centre[j] + side * s.half_length[j];
-  for (std::int32_t a = 0; a < s.active_count; ++a) {
-    const std::int32_t i = s.active[a];
-    const double inverse = s.inverse_length[i];
-    const double strip = s.peak[i] * s.grid.width[i];
-    if (i == j)
-      sum += strip * kernel.own_edge(0.5 * s.grid.width[i] * inverse);
-    else
-      sum += strip *
-             kernel.at(std::abs(s.grid.y[i] - s.grid.y[j]) * inverse, std::abs(x - s.centre[i]) * inverse);
+/// Joins neighbouring active strips two by two, at the centroid of their load, for edges that see them from
+/// afar.
+void join_pairs(System& s) {
+  for (std::int32_t k = 0; 2 * k < s.active_count; ++k) {
+    double load = 0.0, y = 0.0, centre = 0.0, length = 0.0;
+    for (std::int32_t a = 2 * k; a < std::min(2 * k + 2, s.active_count); ++a) {
+      const std::int32_t i = s.active[a];
+      const double part = s.peak[i] * s.half_length[i] * s.grid.width[i];
+      load += part;
+      y += part * s.grid.y[i];
+      centre += part * s.centre[i];
+      length += part * s.half_length[i];
+    }
+    s.pair_y[k] = y / load;
+    s.pair_centre[k] = centre / load;
+    s.pair_inverse_length[k] = load / length;
+    s.pair_strength[k] = load * s.pair_inverse_length[k];
   }
+}
+
+/// Displacement at the edge of active strip number a towards +x (side = 1) or -x (side = -1), over the
+/// compliance [m Pa].
+double edge_displacement(const StripKernel& kernel, const System& s, std::int32_t a, double side) {
+  constexpr std::int32_t near = 2;  // pairs to each side whose strips are taken one by one
+  const std::int32_t j = s.active[a];
+  const double x = s.centre[j] + side * s.half_length[j];
+  const double y = s.grid.y[j];
+  const std::int32_t pairs = (s.active_count + 1) / 2;
+  const std::int32_t first_near = std::max(a / 2 - near, 0);
+  const std::int32_t end_near = std::min(a / 2 + near + 1, pairs);
+  double sum = 0.0;
+  const auto add_pair = [&](std::int32_t k) {
+    const double inverse = s.pair_inverse_length[k];
+    sum += s.pair_strength[k] *
+           kernel.at(std::abs(s.pair_y[k] - y) * inverse, std::abs(x - s.pair_centre[k]) * inverse);
+  };
+  for (std::int32_t k = 0; k < first_near; ++k) add_pair(k);
+  for (std::int32_t b = 2 * first_near; b < std::min(2 * end_near, s.active_count); ++b) {
+    const std::int32_t i = s.active[b];
+    const double inverse = s.inverse_length[i];
+    sum += s.peak[i] * s.grid.width[i] *
+           (i == j ? kernel.own_edge(0.5 * s.grid.width[i] * inverse)
+                   : kernel.at(std::abs(s.grid.y[i] - y) * inverse, std::abs(x - s.centre[i]) * inverse));
+  }
+  for (std::int32_t k = end_near; k < pairs; ++k) add_pair(k);
   return sum;
 }
 
@@ -287,11 +325,12 @@ void smooth(const System& s, double* value) {
 /// of a patch where p and l vanish together, so it is the level that is averaged over three strips.
 double move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach, System& s) {
   const double compliance = problem.material.normal_compliance();
+  join_pairs(s);
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
     const double l = s.half_length[j];
-    const double leading = compliance * edge_displacement(kernel, s, j, 1.0);
-    const double trailing = s.skewed ? compliance * edge_displacement(kernel, s, j, -1.0) : leading;
+    const double leading = compliance * edge_displacement(kernel, s, a, 1.0);
+    const double trailing = s.skewed ? compliance * edge_displacement(kernel, s, a, -1.0) : leading;
     const double drop = approach - s.height[j] - 0.5 * (leading + trailing);
     const double ratio = std::clamp(drop / (0.5 * s.curvature[j] * l * l), 0.25, 4.0);
     s.level[a] = s.peak[j] * s.inverse_length[j] / ratio;
@@ -337,7 +376,9 @@ void fit_ends(const GapRows& rows, double lowest_height, System& s) {
     if (!(slope > 0.0)) return;
     const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
     const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
-    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], 1.5 * s.cell_width[j]);
+    const std::int32_t beyond = std::clamp(2 * j - inner, 0, s.grid.count - 1);
+    const double most = s.cell_width[j] + 0.5 * s.cell_width[beyond];
+    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], most);
     refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
   };
   for (std::int32_t first = 0, end = 0; first < s.active_count; first = end) {
