@@ -98,7 +98,11 @@ enum wrc_profile_kind {
 enum wrc_normal_method {
   WRC_NORMAL_HERTZ = 0,           /**< one ellipse; lateral curvature from the chord of the gap at half the approach */
   WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
-  WRC_NORMAL_EKP = 2              /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
+  WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
+  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< EKP, threshold varying over y: exact for elliptic gaps (CONTACT's KPEC) */
+  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
+  WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
+  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
 };
 
 /** Criteria by which a patch gets its equivalent double ellipse. */
@@ -179,6 +183,9 @@ typedef struct wrc_config {
   int32_t cells;               /**< cells along each strip, 4..512 [50] */
   int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
   int32_t max_iterations;      /**< cap of every iteration in the normal problem, 4..1000 [60] */
+  int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */
+  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution;
+                                  0: results depend on the inputs of the call alone [0] */
   double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
   double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
   double load_tolerance;       /**< relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
@@ -206,7 +213,9 @@ typedef struct wrc_pose {
 typedef struct wrc_contact_point {
   uint32_t struct_size;  /**< sizeof this struct */
   uint32_t reserved;     /**< 0 */
-  double x, y, z;        /**< on the rail, track frame [m]; x is that of the wheel's point */
+  double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
+  double y; /**< see x */
+  double z; /**< see x */
   double y_wheel;        /**< in the coordinates of the wheel profile, flange side negative [m] */
   double y_rail;         /**< from the origin of the rail profile, after canting; field side positive [m] */
   double angle;          /**< contact angle: rotation about x from the track to the contact frame [rad] */
@@ -264,7 +273,7 @@ typedef struct wrc_patch {
   uint32_t struct_size; /**< sizeof this struct */
   int32_t strips;       /**< strips the patch is made of */
   int32_t iterations;   /**< of the normal problem's root find */
-  int32_t reserved;     /**< 0 */
+  int32_t patches;      /**< separate patches in the contact; a, b, psi are those of the one that carries most */
   double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
   double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
   double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
@@ -275,7 +284,8 @@ typedef struct wrc_patch {
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
   double width;         /**< extent along y [m] */
-  double y_min, y_max;  /**< lateral borders [m] */
+  double y_min; /**< lateral borders [m] */
+  double y_max; /**< see y_min */
 } wrc_patch;
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
@@ -293,12 +303,25 @@ typedef struct wrc_strips {
 typedef struct wrc_forces {
   uint32_t struct_size;     /**< sizeof this struct */
   uint32_t reserved;        /**< 0 */
-  double fx, fy;            /**< creep forces [N] */
+  double fx; /**< creep forces [N] */
+  double fy; /**< see fx */
   double fn;                /**< normal force, compressive positive [N] */
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed [W], >= 0 */
   double adhesion_fraction; /**< share of the patch's area that sticks */
 } wrc_forces;
+
+/** Velocity of the wheelset relative to the track, in the track frame. */
+typedef struct wrc_motion {
+  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t reserved;        /**< 0 */
+  double speed;             /**< of its middle along the track, 0..200 m/s [0] */
+  double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
+  double vertical_velocity; /**< down, -20..20 m/s [0] */
+  double roll_rate;         /**< -100..100 rad/s [0] */
+  double yaw_rate;          /**< -100..100 rad/s [0] */
+  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0] */
+} wrc_motion;
 
 /** Wear and rolling contact fatigue numbers of the last wrc_tangential. */
 typedef struct wrc_damage {
@@ -319,8 +342,13 @@ typedef struct wrc_damage {
 typedef struct wrc_coefficients {
   uint32_t struct_size;          /**< sizeof this struct */
   uint32_t reserved;             /**< 0 */
-  double c11, c22, c23;          /**< Kalker's, for the ellipse a, b */
-  double c11s, c13s, c22s, c23s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c11; /**< Kalker's, for the ellipse a, b */
+  double c22; /**< see c11 */
+  double c23; /**< see c11 */
+  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c13s; /**< see c11s */
+  double c22s; /**< see c11s */
+  double c23s; /**< see c11s */
 } wrc_coefficients;
 
 /** What wrc_step() reads. Pointers are the caller's and only read during the call. */
@@ -395,6 +423,7 @@ WRC_API int32_t wrc_friction_init(wrc_friction* friction);               /**< De
 WRC_API int32_t wrc_patch_init(wrc_patch* patch);                        /**< Defaults of a patch. */
 WRC_API int32_t wrc_strips_init(wrc_strips* strips);                     /**< Defaults of strips. */
 WRC_API int32_t wrc_forces_init(wrc_forces* forces);                     /**< Defaults of forces. */
+WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a wheelset's motion. */
 WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< Defaults of damage numbers. */
 WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
 WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
@@ -502,15 +531,25 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
+/** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
+ * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
+ * and rail material pass through the contact. All zero at standstill. Theory manual, section 7.
+ * @param contact the contact
+ * @param motion of the wheelset, track frame
+ * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE.
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
+
 /** Solves the normal problem and regularises the patch (wrc_regularise). Strips stay in the contact. Pressures are
  * those of two bodies of equal material; theory manual, sections 2 and 3.
  * @param contact the contact
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _TABLE_RANGE (|psi| cut to
- * 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none), _GAP, _LOAD, _NOT_FINITE,
- * _RANGE, _UNSUPPORTED. @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
+ * _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
+ * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
@@ -576,13 +615,24 @@ WRC_API int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, con
  * @return as wrc_step(). @rt hard @thread contact */
 WRC_API int32_t wrc_step_flat(wrc_contact* contact, const double* in, double* out);
 
-/** Shows a field of the last call without copying it.
+/** One of the contact's patches with its forces. Moments are about the origin of the contact frame: the forces of all
+ * patches add up to those of the contact.
  * @param contact the contact
+ * @param index 0 .. wrc_patch.patches - 1, by increasing y
+ * @param[out] patch the patch; NULL: not wanted
+ * @param[out] forces on the wheel; zero before wrc_tangential; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
+
+/** Shows a field of one patch after the last call without copying it.
+ * @param contact the contact
+ * @param patch 0 .. wrc_patch.patches - 1, by increasing y; the fields of the gap ignore it
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _UNSUPPORTED (no such field).
- * @rt hard @thread contact */
-WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t field, wrc_view* view);
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
+ * _UNSUPPORTED (no such field). @rt hard @thread contact */
+WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */
 
@@ -620,6 +670,7 @@ typedef struct wrc_api {
   int32_t (*patch_init)(wrc_patch*); /**< wrc_patch_init() */
   int32_t (*strips_init)(wrc_strips*); /**< wrc_strips_init() */
   int32_t (*forces_init)(wrc_forces*); /**< wrc_forces_init() */
+  int32_t (*motion_init)(wrc_motion*); /**< wrc_motion_init() */
   int32_t (*damage_init)(wrc_damage*); /**< wrc_damage_init() */
   int32_t (*coefficients_init)(wrc_coefficients*); /**< wrc_coefficients_init() */
   int32_t (*input_init)(wrc_input*); /**< wrc_input_init() */
@@ -639,6 +690,7 @@ typedef struct wrc_api {
   int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore() */
   int32_t (*last_error)(const wrc_contact*, char*, uint64_t); /**< wrc_last_error() */
   int32_t (*geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*); /**< wrc_geometry() */
+  int32_t (*creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*); /**< wrc_creepages() */
   int32_t (*normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*); /**< wrc_normal() */
   int32_t (*regularise)(wrc_contact*, const wrc_strips*, wrc_patch*); /**< wrc_regularise() */
   int32_t (*tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*,
@@ -648,7 +700,8 @@ typedef struct wrc_api {
   int32_t (*step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, const wrc_output*, uint64_t,
                         int32_t*); /**< wrc_step_batch() */
   int32_t (*step_flat)(wrc_contact*, const double*, double*); /**< wrc_step_flat() */
-  int32_t (*field)(const wrc_contact*, int32_t, wrc_view*); /**< wrc_field() */
+  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*, wrc_forces*); /**< wrc_contact_patch() */
+  int32_t (*field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_field() */
   int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
   int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
 } wrc_api;

@@ -1,5 +1,6 @@
 #include "normal/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wrc {
@@ -13,7 +14,10 @@ Fault check_rows(const GapRows& rows) {
             .field = "gap.count",
             .value = static_cast<double>(rows.count),
             .cause = "at least four rows are needed"};
+  double lowest = rows.height[0], highest = rows.height[0];
   for (std::int32_t j = 0; j < rows.count; ++j) {
+    lowest = std::min(lowest, rows.height[j]);
+    highest = std::max(highest, rows.height[j]);
     // A sum is finite only if every term is.
     if (!std::isfinite(rows.y[j] + rows.height[j] + rows.centre[j] + rows.curvature[j]))
       return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = j};
@@ -32,6 +36,12 @@ Fault check_rows(const GapRows& rows) {
               .cause = "bodies that conform along the rolling direction are no rolling contact",
               .index = j};
   }
+  if (!(highest > lowest))
+    return {.status = WRC_ERROR_GAP,
+            .field = "gap.height",
+            .value = lowest,
+            .unit = "m",
+            .cause = "all rows are of the same height"};
   return {};
 }
 

@@ -9,16 +9,15 @@
 namespace wrc {
 namespace {
 
-/// Int_{-l}^{l} sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx, y != 0 [-].
-double line_displacement(double l, double y) {
-  const double r = std::sqrt(l * l + y * y);
-  return 2.0 * l * complete_elliptic(std::abs(y) / r).d / r;
-}
-
 /// Int_0^t ln(s) ds for the signed t: odd in t.
 double integral_of_log(double t) { return t == 0.0 ? 0.0 : t * (natural_log(std::abs(t)) - 1.0); }
 
 }  // namespace
+
+double line_displacement(double half_length, double y) noexcept {
+  const double r = std::sqrt(half_length * half_length + y * y);
+  return 2.0 * half_length * complete_elliptic(std::abs(y) / r).d / r;
+}
 
 double strip_displacement(double half_length, double y_from, double y_to) noexcept {
   const double l = half_length;

@@ -18,10 +18,13 @@ double first_guess(const NormalProblem& problem, double coefficient_x) noexcept;
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
                        Fault& fault) noexcept;
 
-/// A straightened measure of the load: N grows about like approach^1.5, so N^{5/8} grows almost like the
-/// approach itself and the secant rule on it needs three or four evaluations.
+/// A straightened measure of the load: N grows like approach^1.5 on elliptic gaps and like approach^1.4 on
+/// worn ones, so N^{11/16} grows almost like the approach itself and the secant rule on it needs four
+/// evaluations.
 inline double straightened(double normal_force) noexcept {
-  return std::sqrt(normal_force * std::sqrt(std::sqrt(normal_force)));
+  const double half = std::sqrt(normal_force);
+  const double eighth = std::sqrt(std::sqrt(half));
+  return half * eighth * std::sqrt(eighth);
 }
 
 /// Runs `force` (approach [m] -> normal force [N], increasing) at the prescribed approach, or searches the
@@ -75,8 +78,8 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
       const bool slope_usable = i > 0 && std::abs(approach - previous) > 1e-6 * approach;
       solution.approach = approach;
       solution.normal_force = normal_force;
-      // dN/d(approach) = (8/5) N^{3/8} dx/d(approach)
-      solution.stiffness = 1.6 * normal_force / x * slope;
+      // dN/d(approach) = (16/11) (N / x) dx/d(approach)
+      solution.stiffness = 16.0 / 11.0 * normal_force / x * slope;
       if (!slope_usable) settle(approach);
       return {};
     }

@@ -1,4 +1,4 @@
-/// A natural logarithm with the same bits everywhere.
+/// Natural logarithm and exponential with the same bits everywhere.
 #pragma once
 
 #include <cmath>
@@ -22,6 +22,16 @@ inline double natural_log(double x) noexcept {
   for (int n = 21; n >= 1; n -= 2) series = series * s2 + 1.0 / n;
   constexpr double ln2 = 0.69314718055994530942;
   return 2.0 * s * series + exponent * ln2;
+}
+
+/// e^x for |x| < 700, to about 4 units in the last place.
+inline double natural_exp(double x) noexcept {
+  constexpr double ln2 = 0.69314718055994530942;
+  const double octaves = std::floor(x / ln2 + 0.5);
+  const double rest = x - octaves * ln2;  // |rest| <= 0.347
+  double series = 1.0;
+  for (int n = 14; n >= 1; --n) series = 1.0 + series * rest / n;
+  return std::ldexp(series, static_cast<int>(octaves));
 }
 
 }  // namespace wrc

@@ -2,13 +2,17 @@
 /// virtual-penetration family (Kik-Piotrowski, EKP, KPEC) and the span over which curvatures are fitted.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "fault.hpp"
 #include "patch/gap.hpp"
 #include "patch/strips.hpp"
 
 namespace wrc {
 
-/// The scale eps(y) of the virtual penetration: a parabola about `centre`, kept within 0..1.
+/// The scale eps(y) of the virtual penetration: a parabola about `centre`, kept within 0.05..1 (not 0: a
+/// contact point far from the middle must stay inside its own patch).
 struct PenetrationScale {
   double at_centre = 0.5;  ///< eps(centre) [-]
   double bend = 0.0;       ///< [1/m^2]
@@ -16,7 +20,7 @@ struct PenetrationScale {
 
   double at(double y) const noexcept {
     const double eps = at_centre + bend * (y - centre) * (y - centre);
-    return eps < 0.0 ? 0.0 : (eps > 1.0 ? 1.0 : eps);
+    return std::clamp(eps, 0.05, 1.0);
   }
 };
 
@@ -30,16 +34,95 @@ struct Span {
   double middle() const noexcept { return 0.5 * (y_from + y_to); }
 };
 
+/// g(y) for a scale: PenetrationScale, or any type with `double at(double y) const`.
+template <class Scale>
+struct Overlap {
+  const GapRows& rows;
+  const GapMinimum& lowest;
+  const Scale& scale;
+  double approach;
+
+  double of(double y, double height) const { return scale.at(y) * approach - (height - lowest.height); }
+  double at_row(std::int32_t j) const { return of(rows.y[j], rows.height[j]); }
+  double at(double y) const { return of(y, interpolate(rows, y).height); }
+};
+
+/// Root of the overlap between y_in (overlap > 0) and y_out (<= 0): regula falsi in Illinois' form.
+template <class Scale>
+double border_between(const Overlap<Scale>& overlap, double y_in, double g_in, double y_out, double g_out) {
+  constexpr int cap = 30;  // 4 to 7 are used
+  int kept_side = 0;
+  double y = y_out;
+  for (int i = 0; i < cap && g_in - g_out > 0.0; ++i) {
+    y = y_out + (y_in - y_out) * (g_out / (g_out - g_in));
+    const double g = overlap.at(y);
+    if (std::abs(g) <= 1e-13 * overlap.approach) break;
+    if (g > 0.0) {
+      y_in = y;
+      g_in = g;
+      if (kept_side == 1) g_out *= 0.5;
+      kept_side = 1;
+    } else {
+      y_out = y;
+      g_out = g;
+      if (kept_side == -1) g_in *= 0.5;
+      kept_side = -1;
+    }
+  }
+  return y;
+}
+
+/// Walks from the minimum over the rows in one direction (+1 or -1) to the first without overlap.
+template <class Scale>
+double border_from_minimum(const Overlap<Scale>& overlap, int direction, bool& at_edge) {
+  const GapRows& rows = overlap.rows;
+  double y_in = overlap.lowest.y;
+  double g_in = overlap.at(y_in);
+  if (g_in <= 0.0) return y_in;
+  const auto above = static_cast<std::int32_t>(std::upper_bound(rows.y, rows.y + rows.count, y_in) - rows.y);
+  std::int32_t j = direction > 0 ? above : above - 1;
+  for (; j >= 0 && j < rows.count; j += direction) {
+    const double g = overlap.at_row(j);
+    if (g <= 0.0) return border_between(overlap, y_in, g_in, rows.y[j], g);
+    y_in = rows.y[j];
+    g_in = g;
+  }
+  at_edge = true;
+  return y_in;
+}
+
 /// Finds the borders as roots of g on the interpolated gap, so that they move smoothly with approach and
 /// pose. A lobe that rises and falls between two rows is not seen.
-Span penetration_span(const GapRows& rows, const GapMinimum& lowest, const PenetrationScale& scale,
-                      double approach) noexcept;
+template <class Scale>
+Span penetration_span(const GapRows& rows, const GapMinimum& lowest, const Scale& scale,
+                      double approach) noexcept {
+  const Overlap<Scale> overlap{rows, lowest, scale, approach};
+  Span span;
+  span.y_from = border_from_minimum(overlap, -1, span.at_edge);
+  span.y_to = border_from_minimum(overlap, +1, span.at_edge);
+  return span;
+}
 
 /// Divides the span into `count` strips of equal width; at each strip's middle the half length is that of the
 /// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Fitting the strips
 /// to the span, instead of cutting it out of a fixed grid, is what makes area and load smooth.
-void divide_span(const GapRows& rows, const GapMinimum& lowest, const PenetrationScale& scale,
-                 double approach, const Span& span, std::int32_t count, Strips& strips) noexcept;
+template <class Scale>
+void divide_span(const GapRows& rows, const GapMinimum& lowest, const Scale& scale, double approach,
+                 const Span& span, std::int32_t count, Strips& strips) noexcept {
+  const Overlap<Scale> overlap{rows, lowest, scale, approach};
+  const double width = span.width() / count;
+  for (std::int32_t j = 0; j < count; ++j) {
+    const double y = span.y_from + (j + 0.5) * width;
+    const GapRow row = interpolate(rows, y);
+    // A dip of the overlap between two rows must not end in the root of a negative number.
+    const double g = std::max(overlap.of(y, row.height), 1e-12 * approach);
+    strips.y[j] = y;
+    strips.width[j] = width;
+    strips.centre[j] = row.centre;
+    strips.half_length[j] = std::sqrt(2.0 * g / row.curvature);
+  }
+  strips.count = count;
+}
 
 /// Lateral curvature of the gap as the patch sees it: the coefficient B of h = B (y - middle)^2 [1/m] through
 /// the ends of the region below half the approach. A local second derivative would jump on every curvature

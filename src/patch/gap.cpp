@@ -17,19 +17,43 @@ double row_slope(const GapRows& rows, std::int32_t j) {
   return slope + second * (rows.y[j] - rows.y[middle]);
 }
 
+/// The j with y[j] <= y < y[j + 1] (the last interval includes its end): rows are spread nearly evenly, so
+/// the proportional guess is right or next to it.
+std::int32_t interval_of(const GapRows& rows, double y) {
+  const std::int32_t last = rows.count - 1;
+  const double share = (y - rows.y[0]) / (rows.y[last] - rows.y[0]);
+  auto j = std::clamp(static_cast<std::int32_t>(share * last), 0, last - 1);
+  while (j > 0 && y < rows.y[j]) --j;
+  while (j < last - 1 && y >= rows.y[j + 1]) ++j;
+  return j;
+}
+
 }  // namespace
 
 GapRow interpolate(const GapRows& rows, double y) {
   const std::int32_t last = rows.count - 1;
   y = std::clamp(y, rows.y[0], rows.y[last]);
-  const double* above = std::upper_bound(rows.y, rows.y + rows.count, y);
-  const std::int32_t j = std::clamp(static_cast<std::int32_t>(above - rows.y) - 1, 0, last - 1);
+  const std::int32_t j = interval_of(rows, y);
 
   const double dy = rows.y[j + 1] - rows.y[j];
   const double t = (y - rows.y[j]) / dy;
   const double rise = rows.height[j + 1] - rows.height[j];
-  const double m0 = row_slope(rows, j) * dy;
-  const double m1 = row_slope(rows, j + 1) * dy;
+  double slope_0, slope_1;
+  if (j > 0 && j + 1 < last) {
+    // row_slope of both rows at once: they share the middle chord.
+    const double before = rows.y[j] - rows.y[j - 1];
+    const double after = rows.y[j + 2] - rows.y[j + 1];
+    const double chord_before = (rows.height[j] - rows.height[j - 1]) / before;
+    const double chord = rise / dy;
+    const double chord_after = (rows.height[j + 2] - rows.height[j + 1]) / after;
+    slope_0 = (chord_before * dy + chord * before) / (before + dy);
+    slope_1 = (chord * after + chord_after * dy) / (dy + after);
+  } else {
+    slope_0 = row_slope(rows, j);
+    slope_1 = row_slope(rows, j + 1);
+  }
+  const double m0 = slope_0 * dy;
+  const double m1 = slope_1 * dy;
   // Hermite cubic: height = h0 + t (m0 + t (c2 + t c3))
   const double c2 = 3.0 * rise - 2.0 * m0 - m1;
   const double c3 = m0 + m1 - 2.0 * rise;
@@ -106,14 +130,22 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
   return {};
 }
 
-GapMinimum minimum(const GapRows& rows) {
+GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y[rows.count - 1]); }
+
+GapMinimum minimum(const GapRows& rows, double low, double high) {
   // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining
   // pieces.
-  const std::int32_t j = lowest_row(rows);
-  double low = rows.y[std::max(j - 1, 0)];
-  double high = rows.y[std::min(j + 1, rows.count - 1)];
-  if (interpolate(rows, low).slope >= 0.0) return {low, rows.height[std::max(j - 1, 0)]};
-  if (interpolate(rows, high).slope <= 0.0) return {high, rows.height[std::min(j + 1, rows.count - 1)]};
+  std::int32_t lowest = -1;
+  for (std::int32_t j = 0; j < rows.count; ++j) {
+    if (rows.y[j] < low || rows.y[j] > high) continue;
+    if (lowest < 0 || rows.height[j] < rows.height[lowest]) lowest = j;
+  }
+  if (lowest >= 0) {
+    low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
+    high = std::min(high, rows.y[std::min(lowest + 1, rows.count - 1)]);
+  }
+  if (interpolate(rows, low).slope >= 0.0) return {low, interpolate(rows, low).height};
+  if (interpolate(rows, high).slope <= 0.0) return {high, interpolate(rows, high).height};
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
     (interpolate(rows, middle).slope < 0.0 ? low : high) = middle;

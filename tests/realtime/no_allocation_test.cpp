@@ -88,7 +88,7 @@ struct Run {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, WRC_FIELD_TRACTION_X, &view) < 0;
+    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
     wrc_creepage wrong = creepage;
     wrong.spin = NAN;  // an error is reported without allocating either
     char text[256];

@@ -1,0 +1,90 @@
+#include "normal/strip_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "normal/contact_condition.hpp"
+#include "normal/logarithm.hpp"
+#include "patch/material.hpp"
+
+namespace wrc {
+namespace {
+
+double node_value(const OctaveAxis& axis, int index) {
+  const int octave = index >> axis.bits_per_octave;
+  const int within = index & ((1 << axis.bits_per_octave) - 1);
+  return std::ldexp(1.0 + std::ldexp(static_cast<double>(within), -axis.bits_per_octave),
+                    axis.lowest_exponent + octave);
+}
+
+/// asinh, odd.
+double area_sinh(double x) {
+  const double value = natural_log(std::abs(x) + std::sqrt(x * x + 1.0));
+  return x < 0.0 ? -value : value;
+}
+
+}  // namespace
+
+double line_potential(double tau, double xi) noexcept {
+  // t = xi + tau sinh v makes dt / r = dv; v = middle + half sin(phi) then makes the square root at the ends
+  // analytic and periodic in phi, where the midpoint rule converges geometrically.
+  const double v_trailing = area_sinh((-1.0 - xi) / tau);
+  const double v_leading = area_sinh((1.0 - xi) / tau);
+  const double middle = 0.5 * (v_trailing + v_leading);
+  const double half = 0.5 * (v_leading - v_trailing);
+  constexpr int points = 64;
+  // sin and cos of the step pi / 64 by halving the angle pi / 2 five times.
+  double cosine_step = 0.0, sine_step = 1.0;
+  for (int n = 0; n < 5; ++n) {
+    sine_step = std::sqrt(0.5 * (1.0 - cosine_step));
+    cosine_step = std::sqrt(0.5 * (1.0 + cosine_step));
+  }
+  const double first = std::sqrt(0.5 * (1.0 - cosine_step));  // sin of half a step
+  double cosine = first, sine = -std::sqrt(0.5 * (1.0 + cosine_step));
+  double sum = 0.0;
+  for (int n = 0; n < points; ++n) {
+    const double e = natural_exp(middle + half * sine);
+    const double t = xi + 0.5 * tau * (e - 1.0 / e);
+    sum += std::sqrt(std::max(0.0, 1.0 - t * t)) * cosine;
+    const double next = cosine * cosine_step - sine * sine_step;
+    sine = sine * cosine_step + cosine * sine_step;
+    cosine = next;
+  }
+  return sum * half * pi / points;
+}
+
+void tabulate(StripKernel& kernel) noexcept {
+  // The integral under the mean grows from node to node by Simpson's rule; before the first node it is the
+  // logarithm's alone.
+  double node = node_value(StripKernel::distance_axis, 0);
+  double integral = 0.5 * strip_displacement(1.0, -node, node);
+  for (int i = 0; i <= StripKernel::distance_axis.intervals(); ++i) {
+    const double next = node_value(StripKernel::distance_axis, i + 1);
+    const double here = line_displacement(1.0, node);
+    kernel.on_middle_plane[static_cast<std::size_t>(i)] = here;
+    kernel.mean_under[static_cast<std::size_t>(i)] = integral / node;
+    integral += (next - node) / 6.0 *
+                (here + 4.0 * line_displacement(1.0, 0.5 * (node + next)) + line_displacement(1.0, next));
+    node = next;
+  }
+  for (int i = 0; i <= StripKernel::chi_axis.intervals(); ++i)
+    for (int j = 0; j <= StripKernel::eta_intervals; ++j) {
+      const double x = node_value(StripKernel::chi_axis, i);
+      const double v = static_cast<double>(j) / StripKernel::eta_intervals;
+      const double eta = 1.0 - v * v;
+      const double tau = std::sqrt(x * (x + 2.0) * v * v * (1.0 + eta));
+      kernel.anywhere[static_cast<std::size_t>(i * (StripKernel::eta_intervals + 1) + j)] =
+          line_potential(std::max(tau, 1e-6), (1.0 + x) * eta);
+    }
+}
+
+double StripKernel::own_edge(double tau) const noexcept {
+  // J(s, 1) bends like sqrt(s): Gauss's three points in u, s = tau u^2.
+  constexpr double u[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+  constexpr double weight[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  double mean = 0.0;
+  for (int n = 0; n < 3; ++n) mean += weight[n] * 2.0 * u[n] * at(tau * u[n] * u[n], 1.0);
+  return mean;
+}
+
+}  // namespace wrc

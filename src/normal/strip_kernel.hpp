@@ -1,0 +1,103 @@
+/// Elastic displacement around a line of semi-elliptic pressure, tabulated: the influence function of the
+/// strip half-space solver.
+///
+///   J(tau, xi) = Int_{-1}^{1} sqrt(1 - t^2) / sqrt((t - xi)^2 + tau^2) dt
+///
+/// is the displacement at lateral distance tau and longitudinal distance xi from a line of half length 1 and
+/// peak pressure 1, per unit of lateral width and of normal compliance. On the line's middle plane (xi = 0)
+/// it is the closed form of contact_condition.hpp; elsewhere it needs elliptic integrals of the third kind,
+/// and a table costs a tenth of them.
+///
+/// J is singular only on the line itself. In the spheroidal coordinates of the line's ends,
+///   chi = (r1 + r2) / 2 >= 1,  eta = (r1 - r2) / 2 in 0..1,  r1,2 = distances to the ends,
+/// it is smooth in eta' = sqrt(1 - eta) and, towards the line, linear in log(chi - 1). The tables are
+/// therefore linear between nodes that stand in every octave of chi - 1 (or tau) at equal distances: the node
+/// is read off the bits of the number, no logarithm is taken.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace wrc {
+
+/// A function of x > 0 on nodes at equal distances within each octave.
+struct OctaveAxis {
+  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
+  int octaves;
+  int bits_per_octave;  ///< 2^bits intervals in each octave
+
+  constexpr int intervals() const { return octaves << bits_per_octave; }
+
+  /// Interval that holds x, and where in it x lies (0..1). x outside the axis is taken to its ends.
+  struct Place {
+    std::int64_t index;
+    double fraction;
+  };
+  Place locate(double x) const noexcept {
+    constexpr int mantissa_bits = 52;
+    constexpr std::int64_t exponent_bias = 1023;
+    const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
+    const int shift = mantissa_bits - bits_per_octave;
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    const std::int64_t index = (bits >> shift) - first;
+    if (index < 0) return {0, 0.0};
+    if (index >= intervals()) return {intervals() - 1, 1.0};
+    const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
+    const double interval = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
+    return {index, static_cast<double>(rest) * interval};
+  }
+};
+
+/// About 100 kB, immutable after tabulate(); one serves all threads.
+struct StripKernel {
+  static constexpr OctaveAxis distance_axis{-12, 20, 6};  // tau = 2.4e-4 .. 256
+  static constexpr OctaveAxis chi_axis{-18, 26, 4};       // chi - 1 = 3.8e-6 .. 256
+  static constexpr int eta_intervals = 24;
+
+  std::array<double, distance_axis.intervals() + 1> on_middle_plane;  ///< J(tau, 0)
+  std::array<double, distance_axis.intervals() + 1> mean_under;       ///< mean of J(s, 0) over 0 < s < tau
+  std::array<double, (chi_axis.intervals() + 1) * (eta_intervals + 1)> anywhere;
+
+  /// J(tau, 0), tau > 0; relative error below 1e-4.
+  double middle_plane(double tau) const noexcept { return read(on_middle_plane.data(), tau); }
+
+  /// Mean of J(s, 0) over |s| < tau: a strip seen from its own middle, tau = half its width.
+  double own_middle(double tau) const noexcept { return read(mean_under.data(), tau); }
+
+  /// J(tau, xi), tau > 0; relative error below 2e-3.
+  double at(double tau, double xi) const noexcept {
+    const double tau2 = tau * tau;
+    const double to_trailing = std::sqrt((xi + 1.0) * (xi + 1.0) + tau2);
+    const double to_leading = std::sqrt((xi - 1.0) * (xi - 1.0) + tau2);
+    const double one_minus_eta = 1.0 - 0.5 * std::abs(to_trailing - to_leading);
+    const auto [row, f] = chi_axis.locate(0.5 * (to_trailing + to_leading) - 1.0);
+    const double v = std::sqrt(std::max(0.0, one_minus_eta)) * eta_intervals;
+    const int column = std::min(static_cast<int>(v), eta_intervals - 1);
+    const double g = v - column;
+    const double* const low = anywhere.data() + row * (eta_intervals + 1) + column;
+    const double* const high = low + eta_intervals + 1;
+    const double at_low = low[0] + g * (low[1] - low[0]);
+    const double at_high = high[0] + g * (high[1] - high[0]);
+    return at_low + f * (at_high - at_low);
+  }
+
+  /// Mean of J(s, 1) over |s| < tau: a strip seen from its own leading edge.
+  double own_edge(double tau) const noexcept;
+
+ private:
+  static double read(const double* values, double tau) noexcept {
+    const auto [index, f] = distance_axis.locate(tau);
+    return values[index] + f * (values[index + 1] - values[index]);
+  }
+};
+
+/// Fills the tables (some milliseconds; at init, not in a step).
+void tabulate(StripKernel& kernel) noexcept;
+
+/// J by quadrature, tau > 0: what the tables are made from [-].
+double line_potential(double tau, double xi) noexcept;
+
+}  // namespace wrc

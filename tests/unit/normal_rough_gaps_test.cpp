@@ -1,0 +1,124 @@
+// Gaps no profile should give, but a vendor's will: every method answers with a status and finite numbers, in
+// bounded time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "normal/analyn.hpp"
+#include "normal/ekp.hpp"
+#include "normal/hertz.hpp"
+#include "normal/kik_piotrowski.hpp"
+#include "normal/strip_halfspace.hpp"
+#include "normal/stripes.hpp"
+#include "normal_gaps.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGap;
+
+class RoughGaps : public testing::Test {
+ protected:
+  static constexpr std::int32_t count = 40;
+  RoughGaps()
+      : kernel(std::make_unique<StripKernel>()),
+        scratch(static_cast<std::size_t>(strip_halfspace_workspace(count))),
+        start_memory(4 * count),
+        owned(count) {
+    tabulate(*kernel);
+    workspace = {scratch.data(), static_cast<std::int64_t>(scratch.size())};
+    double* const block = start_memory.data();
+    start = {count, 0, block, block + count, block + 2 * count, block + 3 * count};
+  }
+
+  void expect_an_answer(const OwnedGap& gap, double load) {
+    const auto solve_half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
+      return solve_strip_halfspace(p, {}, *kernel, workspace, start, s, r);
+    };
+    const std::function<Fault(const NormalProblem&, Strips&, NormalSolution&)> methods[] = {
+        solve_half_space,
+        solve_hertz,
+        solve_analyn,
+        solve_stripes,
+        [](const NormalProblem& p, Strips& s, NormalSolution& r) { return solve_ekp(p, {}, s, r); },
+        [](const NormalProblem& p, Strips& s, NormalSolution& r) {
+          return solve_ekp(p, {EkpScale::ellipse}, s, r);
+        },
+        [](const NormalProblem& p, Strips& s, NormalSolution& r) {
+          return solve_kik_piotrowski(p, {0.55, true}, s, r);
+        },
+    };
+    for (std::size_t m = 0; m < std::size(methods); ++m) {
+      SCOPED_TRACE(m);
+      NormalProblem problem = test::under_load(gap, load, count);
+      problem.force_tolerance = 1e-6;
+      NormalSolution solution;
+      const Fault fault = methods[m](problem, owned.strips, solution);
+      EXPECT_LE(solution.iterations, 60);
+      if (fault.failed()) {
+        EXPECT_EQ(owned.strips.count, 0);
+        continue;
+      }
+      EXPECT_TRUE(std::isfinite(solution.approach) && std::isfinite(solution.stiffness));
+      EXPECT_GT(solution.approach, 0.0);
+      for (std::int32_t j = 0; j < owned.strips.count; ++j) {
+        EXPECT_TRUE(std::isfinite(owned.strips.y[j]) && std::isfinite(owned.strips.centre[j]));
+        EXPECT_GT(owned.strips.width[j], 0.0);
+        EXPECT_GE(owned.strips.half_length[j], 0.0);
+        EXPECT_LT(owned.strips.half_length[j], 1.0);
+        EXPECT_GE(owned.strips.peak[j], 0.0);
+        EXPECT_TRUE(std::isfinite(owned.strips.peak[j]));
+      }
+      if (fault.status != WRC_FLAG_ITERATION_CAP) {
+        EXPECT_NEAR(totals(owned.strips).normal_force, load, 1e-5 * load);
+      }
+    }
+  }
+
+  std::unique_ptr<StripKernel> kernel;
+  std::vector<std::byte> scratch;
+  std::vector<double> start_memory;
+  NormalWorkspace workspace;
+  StripHalfspaceStart start;
+  test::OwnedStrips owned;
+};
+
+TEST_F(RoughGaps, Noise) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-1.0, 1.0);
+  for (int n = 0; n < 300; ++n) {
+    OwnedGap gap;
+    const double amplitude = 30e-6 * (n % 10) / 10.0;
+    const int rows = 4 + n % 120;
+    for (int j = 0; j < rows; ++j) {
+      const double y = 40e-3 * (j / (rows - 1.0) - 0.5);
+      gap.add(y, 0.5 * y * y + amplitude * noise(random), 2.0 + noise(random), 2e-3 * noise(random));
+    }
+    SCOPED_TRACE(n);
+    expect_an_answer(gap, 80e3 * std::pow(10.0, noise(random)));
+  }
+}
+
+TEST_F(RoughGaps, FlatConcaveKinkedAndTilted) {
+  OwnedGap flat, concave, kinked, tilted, step, everywhere_negative;
+  for (int j = 0; j <= 100; ++j) {
+    const double y = 0.4e-3 * (j - 50);
+    flat.add(y, 0.0, 2.0);
+    concave.add(y, -0.3 * y * y, 2.0);
+    kinked.add(y, std::abs(y) * 0.02, 2.0);
+    tilted.add(y, 0.01 * y, 2.0);
+    step.add(y, y < 1e-3 ? 0.0 : 1e-3, 2.0);
+    everywhere_negative.add(y, y * y - 1.0, 2.0);
+  }
+  for (const OwnedGap* gap : {&flat, &concave, &kinked, &tilted, &step, &everywhere_negative})
+    for (const double load : {1e-3, 1.0, 1e3, 80e3, 1e6}) {
+      SCOPED_TRACE(load);
+      expect_an_answer(*gap, load);
+    }
+}
+
+}  // namespace
+}  // namespace wrc

@@ -1,0 +1,283 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "normal/hertz_theory.hpp"
+#include "normal/strip_halfspace.hpp"
+#include "normal_gaps.hpp"
+#include "patch/regularise.hpp"
+#include "patch/split.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGap;
+using test::OwnedStrips;
+
+const StripKernel& kernel() {
+  static const std::unique_ptr<StripKernel> tables = [] {
+    auto filled = std::make_unique<StripKernel>();
+    tabulate(*filled);
+    return filled;
+  }();
+  return *tables;
+}
+
+/// A contact's memory, and a solve with it.
+struct Solver {
+  explicit Solver(std::int32_t count = 60)
+      : owned(count),
+        scratch(static_cast<std::size_t>(strip_halfspace_workspace(count))),
+        start_memory(static_cast<std::size_t>(4 * count)) {
+    workspace = {scratch.data(), static_cast<std::int64_t>(scratch.size())};
+    double* const block = start_memory.data();
+    start = {count, 0, block, block + count, block + 2 * count, block + 3 * count};
+  }
+  Fault operator()(const NormalProblem& problem) {
+    return solve_strip_halfspace(problem, options, kernel(), workspace, start, owned.strips, solution);
+  }
+  Fault cold(const NormalProblem& problem) {
+    start.count = 0;
+    return (*this)(problem);
+  }
+  const Strips& strips() const { return owned.strips; }
+
+  OwnedStrips owned;
+  std::vector<std::byte> scratch;
+  std::vector<double> start_memory;
+  NormalWorkspace workspace;
+  StripHalfspaceStart start;
+  StripHalfspaceOptions options;
+  NormalSolution solution;
+};
+
+int count_patches(const Strips& strips) {
+  int patches = 0;
+  for (std::int32_t j = 0; j < strips.count; ++patches) j = patch_end(strips, j);
+  return patches;
+}
+
+TEST(StripKernel, IsTheClosedFormOnTheMiddlePlane) {
+  for (double tau = 0.004; tau < 60.0; tau *= 1.3) {
+    const double k = 1.0 / std::sqrt(1.0 + tau * tau);
+    const double closed = 2.0 * std::sqrt(1.0 + tau * tau) * (std::comp_ellint_1(k) - std::comp_ellint_2(k));
+    EXPECT_NEAR(line_potential(tau, 0.0), closed, 1e-9 * closed) << tau;
+    EXPECT_NEAR(kernel().middle_plane(tau), closed, 1e-4 * closed) << tau;
+    EXPECT_NEAR(kernel().at(tau, 0.0), closed, 2e-3 * closed) << tau;
+  }
+}
+
+TEST(StripKernel, TableFollowsTheQuadrature) {
+  for (double tau = 0.01; tau < 60.0; tau *= 1.7)
+    for (double xi = 0.0; xi < 12.0; xi += 0.13) {
+      const double exact = line_potential(tau, xi);
+      EXPECT_NEAR(kernel().at(tau, xi), exact, 2e-3 * exact) << tau << " " << xi;
+    }
+}
+
+TEST(StripKernel, IsThePointLoadFarAway) {
+  // The line carries pi / 2.
+  EXPECT_NEAR(line_potential(40.0, 30.0), pi / 2.0 / 50.0, 2e-4 * pi / 2.0 / 50.0);
+}
+
+TEST(StripHalfspace, IsHertzOnEllipticGaps) {
+  Solver solve;
+  for (const double ratio : {36.5, 11.8, 6.24, 2.84, 1.0, 0.352, 0.0846, 0.0274}) {
+    SCOPED_TRACE(ratio);
+    const HertzEllipse hertz = hertz_ellipse(1.0, 1.0 / ratio, 60e-6, test::steel.normal_compliance());
+    const OwnedGap gap = test::elliptic_gap(1.0, 1.0 / ratio, 2.5 * hertz.b, 201);
+    ASSERT_EQ(solve.cold(test::under_load(gap, hertz.normal_force)).status, WRC_OK);
+    EXPECT_NEAR(solve.solution.peak_pressure, hertz.peak, 5e-3 * hertz.peak);
+    EXPECT_NEAR(solve.solution.area, pi * hertz.a * hertz.b, 5e-3 * pi * hertz.a * hertz.b);
+    EXPECT_NEAR(solve.solution.approach, 60e-6, 5e-3 * 60e-6);
+    EXPECT_NEAR(totals(solve.strips()).normal_force, hertz.normal_force, 1e-9 * hertz.normal_force);
+    const double stiffness = 1.5 * hertz.normal_force / 60e-6;
+    EXPECT_NEAR(solve.solution.stiffness, stiffness, 0.02 * stiffness);
+  }
+}
+
+TEST(StripHalfspace, ConvergesWithTheStripsOnHertz) {
+  const HertzEllipse hertz = hertz_ellipse(1.0, 0.5, 60e-6, test::steel.normal_compliance());
+  const OwnedGap gap = test::elliptic_gap(1.0, 0.5, 2.5 * hertz.b, 401);
+  double error_at_30 = 0.0;
+  for (const int count : {30, 120}) {
+    Solver solve(count);
+    solve.options = {60, 1e-5};
+    ASSERT_EQ(solve.cold(test::under_load(gap, hertz.normal_force, count)).status, WRC_OK);
+    const double error = std::abs(solve.solution.approach / 60e-6 - 1.0) +
+                         std::abs(solve.solution.peak_pressure / hertz.peak - 1.0);
+    if (count == 30)
+      error_at_30 = error;
+    else
+      EXPECT_LT(error, std::max(0.5 * error_at_30, 1e-3));
+    EXPECT_LT(error, 1e-2);
+  }
+}
+
+TEST(StripHalfspace, FindsTheSecondPeakOfS1002OnUic60) {
+  // CONTACT (full half-space solution, 0.1 mm cells) on this case: approach 0.06714 mm, area 175.5 mm^2, peak
+  // 862 MPa on the flange side and 658 MPa on the tread, where methods of one contact condition have 600 MPa
+  // in one peak.
+  const OwnedGap gap = test::s1002_on_uic60();
+  Solver solve;
+  ASSERT_EQ(solve.cold(test::under_load(gap, 80e3)).status, WRC_OK);
+  EXPECT_NEAR(solve.solution.approach, 67.14e-6, 0.005 * 67.14e-6);
+  EXPECT_NEAR(solve.solution.area, 175.5e-6, 0.02 * 175.5e-6);
+  EXPECT_NEAR(solve.solution.peak_pressure, 862e6, 0.02 * 862e6);
+  const Strips& strips = solve.strips();
+  double tread = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j)
+    if (strips.y[j] > -4e-3) tread = std::max(tread, strips.peak[j]);
+  EXPECT_NEAR(tread, 658e6, 0.02 * 658e6);
+}
+
+TEST(StripHalfspace, GoesFromLoadToApproachAndBack) {
+  const OwnedGap gap = test::s1002_on_uic60();
+  Solver solve;
+  solve.options = {60, 1e-5};
+  for (const double load : {10e3, 80e3, 150e3}) {
+    SCOPED_TRACE(load);
+    ASSERT_EQ(solve.cold(test::under_load(gap, load)).status, WRC_OK);
+    const double approach = solve.solution.approach, stiffness = solve.solution.stiffness;
+    EXPECT_NEAR(solve.solution.normal_force, load, 1e-9 * load);
+    // The strips stand a little elsewhere when the approach is given: discretisation, not convergence.
+    ASSERT_EQ(solve.cold(test::under_approach(gap, approach)).status, WRC_OK);
+    EXPECT_NEAR(solve.solution.normal_force, load, 3e-3 * load);
+    const double before = solve.solution.normal_force;
+    ASSERT_EQ(solve(test::under_approach(gap, 1.02 * approach)).status, WRC_OK);
+    EXPECT_NEAR((solve.solution.normal_force - before) / (0.02 * approach), stiffness, 0.06 * stiffness);
+  }
+}
+
+TEST(StripHalfspace, WarmStartAgreesWithColdInFewerSweeps) {
+  const OwnedGap gap = test::s1002_on_uic60();
+  Solver warm, cold;
+  ASSERT_EQ(cold.cold(test::under_load(gap, 80e3)).status, WRC_OK);
+  ASSERT_EQ(warm.cold(test::under_load(gap, 79e3)).status, WRC_OK);
+  ASSERT_EQ(warm(test::under_load(gap, 80e3)).status, WRC_OK);
+  EXPECT_LT(warm.solution.iterations, cold.solution.iterations);
+  EXPECT_NEAR(warm.solution.approach, cold.solution.approach, 2e-3 * cold.solution.approach);
+  EXPECT_NEAR(warm.solution.area, cold.solution.area, 1e-2 * cold.solution.area);
+}
+
+TEST(StripHalfspace, StaysPutWhenSolvedAgainAndAgain) {
+  OwnedGap gap = test::s1002_on_uic60();
+  for (std::size_t j = 0; j < gap.y.size(); ++j) gap.centre[j] = -0.05 * gap.y[j];
+  Solver solve;
+  ASSERT_EQ(solve.cold(test::under_load(gap, 80e3)).status, WRC_OK);
+  const NormalSolution first = solve.solution;
+  for (int n = 0; n < 300; ++n) ASSERT_EQ(solve(test::under_load(gap, 80e3)).status, WRC_OK);
+  EXPECT_NEAR(solve.solution.peak_pressure, first.peak_pressure, 0.02 * first.peak_pressure);
+  EXPECT_NEAR(solve.solution.area, first.area, 0.01 * first.area);
+}
+
+/// Two equal paraboloids side by side, 2 * apart from crest to crest.
+OwnedGap twin_gap(double apart) {
+  OwnedGap gap;
+  for (int j = 0; j <= 240; ++j) {
+    const double y = -30e-3 + 0.25e-3 * j;
+    const double from_crest = std::abs(y) - apart;
+    gap.add(y, 1.0 * from_crest * from_crest, 2.0);
+  }
+  return gap;
+}
+
+TEST(StripHalfspace, SpotsPushEachOtherApart) {
+  // Far apart, each spot of radius a is Hertz's under half the load, lowered by the other's far field c (N/2)
+  // / (2 apart).
+  const double apart = 16e-3;
+  const OwnedGap gap = twin_gap(apart);
+  const double approach_alone = 60e-6;
+  const HertzEllipse hertz = hertz_ellipse(1.0, 1.0, approach_alone, test::steel.normal_compliance());
+  Solver solve(80);
+  ASSERT_EQ(solve.cold(test::under_load(gap, 2.0 * hertz.normal_force, 80)).status, WRC_OK);
+  EXPECT_EQ(count_patches(solve.strips()), 2);
+  const double push = test::steel.normal_compliance() * hertz.normal_force / (2.0 * apart);
+  EXPECT_NEAR(solve.solution.approach, approach_alone + push, 0.01 * (approach_alone + push));
+  EXPECT_NEAR(solve.solution.peak_pressure, hertz.peak, 0.02 * hertz.peak);
+  EXPECT_NEAR(solve.solution.area, 2.0 * pi * hertz.a * hertz.b, 0.02 * solve.solution.area);
+  // A slice is a patch of its own, with half of the load.
+  const Strips& both = solve.strips();
+  const std::int32_t border = patch_end(both, 0);
+  EXPECT_NEAR(totals(slice(both, 0, border)).normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
+}
+
+TEST(StripHalfspace, SpotsMergeAndPartWithoutAJump) {
+  Solver solve;
+  double area = 0.0, approach = 0.0;
+  int fewest = 9, most = 0;
+  for (double apart = 10e-3; apart > 2e-3; apart -= 0.05e-3) {
+    const OwnedGap gap = twin_gap(apart);
+    ASSERT_EQ(solve(test::under_load(gap, 60e3)).status, WRC_OK) << apart;
+    if (area > 0.0) {
+      EXPECT_NEAR(solve.solution.area, area, 0.02 * area) << apart;
+      EXPECT_NEAR(solve.solution.approach, approach, 0.02 * approach) << apart;
+    }
+    area = solve.solution.area;
+    approach = solve.solution.approach;
+    fewest = std::min(fewest, count_patches(solve.strips()));
+    most = std::max(most, count_patches(solve.strips()));
+  }
+  EXPECT_EQ(fewest, 1);
+  EXPECT_EQ(most, 2);
+}
+
+TEST(StripHalfspace, MirrorsWithTheGap) {
+  const OwnedGap gap = test::s1002_on_uic60();
+  const OwnedGap mirror = test::mirrored(gap);
+  Solver right, left;
+  ASSERT_EQ(right.cold(test::under_load(gap, 80e3)).status, WRC_OK);
+  ASSERT_EQ(left.cold(test::under_load(mirror, 80e3)).status, WRC_OK);
+  EXPECT_NEAR(right.solution.approach, left.solution.approach, 1e-6 * right.solution.approach);
+  for (int j = 0; j < 60; ++j)
+    EXPECT_NEAR(right.strips().peak[j], left.strips().peak[59 - j], 1e-4 * right.solution.peak_pressure);
+}
+
+TEST(StripHalfspace, MovesSmoothlyWithTheLoad) {
+  const OwnedGap gap = test::s1002_on_uic60();
+  Solver solve;
+  double area = 0.0, border = 0.0;
+  for (double load = 60e3; load < 100e3; load *= 1.002) {
+    ASSERT_EQ(solve(test::under_load(gap, load)).status, WRC_OK) << load;
+    const StripTotals sum = totals(solve.strips());
+    if (area > 0.0) {
+      EXPECT_NEAR(sum.area, area, 0.006 * area) << load;
+      EXPECT_NEAR(sum.y_min, border, 0.1e-3) << load;
+    }
+    area = sum.area;
+    border = sum.y_min;
+  }
+}
+
+TEST(StripHalfspace, NamesWhatIsWrong) {
+  const OwnedGap good = test::s1002_on_uic60();
+  Solver solve;
+  EXPECT_EQ(solve.cold(test::under_load(good, 0.0)).status, WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(solve.strips().count, 0);
+  EXPECT_EQ(solve.cold(test::under_load(good, -1.0)).status, WRC_ERROR_RANGE);
+  EXPECT_EQ(solve.cold(test::under_load(good, NAN)).status, WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(solve.cold(test::under_load(good, 1e9)).status, WRC_ERROR_LOAD);
+  EXPECT_EQ(solve.cold(test::under_approach(good, 1.0)).status, WRC_ERROR_LOAD);
+  EXPECT_EQ(solve.cold(test::under_load(good, 80e3, 61)).status, WRC_ERROR_BUFFER);
+  solve.workspace.bytes -= 1;
+  EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_ERROR_BUFFER);
+  solve.workspace.bytes += 1;
+
+  solve.options.max_sweeps = 1;
+  EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_FLAG_ITERATION_CAP);
+  EXPECT_NEAR(totals(solve.strips()).normal_force, 80e3, 1e-3);
+  solve.options = {};
+
+  OwnedGap cut;
+  for (std::size_t j = 30; j < good.y.size(); ++j) cut.add(good.y[j], good.height[j], good.curvature[j]);
+  EXPECT_EQ(solve.cold(test::under_load(cut, 80e3)).status, WRC_FLAG_PATCH_AT_EDGE);
+  EXPECT_NEAR(solve.solution.normal_force, 80e3, 1e-3);
+
+  EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_OK);
+}
+
+}  // namespace
+}  // namespace wrc
