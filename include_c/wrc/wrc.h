@@ -100,9 +100,9 @@ enum wrc_normal_method {
   WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
   WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
   WRC_NORMAL_EKP_ELLIPSE = 3,     /**< EKP, threshold varying over y: exact for elliptic gaps (CONTACT's KPEC) */
-  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in CONTACT's modified form, after VSD 52 (2014); unconfirmed */
+  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
   WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
-  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips with own peak and length in half-space equilibrium; several patches */
+  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
 };
 
 /** Criteria by which a patch gets its equivalent double ellipse. */
@@ -184,8 +184,8 @@ typedef struct wrc_config {
   int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
   int32_t max_iterations;      /**< cap of every iteration in the normal problem, 4..1000 [60] */
   int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */
-  int32_t warm_start;          /**< 1: the strip half-space solver starts from the contact's last solution, faster;
-                                    0: results depend on the inputs of the call alone [0] */
+  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution;
+                                  0: results depend on the inputs of the call alone [0] */
   double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
   double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
   double load_tolerance;       /**< relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
@@ -213,7 +213,9 @@ typedef struct wrc_pose {
 typedef struct wrc_contact_point {
   uint32_t struct_size;  /**< sizeof this struct */
   uint32_t reserved;     /**< 0 */
-  double x, y, z;        /**< on the rail, track frame [m]; x is that of the wheel's point */
+  double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
+  double y; /**< see x */
+  double z; /**< see x */
   double y_wheel;        /**< in the coordinates of the wheel profile, flange side negative [m] */
   double y_rail;         /**< from the origin of the rail profile, after canting; field side positive [m] */
   double angle;          /**< contact angle: rotation about x from the track to the contact frame [rad] */
@@ -282,7 +284,8 @@ typedef struct wrc_patch {
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
   double width;         /**< extent along y [m] */
-  double y_min, y_max;  /**< lateral borders [m] */
+  double y_min; /**< lateral borders [m] */
+  double y_max; /**< see y_min */
 } wrc_patch;
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
@@ -300,7 +303,8 @@ typedef struct wrc_strips {
 typedef struct wrc_forces {
   uint32_t struct_size;     /**< sizeof this struct */
   uint32_t reserved;        /**< 0 */
-  double fx, fy;            /**< creep forces [N] */
+  double fx; /**< creep forces [N] */
+  double fy; /**< see fx */
   double fn;                /**< normal force, compressive positive [N] */
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed [W], >= 0 */
@@ -316,11 +320,10 @@ typedef struct wrc_motion {
   double vertical_velocity; /**< down, -20..20 m/s [0] */
   double roll_rate;         /**< -100..100 rad/s [0] */
   double yaw_rate;          /**< -100..100 rad/s [0] */
-  double pitch_rate;        /**< about y: negative when rolling forward, -2000..2000 rad/s [0] */
+  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0] */
 } wrc_motion;
 
-/** Wear and rolling contact fatigue numbers of the last wrc_tangential. With several patches, the indices are those of
- * the patch nearest to damage. */
+/** Wear and rolling contact fatigue numbers of the last wrc_tangential. */
 typedef struct wrc_damage {
   uint32_t struct_size;       /**< sizeof this struct */
   uint32_t reserved;          /**< 0 */
@@ -339,8 +342,13 @@ typedef struct wrc_damage {
 typedef struct wrc_coefficients {
   uint32_t struct_size;          /**< sizeof this struct */
   uint32_t reserved;             /**< 0 */
-  double c11, c22, c23;          /**< Kalker's, for the ellipse a, b */
-  double c11s, c13s, c22s, c23s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c11; /**< Kalker's, for the ellipse a, b */
+  double c22; /**< see c11 */
+  double c23; /**< see c11 */
+  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c13s; /**< see c11s */
+  double c22s; /**< see c11s */
+  double c23s; /**< see c11s */
 } wrc_coefficients;
 
 /** What wrc_step() reads. Pointers are the caller's and only read during the call. */
@@ -415,7 +423,7 @@ WRC_API int32_t wrc_friction_init(wrc_friction* friction);               /**< De
 WRC_API int32_t wrc_patch_init(wrc_patch* patch);                        /**< Defaults of a patch. */
 WRC_API int32_t wrc_strips_init(wrc_strips* strips);                     /**< Defaults of strips. */
 WRC_API int32_t wrc_forces_init(wrc_forces* forces);                     /**< Defaults of forces. */
-WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a motion. */
+WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a wheelset's motion. */
 WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< Defaults of damage numbers. */
 WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
 WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
@@ -523,12 +531,12 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
-/** Creepages at the contact point of the last wrc_geometry, from the rigid motion of the wheelset. Theory manual,
- * section 7.
- * @param contact after wrc_geometry
+/** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
+ * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
+ * and rail material pass through the contact. All zero at standstill. Theory manual, section 7.
+ * @param contact the contact
  * @param motion of the wheelset, track frame
- * @param[out] creepage contact frame; its speed becomes the rolling speed, the mean of the speeds at which the material
- * of wheel and rail passes through the contact; all zero at standstill; NULL: not wanted
+ * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
@@ -539,9 +547,9 @@ WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wr
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE
- * (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none), _GAP, _LOAD, _NOT_FINITE,
- * _RANGE, _UNSUPPORTED. @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
+ * _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
+ * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
@@ -607,24 +615,23 @@ WRC_API int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, con
  * @return as wrc_step(). @rt hard @thread contact */
 WRC_API int32_t wrc_step_flat(wrc_contact* contact, const double* in, double* out);
 
-/** One patch of a contact that has several. Moments are about the origin of the contact frame, so that the forces of
- * the patches add up to those of the contact.
+/** One of the contact's patches with its forces. Moments are about the origin of the contact frame: the forces of all
+ * patches add up to those of the contact.
  * @param contact the contact
  * @param index 0 .. wrc_patch.patches - 1, by increasing y
- * @param[out] patch NULL: not wanted
- * @param[out] forces zero before wrc_tangential; NULL: not wanted
+ * @param[out] patch the patch; NULL: not wanted
+ * @param[out] forces on the wheel; zero before wrc_tangential; NULL: not wanted
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
 
-/** Shows a field of one patch after the last call, without copying it.
+/** Shows a field of one patch after the last call without copying it.
  * @param contact the contact
- * @param patch 0 .. wrc_patch.patches - 1, by increasing y; the gap's fields ignore it
+ * @param patch 0 .. wrc_patch.patches - 1, by increasing y; the fields of the gap ignore it
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
- * _UNSUPPORTED (no such field).
- * @rt hard @thread contact */
+ * _UNSUPPORTED (no such field). @rt hard @thread contact */
 WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */
