@@ -13,24 +13,24 @@ namespace {
 constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.25};
 constexpr double peak = 1e9;
 
-struct Setup {
+struct Case {
   SdecPatch patch;
   double friction = 0.3;
   int n = 32;
   double load() const { return 2.0 / 3.0 * pi * patch.a * patch.b * peak; }
 };
 
-RollingProblem rolling(const Setup& setup, const Grid& grid, const Creepage& creepage) {
+RollingProblem rolling(const Case& contact, const Grid& grid, const Creepage& creepage) {
   RollingProblem problem;
-  problem.pressure = sdec_pressure(setup.patch, peak, grid, CellPressure::mean);
-  problem.friction = {setup.friction};
+  problem.pressure = sdec_pressure(contact.patch, peak, grid, CellPressure::mean);
+  problem.friction = {contact.friction};
   problem.creepage = creepage;
   return problem;
 }
 
-RollingSolution solve(const Setup& setup, const Creepage& creepage) {
-  const Grid grid = grid_over(setup.patch, setup.n, setup.n);
-  return RollingSolver(grid, steel).solve(rolling(setup, grid, creepage));
+RollingSolution solve(const Case& contact, const Creepage& creepage) {
+  const Grid grid = grid_over(contact.patch, contact.n, contact.n);
+  return RollingSolver(grid, steel).solve(rolling(contact, grid, creepage));
 }
 
 // Kalker's printed coefficients for nu = 0.25 (theory manual, table of Kalker coefficients); the band
@@ -57,17 +57,17 @@ TEST(HalfspaceLinearTheory, IsReciprocal) {
 }
 
 TEST(HalfspaceRolling, TinyCreepageGivesLinearTheory) {
-  const Setup setup{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.3}, .n = 48};
+  const Case contact{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.3}, .n = 48};
   const LinearCoefficients c = linear_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16);
-  const double nu = 1e-3 * setup.friction * setup.load() / (steel.shear_modulus * 24e-6);
-  const RollingSolution s = solve(setup, {.longitudinal = nu});
+  const double nu = 1e-3 * contact.friction * contact.load() / (steel.shear_modulus * 24e-6);
+  const RollingSolution s = solve(contact, {.longitudinal = nu});
   EXPECT_NEAR(s.forces.fx / (-steel.shear_modulus * 24e-6 * c.c11 * nu), 1.0, 0.03);
 }
 
 TEST(HalfspaceRolling, LargeCreepageGivesCoulombsForceAndItsDissipation) {
-  const Setup setup{.patch = {.a = 5e-3, .b = 4e-3, .psi = 0.0}};
-  const RollingSolution s = solve(setup, {.longitudinal = 0.03, .lateral = -0.04});
-  const double full = setup.friction * setup.load();
+  const Case contact{.patch = {.a = 5e-3, .b = 4e-3, .psi = 0.0}};
+  const RollingSolution s = solve(contact, {.longitudinal = 0.03, .lateral = -0.04});
+  const double full = contact.friction * contact.load();
   EXPECT_EQ(s.fault.status, WRC_OK);
   EXPECT_NEAR(s.forces.fx / full, -0.6, 2e-3);
   EXPECT_NEAR(s.forces.fy / full, 0.8, 2e-3);
@@ -76,28 +76,29 @@ TEST(HalfspaceRolling, LargeCreepageGivesCoulombsForceAndItsDissipation) {
 }
 
 TEST(HalfspaceRolling, TractionsObeyCoulomb) {
-  const Setup setup{.patch = {.a = 4e-3, .b = 6e-3, .psi = -0.4}};
-  const Grid grid = grid_over(setup.patch, setup.n, setup.n);
-  const RollingProblem problem = rolling(setup, grid, {.longitudinal = 1e-3, .lateral = -5e-4, .spin = 0.3});
+  const Case contact{.patch = {.a = 4e-3, .b = 6e-3, .psi = -0.4}};
+  const Grid grid = grid_over(contact.patch, contact.n, contact.n);
+  const RollingProblem problem =
+      rolling(contact, grid, {.longitudinal = 1e-3, .lateral = -5e-4, .spin = 0.3});
   const RollingSolution s = RollingSolver(grid, steel).solve(problem);
   ASSERT_EQ(s.fault.status, WRC_OK);
   EXPECT_GT(s.forces.adhesion_fraction, 0.05);
   EXPECT_LT(s.forces.adhesion_fraction, 0.95);
   for (std::size_t k = 0; k < grid.cells(); ++k) {
-    const double g = setup.friction * problem.pressure[k];
+    const double g = contact.friction * problem.pressure[k];
     const double p = std::hypot(s.traction_x[k], s.traction_y[k]),
                  slip = std::hypot(s.slip_x[k], s.slip_y[k]);
-    EXPECT_LE(p, g + 1e-2 * setup.friction * peak);
+    EXPECT_LE(p, g + 1e-2 * contact.friction * peak);
     if (s.state[k] == CellState::slip) {
       const double power = -(s.traction_x[k] * s.slip_x[k] + s.traction_y[k] * s.slip_y[k]);
-      EXPECT_NEAR(power, p * slip, 1e-4 * setup.friction * peak * 1e-3);
+      EXPECT_NEAR(power, p * slip, 1e-4 * contact.friction * peak * 1e-3);
     }
   }
 }
 
 // y -> -y turns (psi, nu_y, phi) into their opposites, and with them F_y and M_z.
 TEST(HalfspaceRolling, MirrorImage) {
-  const Setup left{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.4}},
+  const Case left{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.4}},
       right{.patch = {.a = 4e-3, .b = 6e-3, .psi = -0.4}};
   const RollingSolution l = solve(left, {.longitudinal = 1e-3, .lateral = 7e-4, .spin = 0.3});
   const RollingSolution r = solve(right, {.longitudinal = 1e-3, .lateral = -7e-4, .spin = -0.3});
@@ -136,21 +137,21 @@ TEST(HalfspaceRolling, ForceConvergesCleanlyWithTheGrid) {
 }
 
 TEST(HalfspaceRolling, FrictionFieldOfEqualValuesIsTheScalar) {
-  const Setup setup{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.2}};
-  const Grid grid = grid_over(setup.patch, setup.n, setup.n);
-  RollingProblem problem = rolling(setup, grid, {.longitudinal = 1e-3});
+  const Case contact{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.2}};
+  const Grid grid = grid_over(contact.patch, contact.n, contact.n);
+  RollingProblem problem = rolling(contact, grid, {.longitudinal = 1e-3});
   RollingSolver solver(grid, steel);
   const double scalar = solver.solve(problem).forces.fx;
-  problem.friction.assign(grid.cells(), setup.friction);
+  problem.friction.assign(grid.cells(), contact.friction);
   EXPECT_NEAR(solver.solve(problem).forces.fx / scalar, 1.0, 1e-6);
   problem.friction.assign(grid.cells(), 0.0);
   EXPECT_EQ(solver.solve(problem).forces.fx, 0.0);
 }
 
 TEST(HalfspaceRolling, CanBeCancelledAndRejectsNonsense) {
-  const Setup setup{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.2}};
-  const Grid grid = grid_over(setup.patch, setup.n, setup.n);
-  RollingProblem problem = rolling(setup, grid, {.longitudinal = 1e-3});
+  const Case contact{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.2}};
+  const Grid grid = grid_over(contact.patch, contact.n, contact.n);
+  RollingProblem problem = rolling(contact, grid, {.longitudinal = 1e-3});
   problem.progress.report = [](double, void*) { return false; };
   RollingSolver solver(grid, steel);
   EXPECT_EQ(solver.solve(problem).fault.status, WRC_ERROR_CANCELLED);
