@@ -18,8 +18,9 @@ double first_guess(const NormalProblem& problem, double coefficient_x) noexcept;
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
                        Fault& fault) noexcept;
 
-/// A straightened measure of the load: N grows like approach^1.5 on elliptic gaps and like approach^1.4 on worn ones,
-/// so N^{11/16} grows almost like the approach itself and the secant rule on it needs four evaluations.
+/// A straightened measure of the load: N grows like approach^1.5 on elliptic gaps and like approach^1.4 on
+/// worn ones, so N^{11/16} grows almost like the approach itself and the secant rule on it needs four
+/// evaluations.
 inline double straightened(double normal_force) noexcept {
   const double half = std::sqrt(normal_force);
   const double eighth = std::sqrt(std::sqrt(half));
