@@ -143,6 +143,14 @@ inline double width_correction(double w, double l, double r2) {
   return 2.0 * t2 * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 / 42.0)) * l / std::sqrt(l * l + r2);
 }
 
+/// J(tau, xi) for xi mostly near 0: the middle plane's with the leading effect of xi, which is right both
+/// near the line, sqrt(1 - xi^2), and far from it, 1 / sqrt(tau^2 + xi^2).
+inline double seen_from(const StripKernel& kernel, double tau, double xi) {
+  const double xi2 = xi * xi;
+  if (xi2 > 0.09) return kernel.at(tau, std::abs(xi));
+  return kernel.middle_plane(tau) * (1.0 - 0.5 * xi2 / (1.0 + tau * tau));
+}
+
 void build_influence(const StripKernel& kernel, System& s) {
   constexpr std::int32_t near = 8;  // strips away: beyond, the correction is below 2e-3 of an entry
   const std::int32_t n = s.grid.count;
@@ -150,12 +158,8 @@ void build_influence(const StripKernel& kernel, System& s) {
   for (std::int32_t j = 0; j < n; ++j) {
     double* const row = s.influence + static_cast<std::int64_t>(j) * n;
     for (std::int32_t i = 0; i < n; ++i) {
-      double distance = std::abs(s.grid.y[i] - s.grid.y[j]);
-      if (s.skewed) {
-        const double dx = s.centre[i] - s.centre[j];
-        distance = std::sqrt(distance * distance + dx * dx);
-      }
-      row[i] = s.grid.width[i] * kernel.middle_plane(distance * s.inverse_length[i]);
+      const double tau = std::abs(s.grid.y[i] - s.grid.y[j]) * s.inverse_length[i];
+      row[i] = s.grid.width[i] * seen_from(kernel, tau, (s.centre[i] - s.centre[j]) * s.inverse_length[i]);
     }
     for (std::int32_t i = std::max(j - near, 0); i < std::min(j + near + 1, n); ++i) {
       if (i == j) continue;
