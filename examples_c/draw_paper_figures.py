@@ -93,8 +93,11 @@ class BadInput(Exception):
     """One line for the user: which file, and what is wrong with it."""
 
 
-def read_columns(path, required, text=()):
-    """Columns of a CSV file by name: numpy arrays of finite numbers, lists of strings for those named in text."""
+def read_columns(path, required, text=(), undefined=()):
+    """Columns of a CSV file by name: numpy arrays of numbers, lists of strings for those named in text.
+
+    Numbers must be finite, except in the columns named in undefined.
+    """
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
@@ -122,7 +125,7 @@ def read_columns(path, required, text=()):
                 columns[name][k] = float(value)
             except ValueError:
                 raise BadInput(f"{path}:{k + 2}: {name} = '{value}' is not a number") from None
-            if not math.isfinite(columns[name][k]):
+            if name not in undefined and not math.isfinite(columns[name][k]):
                 raise BadInput(f"{path}:{k + 2}: {name} = {value} is not finite")
     return columns
 
@@ -144,20 +147,22 @@ class Fields:
         strips = read_columns(directory / f"{stem}_strips.csv", STRIP_COLUMNS)
         path = directory / f"{stem}_cells.csv"
         cells = read_columns(path, ("strip",) + CELL_COLUMNS)
-        strip = cells["strip"].astype(int)
-        count = np.bincount(strip, minlength=len(strips["y_m"])) if strip.min() >= 0 else np.array([])
-        if len(count) != len(strips["y_m"]) or count.min() == 0:
+        number_of, count = np.unique(cells["strip"], return_counts=True)
+        if not np.array_equal(number_of, np.arange(len(strips["y_m"]))):
             raise BadInput(f"{path}: its strips are not those of {stem}_strips.csv")
         trail, lead = strips["x_trail_m"], strips["x_lead_m"]
-        self.__set_cells(cells, ((lead - trail) / count)[strip])
+        self.__set_cells(cells, ((lead - trail) / count)[cells["strip"].astype(int)])
         self.__set_strips(strips, trail, lead, strips["peak_pressure_Pa"])
 
     def __read_rectangles(self, directory, stem):
         strips = read_columns(directory / f"{stem}_strips.csv", ("y_m", "width_m", "power_W_per_m"))
         path = directory / f"{stem}_cells.csv"
-        cells = read_columns(path, CELL_COLUMNS + ("length_m",))
+        # Where nothing presses, the fatigue index is 0/0.
+        cells = read_columns(path, CELL_COLUMNS + ("length_m",), undefined=("fatigue_index",))
         loaded = cells["pressure_Pa"] > 0.0
         cells = {name: values[loaded] for name, values in cells.items()}
+        if not np.isfinite(cells["fatigue_index"]).all():
+            raise BadInput(f"{path}: a fatigue_index under pressure is not finite")
         rows = [np.isclose(cells["y_m"], y, rtol=0.0, atol=0.25 * width)
                 for y, width in zip(strips["y_m"], strips["width_m"])]
         touched = np.array([row.any() for row in rows])
@@ -235,6 +240,7 @@ def number(value, form):
 
 def save(figure, directory, name):
     path = directory / f"{name}.png"
+    figure.draw_without_rendering()  # the layout settles in the second pass: colour bars change with their ticks
     figure.savefig(path, metadata={"Software": None})
     plt.close(figure)
     return path
@@ -274,11 +280,12 @@ def draw_maps(directory, part, results, name, title, note, bar_label, values_of,
     y_limits, x_limits = patch_limits(results, 0.2)
     panel_width = 3.7 if part is PROFILES else 3.1
     row_height = panel_width * np.ptp(x_limits) / np.ptp(y_limits) + 1.15
-    figure = plt.figure(figsize=(panel_width * columns + 1.7, row_height * len(results) + 0.7), layout="constrained")
+    foot_height = 0.15 + 0.2 * len(note.splitlines())
+    figure = plt.figure(figsize=(panel_width * columns + 1.7, row_height * len(results) + 0.3 + foot_height), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.06, h_pad=0.05)
     figure.suptitle(title)
-    *rows, foot = figure.subfigures(len(results) + 1, 1, height_ratios=[row_height] * len(results) + [0.5])
-    foot.text(0.5, 0.6, note, ha="center", va="center", fontsize=10)
+    *rows, foot = figure.subfigures(len(results) + 1, 1, height_ratios=[row_height] * len(results) + [foot_height])
+    foot.text(0.5, 0.5, note, ha="center", va="center", fontsize=10)
     for row, (case, fields_of_case) in zip(rows, results.items()):
         row.suptitle(case.title, fontsize=12)
         panels = np.atleast_1d(row.subplots(1, columns, sharex=True, sharey=True))
