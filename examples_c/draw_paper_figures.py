@@ -466,6 +466,8 @@ def main():
         written.append(draw_shakedown_map(directory))
     except BadInput as error:
         sys.exit(f"draw_paper_figures: {error}")
+    except OSError as error:
+        sys.exit(f"draw_paper_figures: cannot write {error.filename}: {error.strerror}")
     for path in written:
         print(path)
 
