@@ -125,10 +125,10 @@ static void write_csv(const wrc_contact* contact, const char* path) {
   enum { FIELDS = 8 };
   wrc_view views[FIELDS], y;
   y.struct_size = sizeof y;
-  if (wrc_field(contact, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
+  if (wrc_field(contact, 0, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
   for (int k = 0; k < FIELDS; ++k) {
     views[k].struct_size = sizeof views[k];
-    if (wrc_field(contact, fields[k], &views[k]) != WRC_OK) return;
+    if (wrc_field(contact, 0, fields[k], &views[k]) != WRC_OK) return;
   }
   FILE* file = fopen(path, "w");
   if (file == NULL) {

@@ -80,7 +80,7 @@ static wrc_view view_of(const wrc_contact* contact, int32_t field) {
   wrc_view view;
   view.struct_size = sizeof view;
   wrc_view_init(&view);
-  const int32_t status = wrc_field(contact, field, &view);
+  const int32_t status = wrc_field(contact, 0, field, &view);
   if (status != WRC_OK) fail(contact, "wrc_field", status);
   return view;
 }

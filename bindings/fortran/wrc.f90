@@ -15,7 +15,9 @@ module wrc
   integer(c_int32_t), parameter :: WRC_SIDE_RIGHT = 0, WRC_SIDE_LEFT = 1
   integer(c_int32_t), parameter :: WRC_PROFILE_POINTS = 0, WRC_PROFILE_S1002 = 1, WRC_PROFILE_60E1 = 2, &
                                    WRC_PROFILE_UIC60_BENCHMARK = 3
-  integer(c_int32_t), parameter :: WRC_NORMAL_HERTZ = 0, WRC_NORMAL_KIK_PIOTROWSKI = 1, WRC_NORMAL_EKP = 2
+  integer(c_int32_t), parameter :: WRC_NORMAL_HERTZ = 0, WRC_NORMAL_KIK_PIOTROWSKI = 1, WRC_NORMAL_EKP = 2, &
+                                   WRC_NORMAL_EKP_ELLIPSE = 3, WRC_NORMAL_ANALYN = 4, WRC_NORMAL_STRIPES = 5, &
+                                   WRC_NORMAL_STRIP_HALFSPACE = 6
   integer(c_int32_t), parameter :: WRC_REGULARISE_KEEP_WIDTH = 0, WRC_REGULARISE_KEEP_RATIO = 1
   integer(c_int32_t), parameter :: WRC_TANGENTIAL_FASTSIM = 0, WRC_TANGENTIAL_FASTSIM_EQE = 1, &
                                    WRC_TANGENTIAL_FASTSIM_EQL = 2, WRC_TANGENTIAL_FASTSIM_SDEC = 3
@@ -29,7 +31,7 @@ module wrc
 
   type, bind(C) :: wrc_config
     integer(c_int32_t) :: struct_size, side, normal_method, regularisation, tangential_method, traction_bound
-    integer(c_int32_t) :: strips, cells, gap_rows, max_iterations
+    integer(c_int32_t) :: strips, cells, gap_rows, max_iterations, max_patches, warm_start
     real(c_double) :: shear_modulus, poisson, load_tolerance, gap_limit, shear_yield, wheel_radius
     real(c_double) :: flange_back_distance, track_gauge, gauge_depth, rail_inclination
     type(c_ptr) :: wheel, rail
@@ -61,7 +63,7 @@ module wrc
   end type
 
   type, bind(C) :: wrc_patch
-    integer(c_int32_t) :: struct_size, strips, iterations, reserved
+    integer(c_int32_t) :: struct_size, strips, iterations, patches
     real(c_double) :: a, b, psi, normal_force, approach, stiffness, peak_pressure, area, length, width, y_min, y_max
   end type
 

@@ -1,44 +1,47 @@
-/* wrc.h - wheel/rail contact for real-time simulation: everything a real-time caller needs.
+/** @file wrc.h
+ * Wheel/rail contact for real-time simulation: everything a real-time caller needs.
  *
- * WHAT IT DOES
- *   In:  two profiles and a wheelset pose (or the undeformed gap itself), a load or an approach, creepages, friction.
- *   Out: contact patch, pressure, tractions, slip, forces, frictional power, wear and rolling contact fatigue numbers.
+ * @par What it does
+ * In: two profiles and a wheelset pose (or the undeformed gap itself), a load or an approach, creepages, friction.
+ * Out: contact patch, pressure, tractions, slip, forces, frictional power, wear and rolling contact fatigue numbers.
  *
- *   wrc_model    what does not change during a run: profiles, material, methods, grid. Immutable after creation;
- *                any number of threads may use one model.
- *   wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
+ *     wrc_model    what does not change during a run: profiles, material, methods, grid. Immutable after creation;
+ *                  any number of threads may use one model.
+ *     wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
  *
- *   A step is five stages; call them together (wrc_step) or one by one, or enter in the middle with your own data:
- *     wrc_geometry    pose            -> initial contact point, contact angle, gap      (skip it: hand over a gap)
- *     wrc_normal      gap, load       -> contact patch as strips, pressure, approach    (skip it: hand over strips)
- *     wrc_regularise  strips          -> equivalent double ellipse (SDEC) a, b, psi     (skip it: hand over a patch)
- *     wrc_tangential  patch, creepage -> tractions, slip, forces, frictional power
- *     wrc_damage      fields          -> wear and fatigue numbers
+ * A step is five stages; call them together (wrc_step) or one by one, or enter in the middle with your own data:
  *
- * FRAME, SIGNS, UNITS
- *   SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
- *   Track frame: x rolling direction, y to the right, z down.
- *   Contact frame: origin at the initial contact point, x rolling direction, y lateral in the contact plane (to the
- *   right), z normal into the rail. Right-handed. For a right wheel y > 0 is the field side, y < 0 the flange side.
- *   Creepage: rigid slip of the wheel over the rail per unit rolled length at (x, y) is
- *       (longitudinal - spin * y, lateral + spin * x),   referred to the origin of the contact frame.
- *   Forces and tractions act ON THE WHEEL and oppose the slip: for small creepage F_x = -G a b C11 longitudinal.
+ *     wrc_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
+ *     wrc_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
+ *     wrc_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
+ *     wrc_tangential      patch, creepage -> tractions, slip, forces, frictional power
+ *     wrc_damage_numbers  fields          -> wear and fatigue numbers
  *
- * CONVENTIONS OF THE INTERFACE
- *   - Every function returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed and the
- *     objects usable for the next call. wrc_last_error() turns the last one into a sentence with field, value, unit,
- *     allowed range and likely cause. wrc_status.h lists them all.
- *   - Structs begin with struct_size. Set it to sizeof the struct, then call its wrc_..._init for defaults. A struct
- *     of an older header (smaller struct_size) is honoured for ever. Output structs need struct_size too.
- *   - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
- *   - Real-time class: "@rt hard" functions never allocate, lock, throw, print, read a file, the environment, the
- *     locale or a clock, never call the system, and have a hard bound on their iterations. "@rt init" functions may
- *     allocate and take milliseconds.
- *   - Thread class: "@thread free" any thread any time; "@thread contact" one thread at a time per contact.
- *   - The floating-point environment of the host (rounding, traps, flush to zero) is saved, set and restored by
- *     every @rt hard call: traps the host has enabled do not fire inside.
+ * @par Frame, signs, units
+ * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
+ *  - Track frame: x rolling direction, y to the right, z down; origin between the rails, level with their tops.
+ *  - Contact frame: origin at the initial contact point, x rolling direction, y lateral in the contact plane (to the
+ *    right), z normal into the rail. Right-handed. For a right wheel y > 0 is the field side, y < 0 the flange side.
+ *  - Creepage: rigid slip of the wheel over the rail per unit rolled length at (x, y) is
+ *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame.
+ *  - Forces and tractions act ON THE WHEEL and oppose the slip: for small creepage F_x = -G a b C11 longitudinal.
  *
- * Valid as C99 to C23 and C++98 to C++23.
+ * @par Conventions of the interface
+ *  - Every function that can fail returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed
+ *    and the objects usable for the next call. wrc_last_error() turns that of a stage into a sentence with field,
+ *    value, unit, allowed range and likely cause. wrc_status.h lists them all.
+ *  - Structs begin with struct_size. Set it to sizeof the struct, then call its wrc_..._init for defaults. A struct
+ *    of an older header (smaller struct_size) is honoured for ever. Output structs need struct_size too.
+ *  - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
+ *  - Nothing is kept of what a caller passes, except the memory handed to an init or create and the model of a contact.
+ *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read a file, the environment, the
+ *    locale or a clock, never call the system, and have a hard bound on their iterations. "rt init" functions may
+ *    allocate and take milliseconds.
+ *  - Thread class: "thread free" any thread any time; "thread contact" one thread at a time per contact.
+ *  - The floating-point environment of the host (rounding, traps, flush to zero) is set aside and restored by
+ *    every call that computes: traps the host has enabled do not fire inside.
+ *
+ * Valid as C99 to C23 and C++98 to C++23. "Paper" below is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
  */
 #ifndef WRC_H
 #define WRC_H
@@ -48,6 +51,7 @@
 
 #include "wrc_status.h"
 
+/** @cond */
 #if defined(_WIN32)
 #define WRC_API
 #elif defined(__GNUC__)
@@ -55,491 +59,656 @@
 #else
 #define WRC_API
 #endif
+/** @endcond */
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define WRC_VERSION_MAJOR 0
-#define WRC_VERSION_MINOR 1
-#define WRC_VERSION_PATCH 0
-#define WRC_ABI_VERSION 1 /* raised only when an existing caller would break; new functions and fields do not raise it */
+#define WRC_VERSION_MAJOR 0 /**< of this header; wrc_version() is that of the library */
+#define WRC_VERSION_MINOR 1 /**< see WRC_VERSION_MAJOR */
+#define WRC_VERSION_PATCH 0 /**< see WRC_VERSION_MAJOR */
+/** Raised only when an existing caller would break; new functions and fields do not raise it. */
+#define WRC_ABI_VERSION 1
 
 /* ------------------------------------------------------------------------------------------------------ handles */
 
+/** Profiles, material, methods, grid: immutable once made, shared by any number of contacts and threads. */
 typedef struct wrc_model wrc_model;
+/** One wheel/rail pair: results of the last call and work space. One thread at a time. */
 typedef struct wrc_contact wrc_contact;
 
 /* ------------------------------------------------------------------------------------------------- enumerations */
 
-/* Which wheel of the wheelset. The left wheel has its flange at y > 0; frames and signs stay those of the top. */
-enum wrc_side { WRC_SIDE_RIGHT = 0, WRC_SIDE_LEFT = 1 };
+/** Which wheel of the wheelset. The left wheel has its flange at y > 0; frames and signs stay those of the top. */
+enum wrc_side {
+  WRC_SIDE_RIGHT = 0, /**< flange at y < 0 */
+  WRC_SIDE_LEFT = 1   /**< flange at y > 0 */
+};
 
+/** Where a profile comes from. */
 enum wrc_profile_kind {
-  WRC_PROFILE_POINTS = 0,          /* points y, z of the caller, joined by a cubic spline */
-  WRC_PROFILE_S1002 = 1,           /* wheel, EN 13715, from its analytic definition */
-  WRC_PROFILE_60E1 = 2,            /* rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40 */
-  WRC_PROFILE_UIC60_BENCHMARK = 3  /* rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0 */
+  WRC_PROFILE_POINTS = 0,          /**< points y, z of the caller, joined by a cubic spline */
+  WRC_PROFILE_S1002 = 1,           /**< wheel, EN 13715, from its analytic definition */
+  WRC_PROFILE_60E1 = 2,            /**< rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40 */
+  WRC_PROFILE_UIC60_BENCHMARK = 3  /**< rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0 */
 };
 
+/** Method of the normal problem. */
 enum wrc_normal_method {
-  WRC_NORMAL_HERTZ = 0,           /* Hertz with the curvatures of the gap at the contact point */
-  WRC_NORMAL_KIK_PIOTROWSKI = 1,  /* Kik and Piotrowski, VSD 46 (2008) */
-  WRC_NORMAL_EKP = 2              /* extended Kik-Piotrowski: yaw and varying lateral curvature, after VSD 54 (2016) */
+  WRC_NORMAL_HERTZ = 0,           /**< one ellipse; lateral curvature from the chord of the gap at half the approach */
+  WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
+  WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
+  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< EKP, threshold varying over y: exact for elliptic gaps (CONTACT's KPEC) */
+  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
+  WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
+  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
 };
 
+/** Criteria by which a patch gets its equivalent double ellipse. */
 enum wrc_regularisation {
-  WRC_REGULARISE_KEEP_WIDTH = 0, /* criteria (1), (2b), (3): area and width kept; the source paper's choice for wear */
-  WRC_REGULARISE_KEEP_RATIO = 1  /* criteria (1), (2), (3): area and length/width ratio kept (KBTNH) */
+  WRC_REGULARISE_KEEP_WIDTH = 0, /**< criteria (1), (2b), (3): area and width kept; the paper's choice */
+  WRC_REGULARISE_KEEP_RATIO = 1  /**< criteria (1), (2), (3): area and length/width ratio kept (KBTNH) */
 };
 
+/** Method of the tangential problem: what patch FASTSIM marches on, and with which flexibilities. */
 enum wrc_tangential_method {
-  WRC_TANGENTIAL_FASTSIM = 0,      /* Kalker 1982 on the equivalent ellipse centred at the contact point (psi ignored) */
-  WRC_TANGENTIAL_FASTSIM_EQE = 1,  /* ellipse centred at mid-width, creepage corrected for the shift */
-  WRC_TANGENTIAL_FASTSIM_EQL = 2,  /* actual patch, flexibilities of the equivalent ellipse */
-  WRC_TANGENTIAL_FASTSIM_SDEC = 3  /* actual patch, four flexibilities of the equivalent double ellipse */
+  WRC_TANGENTIAL_FASTSIM = 0,      /**< Kalker 1982, equivalent ellipse centred at the contact point: no psi */
+  WRC_TANGENTIAL_FASTSIM_EQE = 1,  /**< ellipse centred at mid-width, creepage corrected for the shift */
+  WRC_TANGENTIAL_FASTSIM_EQL = 2,  /**< actual patch, flexibilities of the equivalent ellipse */
+  WRC_TANGENTIAL_FASTSIM_SDEC = 3  /**< actual patch, four flexibilities of the equivalent double ellipse */
 };
 
+/** Form of the traction bound along a strip. Both integrate to friction * load over the patch. */
 enum wrc_traction_bound {
-  WRC_BOUND_PARABOLIC = 0, /* paper eq. 9: right slope at the leading edge; integrates to friction * load */
-  WRC_BOUND_ELLIPTIC = 1   /* friction * pressure */
+  WRC_BOUND_PARABOLIC = 0, /**< paper eq. 9: right slope at the leading edge; integrates to friction * load */
+  WRC_BOUND_ELLIPTIC = 1   /**< friction * pressure */
 };
 
-enum wrc_prescribed { WRC_PRESCRIBE_LOAD = 0, WRC_PRESCRIBE_APPROACH = 1 };
+/** Which of load and approach is given; the other is a result. */
+enum wrc_prescribed {
+  WRC_PRESCRIBE_LOAD = 0,    /**< normal_force is given */
+  WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
+};
 
-/* Arrays of the last step that wrc_field() shows without copying. Fields over cells have count[0] = cells along the
- * strip (0 is the leading edge) and count[1] = strips (by increasing y); fields over strips have count[0] = strips. */
+/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells
+ * have count[0] = cells along the strip (0 is the leading edge) and count[1] = strips (by increasing y); fields over
+ * strips have count[0] = strips. After wrc_tangential strips are those the tractions live on: of the ellipse, in the
+ * variants that use one. */
 enum wrc_field_id {
-  WRC_FIELD_X = 0,               /* cells: x of the cell centre [m] */
-  WRC_FIELD_PRESSURE = 1,        /* cells: normal pressure [Pa] */
-  WRC_FIELD_TRACTION_X = 2,      /* cells: on the wheel [Pa] */
-  WRC_FIELD_TRACTION_Y = 3,      /* cells [Pa] */
-  WRC_FIELD_SLIP_X = 4,          /* cells: sliding velocity / rolling speed [-] */
-  WRC_FIELD_SLIP_Y = 5,          /* cells [-] */
-  WRC_FIELD_POWER_DENSITY = 6,   /* cells: frictional power per area, paper eq. 10 [W/m^2] (after wrc_damage) */
-  WRC_FIELD_FATIGUE_INDEX = 7,   /* cells: local surface fatigue index, paper eq. 12 [-] (after wrc_damage) */
-  WRC_FIELD_STRIP_Y = 8,         /* strips: lateral middle [m] */
-  WRC_FIELD_STRIP_WIDTH = 9,     /* strips: lateral width [m] */
-  WRC_FIELD_STRIP_CENTRE = 10,   /* strips: x of the middle [m] */
-  WRC_FIELD_STRIP_HALF = 11,     /* strips: half length [m] */
-  WRC_FIELD_STRIP_PEAK = 12,     /* strips: peak pressure [Pa] */
-  WRC_FIELD_STRIP_POWER = 13,    /* strips: frictional power per unit width [W/m] (after wrc_damage) */
-  WRC_FIELD_GAP_Y = 14,          /* gap rows: y [m] (after wrc_geometry or a gap of your own) */
-  WRC_FIELD_GAP_HEIGHT = 15,     /* gap rows: smallest gap of the row [m] */
-  WRC_FIELD_GAP_CENTRE = 16,     /* gap rows: x of that smallest gap [m] */
-  WRC_FIELD_GAP_CURVATURE = 17   /* gap rows: d2h/dx2 [1/m] */
+  WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
+  WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
+  WRC_FIELD_TRACTION_X = 2,      /**< cells: tangential traction on the wheel [Pa] */
+  WRC_FIELD_TRACTION_Y = 3,      /**< cells: see WRC_FIELD_TRACTION_X */
+  WRC_FIELD_SLIP_X = 4,          /**< cells: sliding velocity / rolling speed [-] */
+  WRC_FIELD_SLIP_Y = 5,          /**< cells: see WRC_FIELD_SLIP_X */
+  WRC_FIELD_POWER_DENSITY = 6,   /**< cells: power per area, paper eq. 10 [W/m^2]; needs wrc_damage_numbers */
+  WRC_FIELD_FATIGUE_INDEX = 7,   /**< cells: local surface fatigue index, paper eq. 12 [-]; needs wrc_damage_numbers */
+  WRC_FIELD_STRIP_Y = 8,         /**< strips: lateral middle [m] */
+  WRC_FIELD_STRIP_WIDTH = 9,     /**< strips: lateral width [m] */
+  WRC_FIELD_STRIP_CENTRE = 10,   /**< strips: x of the middle [m] */
+  WRC_FIELD_STRIP_HALF = 11,     /**< strips: half length [m] */
+  WRC_FIELD_STRIP_PEAK = 12,     /**< strips: peak pressure [Pa] */
+  WRC_FIELD_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m]; needs wrc_damage_numbers */
+  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_geometry or a gap of your own) */
+  WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
+  WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
+  WRC_FIELD_GAP_CURVATURE = 17   /**< gap rows: d2h/dx2 [1/m] */
 };
 
 /* ------------------------------------------------------------------------------------------------------ structs */
 
-/* A wheel or rail profile. Points: y strictly increasing, z down, at least 4 points; copied by the model.
- *   wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
- *   rail:  y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). */
+/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points no further than 35 mm
+ * apart over 20 to 500 mm, within 1 m of the origin.
+ *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
+ *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). */
 typedef struct wrc_profile {
-  uint32_t struct_size;
-  int32_t kind;    /* enum wrc_profile_kind */
-  uint32_t count;  /* number of points, WRC_PROFILE_POINTS only: 4..20000 */
-  uint32_t reserved;
-  const double* y; /* [m] */
-  const double* z; /* [m] */
+  uint32_t struct_size; /**< sizeof this struct */
+  int32_t kind;         /**< enum wrc_profile_kind */
+  uint32_t count;       /**< number of points, WRC_PROFILE_POINTS only: 4..20000 */
+  uint32_t reserved;    /**< 0 */
+  const double* y;      /**< [m] */
+  const double* z;      /**< [m] */
 } wrc_profile;
 
-/* Everything a model is made of. wrc_config_init() fills the values in brackets. */
+/** Everything a model is made of. wrc_config_init() fills the values in brackets. */
 typedef struct wrc_config {
-  uint32_t struct_size;
-  int32_t side;              /* enum wrc_side [right] */
-  int32_t normal_method;     /* enum wrc_normal_method [EKP] */
-  int32_t regularisation;    /* enum wrc_regularisation [keep width] */
-  int32_t tangential_method; /* enum wrc_tangential_method [FASTSIM-SDEC] */
-  int32_t traction_bound;    /* enum wrc_traction_bound [parabolic] */
-  int32_t strips;            /* strips across the patch, 4..512 [60] */
-  int32_t cells;             /* cells along each strip, 4..512 [50] */
-  int32_t gap_rows;          /* rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
-  int32_t max_iterations;    /* cap of every iteration in the normal problem, 4..1000 [60] */
-  double shear_modulus;      /* G of both bodies, 1e6..1e12 Pa [80e9] */
-  double poisson;            /* nu of both bodies, 0..0.5 [0.25] */
-  double load_tolerance;     /* relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
-  double gap_limit;          /* rows reach to where the gap exceeds this, 1e-5..0.02 m [1e-3] */
-  double shear_yield;        /* k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
-  double wheel_radius;       /* nominal rolling radius, 0.05..2 m [0.46] */
-  double flange_back_distance; /* between the inner faces of the wheelset, 0.3..3 m [1.360] */
-  double track_gauge;        /* 0.3..3 m [1.435] */
-  double gauge_depth;        /* gauge is measured this far below the rail top, 1e-3..0.05 m [0.014] */
-  double rail_inclination;   /* tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
-  const wrc_profile* wheel;  /* NULL together with rail: no geometry, the caller hands over gaps [NULL] */
-  const wrc_profile* rail;
+  uint32_t struct_size;        /**< sizeof this struct */
+  int32_t side;                /**< enum wrc_side [right] */
+  int32_t normal_method;       /**< enum wrc_normal_method [EKP] */
+  int32_t regularisation;      /**< enum wrc_regularisation [keep width] */
+  int32_t tangential_method;   /**< enum wrc_tangential_method [FASTSIM-SDEC] */
+  int32_t traction_bound;      /**< enum wrc_traction_bound [parabolic] */
+  int32_t strips;              /**< strips across the patch, 4..512 [60] */
+  int32_t cells;               /**< cells along each strip, 4..512 [32] */
+  int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
+  int32_t max_iterations;      /**< cap of every iteration in the normal problem, 4..1000 [60] */
+  int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */
+  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution;
+                                  0: results depend on the inputs of the call alone [0] */
+  double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
+  double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
+  double load_tolerance;       /**< relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
+  double gap_limit;            /**< rows reach to where the gap exceeds this, 1e-5..0.02 m [1e-3] */
+  double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
+  double wheel_radius;         /**< nominal rolling radius, 0.05..2 m [0.46] */
+  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..3 m [1.360] */
+  double track_gauge;          /**< 0.3..3 m [1.435] */
+  double gauge_depth;          /**< gauge is measured this far below the rail top, 1e-3..0.05 m [0.014] */
+  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
+  const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
+  const wrc_profile* rail;     /**< see wheel [NULL] */
 } wrc_config;
 
-/* Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. */
+/** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. */
 typedef struct wrc_pose {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double lateral; /* shift of the wheelset to the right, -0.1..0.1 m [0] */
-  double roll;    /* about x: right wheel down is positive, -0.2..0.2 rad [0] */
-  double yaw;     /* about z: nose to the right is positive, -0.2..0.2 rad [0] */
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0] */
+  double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0] */
+  double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0] */
 } wrc_pose;
 
-/* Where wheel and rail first touch when the wheelset of that pose is lowered. */
+/** Where wheel and rail first touch when the wheelset of that pose is lowered. */
 typedef struct wrc_contact_point {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double x, y, z;        /* in the track frame, before lowering the wheel [m] */
-  double y_wheel;        /* on the wheel profile (profile frame, flange negative) [m] */
-  double y_rail;         /* lateral distance from the rail profile's origin, in the canted track frame [m] */
-  double angle;          /* contact angle: rotation about x from the track to the contact frame [rad] */
-  double vertical_gap;   /* distance the wheel must be lowered from the nominal position until it touches [m] */
-  double rolling_radius; /* of the wheel at the contact point [m] */
+  uint32_t struct_size;  /**< sizeof this struct */
+  uint32_t reserved;     /**< 0 */
+  double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
+  double y; /**< see x */
+  double z; /**< see x */
+  double y_wheel;        /**< in the coordinates of the wheel profile, flange side negative [m] */
+  double y_rail;         /**< from the origin of the rail profile, after canting; field side positive [m] */
+  double angle;          /**< contact angle: rotation about x from the track to the contact frame [rad] */
+  double vertical_gap;   /**< the wheel must be lowered by this, from its running circle level with the rail top [m] */
+  double rolling_radius; /**< of the wheel at the contact point [m] */
 } wrc_contact_point;
 
-/* The undeformed gap, when the caller owns the contact search: rows along x at increasing y in the contact frame,
+/** The undeformed gap, when the caller owns the contact search: rows along x at increasing y in the contact frame,
  * measured along the normal. Its minimum is first contact; a constant offset is irrelevant.
- *   columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2
- *   columns  > 0: element-wise; h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
- *                 to its lowest part. */
+ *  - columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2
+ *  - columns > 0: element-wise, h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
+ *    to its lowest part, what lies less than config.gap_limit / 4 above its minimum but at least three points. */
 typedef struct wrc_gap {
-  uint32_t struct_size;
-  uint32_t rows;           /* 4..config.gap_rows */
-  uint32_t columns;        /* 0, or 3..100000 */
-  uint32_t reserved;
-  const double* y;         /* [m], strictly increasing, rows of them */
-  const double* height;    /* [m], columns == 0 */
-  const double* centre;    /* [m], columns == 0; NULL: zero */
-  const double* curvature; /* [1/m], > 0, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
-  const double* x;         /* [m], strictly increasing, columns > 0 */
-  const double* h;         /* [m], columns > 0 */
-  uint64_t row_stride;     /* elements from one row of h to the next, >= columns */
+  uint32_t struct_size;    /**< sizeof this struct */
+  uint32_t rows;           /**< 4..config.gap_rows */
+  uint32_t columns;        /**< 0, or 3..100000 */
+  uint32_t reserved;       /**< 0 */
+  const double* y;         /**< [m], -0.3..0.3, strictly increasing, rows of them */
+  const double* height;    /**< [m], columns == 0 */
+  const double* centre;    /**< [m], columns == 0; NULL: zero */
+  const double* curvature; /**< [1/m], 1e-3..1e6, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
+  const double* x;         /**< [m], -0.3..0.3, strictly increasing, columns > 0 */
+  const double* h;         /**< [m], columns > 0 */
+  uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
 } wrc_gap;
 
-/* What presses the bodies together. */
+/** What presses the bodies together. */
 typedef struct wrc_load {
-  uint32_t struct_size;
-  int32_t prescribed;  /* enum wrc_prescribed [load] */
-  double normal_force; /* along the contact normal, 1..1e7 N, with WRC_PRESCRIBE_LOAD [0: must be set] */
-  double approach;     /* beyond first touch, -1..0.01 m, with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0] */
+  uint32_t struct_size; /**< sizeof this struct */
+  int32_t prescribed;   /**< enum wrc_prescribed [load] */
+  double normal_force;  /**< along the contact normal, 1e2..1e6 N, with WRC_PRESCRIBE_LOAD [0: must be set] */
+  double approach;      /**< beyond first touch, -1..0.01 m, with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0] */
 } wrc_load;
 
-/* Rigid slip per unit rolled length and rolling speed. */
+/** Rigid slip per unit rolled length and rolling speed. */
 typedef struct wrc_creepage {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double longitudinal; /* nu_x, -10..10 [0] */
-  double lateral;      /* nu_y, -10..10 [0] */
-  double spin;         /* phi, -1000..1000 1/m [0] */
-  double speed;        /* rolling speed V, 0..200 m/s; scales the power only [1] */
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double longitudinal;  /**< nu_x, -10..10 [0] */
+  double lateral;       /**< nu_y, -10..10 [0] */
+  double spin;          /**< phi, -1000..1000 1/m [0] */
+  double speed;         /**< rolling speed V, 0..200 m/s; scales the power only [1] */
 } wrc_creepage;
 
-/* Friction between the bodies. */
+/** Friction between the bodies. */
 typedef struct wrc_friction {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double coefficient; /* Coulomb, 1e-4..2 [0.3] */
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double coefficient;   /**< Coulomb, 1e-4..2 [0.3] */
 } wrc_friction;
 
-/* A contact patch: result of wrc_normal and wrc_regularise, or input of wrc_tangential for a patch of your own (then
+/** A contact patch: result of wrc_normal and wrc_regularise, or input of wrc_tangential for a patch of your own (then
  * a, b, psi and normal_force count; pressure is semi-elliptic with p0 = 1.5 N / (pi a b)). */
 typedef struct wrc_patch {
-  uint32_t struct_size;
-  int32_t strips;       /* strips the patch is made of */
-  int32_t iterations;   /* of the normal problem's root find */
-  int32_t reserved;
-  double a;             /* equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
-  double b;             /* half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
-  double psi;           /* shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
-  double normal_force;  /* [N] */
-  double approach;      /* [m] */
-  double stiffness;     /* d normal_force / d approach [N/m] */
-  double peak_pressure; /* largest pressure of the patch as solved [Pa] */
-  double area;          /* [m^2] */
-  double length;        /* extent along x [m] */
-  double width;         /* extent along y [m] */
-  double y_min, y_max;  /* lateral borders [m] */
+  uint32_t struct_size; /**< sizeof this struct */
+  int32_t strips;       /**< strips the patch is made of */
+  int32_t iterations;   /**< of the normal problem's root find */
+  int32_t patches;      /**< separate patches in the contact; a, b, psi are those of the one that carries most */
+  double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
+  double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
+  double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
+  double normal_force;  /**< compressive positive [N] */
+  double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
+  double stiffness;     /**< d normal_force / d approach [N/m] */
+  double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
+  double area;          /**< [m^2] */
+  double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
+  double width;         /**< extent along y [m] */
+  double y_min; /**< lateral borders [m] */
+  double y_max; /**< see y_min */
 } wrc_patch;
 
-/* A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
+/** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
 typedef struct wrc_strips {
-  uint32_t struct_size;
-  uint32_t count;            /* 1..config.strips */
-  const double* y;           /* middle [m], increasing; strips must not overlap */
-  const double* width;       /* [m], > 0 */
-  const double* centre;      /* x of the middle [m]; NULL: zero */
-  const double* half_length; /* [m], > 0 */
-  const double* peak;        /* [Pa], >= 0 */
+  uint32_t struct_size;      /**< sizeof this struct */
+  uint32_t count;            /**< 1..config.strips */
+  const double* y;           /**< middle [m], -0.3..0.3, increasing; strips must not overlap */
+  const double* width;       /**< [m], 1e-9..0.1 */
+  const double* centre;      /**< x of the middle [m]; NULL: zero */
+  const double* half_length; /**< [m], 1e-9..0.1 */
+  const double* peak;        /**< [Pa], 0..1e11 */
 } wrc_strips;
 
-/* Forces on the wheel in the contact frame, moment about its origin. */
+/** Forces on the wheel in the contact frame, moment about its origin. */
 typedef struct wrc_forces {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double fx, fy;             /* creep forces [N] */
-  double fn;                 /* normal force, compressive positive [N] */
-  double mz;                 /* spin moment [N m] */
-  double power;              /* frictional power at the given speed [W], >= 0 */
-  double adhesion_fraction;  /* share of the patch's area that sticks */
+  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t reserved;        /**< 0 */
+  double fx; /**< creep forces [N] */
+  double fy; /**< see fx */
+  double fn;                /**< normal force, compressive positive [N] */
+  double mz;                /**< spin moment [N m] */
+  double power;             /**< frictional power at the given speed [W], >= 0 */
+  double adhesion_fraction; /**< share of the patch's area that sticks */
 } wrc_forces;
 
-/* Wear and rolling contact fatigue numbers of the last wrc_tangential. */
+/** Velocity of the wheelset relative to the track, in the track frame. */
+typedef struct wrc_motion {
+  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t reserved;        /**< 0 */
+  double speed;             /**< of its middle along the track, 0..200 m/s [0] */
+  double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
+  double vertical_velocity; /**< down, -20..20 m/s [0] */
+  double roll_rate;         /**< -100..100 rad/s [0] */
+  double yaw_rate;          /**< -100..100 rad/s [0] */
+  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0] */
+} wrc_motion;
+
+/** Wear and rolling contact fatigue numbers of the last wrc_tangential. */
 typedef struct wrc_damage {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double power;               /* total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
-  double peak_power_density;  /* [W/m^2] */
-  double t_gamma;             /* power / speed: energy dissipated per metre rolled, spin included [N] */
-  double t_gamma_no_spin;     /* |Fx nu_x + Fy nu_y|: the other definition in use [N] */
-  double utilisation;         /* mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
-  double load_factor;         /* p0 / k: ordinate of the shakedown map [-] */
-  double shakedown_limit;     /* load factor of the shakedown curve at mu_a [-]; ratcheting when load_factor is above */
-  double fatigue_index;       /* FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
-  double local_fatigue_index; /* largest local index over the patch, paper eq. 12 [-] */
+  uint32_t struct_size;       /**< sizeof this struct */
+  uint32_t reserved;          /**< 0 */
+  double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
+  double peak_power_density;  /**< [W/m^2] */
+  double t_gamma;             /**< power / speed: energy dissipated per metre rolled, spin included [N] */
+  double t_gamma_no_spin;     /**< |Fx nu_x + Fy nu_y|: the other definition in use [N] */
+  double utilisation;         /**< mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
+  double load_factor;         /**< p0 / k: ordinate of the shakedown map [-] */
+  double shakedown_limit;     /**< of load_factor at mu_a, line contact [-]; ratcheting above */
+  double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
+  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-] */
 } wrc_damage;
 
-/* Coefficients of the linear theory for one patch shape (theory manual, section 2). */
+/** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
 typedef struct wrc_coefficients {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double c11, c22, c23;     /* Kalker's, for the ellipse a, b */
-  double c11s, c13s, c22s, c23s; /* of the double ellipse, about the initial contact point; paper eq. 5 */
+  uint32_t struct_size;          /**< sizeof this struct */
+  uint32_t reserved;             /**< 0 */
+  double c11; /**< Kalker's, for the ellipse a, b */
+  double c22; /**< see c11 */
+  double c23; /**< see c11 */
+  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c13s; /**< see c11s */
+  double c22s; /**< see c11s */
+  double c23s; /**< see c11s */
 } wrc_coefficients;
 
-/* What wrc_step() reads. Pointers are the caller's and only read during the call. */
+/** What wrc_step() reads. Pointers are the caller's and only read during the call. */
 typedef struct wrc_input {
-  uint32_t struct_size;
-  uint32_t reserved;
-  const wrc_pose* pose;         /* NULL: `gap` is used */
-  const wrc_gap* gap;           /* used when pose is NULL */
-  const wrc_load* load;         /* required */
-  const wrc_creepage* creepage; /* required */
-  const wrc_friction* friction; /* required */
+  uint32_t struct_size;         /**< sizeof this struct */
+  uint32_t reserved;            /**< 0 */
+  const wrc_pose* pose;         /**< NULL: `gap` is used */
+  const wrc_gap* gap;           /**< used when pose is NULL */
+  const wrc_load* load;         /**< required */
+  const wrc_creepage* creepage; /**< required */
+  const wrc_friction* friction; /**< required */
 } wrc_input;
 
-/* What wrc_step() fills: the caller's structs; NULL members are not wanted. */
+/** What wrc_step() fills: the caller's structs; NULL members are not wanted. */
 typedef struct wrc_output {
-  uint32_t struct_size;
-  uint32_t reserved;
-  wrc_contact_point* point;
-  wrc_patch* patch;
-  wrc_forces* forces;
-  wrc_damage* damage;
+  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t reserved;        /**< 0 */
+  wrc_contact_point* point; /**< zeroed when there was no pose */
+  wrc_patch* patch;         /**< of the normal stage */
+  wrc_forces* forces;       /**< of the tangential stage */
+  wrc_damage* damage;       /**< of the damage stage */
 } wrc_output;
 
-/* A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
+/** A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
  * the contact. */
 typedef struct wrc_view {
-  uint32_t struct_size;
-  uint32_t rank;       /* 1 or 2 */
-  const double* data;
-  uint64_t count[2];   /* count[1] = 1 for rank 1 */
-  uint64_t stride[2];  /* in elements */
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t rank;        /**< 1 or 2 */
+  const double* data;   /**< in the contact's memory; NULL: not computed */
+  uint64_t count[2];    /**< elements along each dimension; count[1] = 1 for rank 1 */
+  uint64_t stride[2];   /**< in elements */
 } wrc_view;
 
-/* Where memory comes from in wrc_*_create. Both members or neither; `alignment` is a power of two. */
+/** Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither. */
 typedef struct wrc_allocator {
-  uint32_t struct_size;
-  uint32_t reserved;
-  void* user;
-  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /* NULL result: WRC_ERROR_MEMORY */
-  void (*release)(void* user, void* memory);
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  void* user;           /**< handed to both */
+  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment: a power of two; NULL: none left */
+  void (*release)(void* user, void* memory); /**< called by the destroy functions, and when a create fails */
 } wrc_allocator;
 
 /* ------------------------------------------------------------------------------------------------ about the library */
 
-/* Library version as major * 65536 + minor * 256 + patch. @rt hard @thread free */
+/** Version of the library. @return major * 65536 + minor * 256 + patch. @rt hard @thread free */
 WRC_API uint32_t wrc_version(void);
-/* ABI version of the library; equal to WRC_ABI_VERSION of the header it was built with. @rt hard @thread free */
+/** ABI version of the library. @return WRC_ABI_VERSION of the header it was built with. @rt hard @thread free */
 WRC_API uint32_t wrc_abi_version(void);
-/* Name of a status ("WRC_ERROR_RANGE") and its one-line meaning; an unknown number gives "unknown status". Static
+/** Name of a status. @param status any number @return for example "WRC_ERROR_RANGE", or "unknown status"; static
  * storage, never NULL. @rt hard @thread free */
 WRC_API const char* wrc_status_name(int32_t status);
+/** Meaning of a status in one line. @param status any number @return the text, or "unknown status"; static storage,
+ * never NULL. @rt hard @thread free */
 WRC_API const char* wrc_status_text(int32_t status);
 
 /* ------------------------------------------------------------------------------------------------------- defaults */
 
-/* Fill a struct with its defaults (the values in brackets above); only the first struct_size bytes are written.
- * Set struct_size before the call. Statuses: WRC_ERROR_NULL, WRC_ERROR_STRUCT_SIZE. @rt hard @thread free */
-WRC_API int32_t wrc_profile_init(wrc_profile* profile);
-WRC_API int32_t wrc_config_init(wrc_config* config);
-WRC_API int32_t wrc_pose_init(wrc_pose* pose);
-WRC_API int32_t wrc_contact_point_init(wrc_contact_point* point);
-WRC_API int32_t wrc_gap_init(wrc_gap* gap);
-WRC_API int32_t wrc_load_init(wrc_load* load);
-WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage);
-WRC_API int32_t wrc_friction_init(wrc_friction* friction);
-WRC_API int32_t wrc_patch_init(wrc_patch* patch);
-WRC_API int32_t wrc_strips_init(wrc_strips* strips);
-WRC_API int32_t wrc_forces_init(wrc_forces* forces);
-WRC_API int32_t wrc_damage_init(wrc_damage* damage);
-WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);
-WRC_API int32_t wrc_input_init(wrc_input* input);
-WRC_API int32_t wrc_output_init(wrc_output* output);
-WRC_API int32_t wrc_view_init(wrc_view* view);
-WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator);
+/** @name Defaults
+ * Fill a struct with its defaults (the values in brackets above; zero and NULL where none are given). Set struct_size
+ * before the call; only the first struct_size bytes are written. Return WRC_OK, WRC_ERROR_NULL (the pointer is NULL),
+ * WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows).
+ * @rt hard @thread free
+ * @{ */
+WRC_API int32_t wrc_profile_init(wrc_profile* profile);                  /**< Defaults of a profile. */
+WRC_API int32_t wrc_config_init(wrc_config* config);                     /**< Defaults of a configuration. */
+WRC_API int32_t wrc_pose_init(wrc_pose* pose);                           /**< Defaults of a pose. */
+WRC_API int32_t wrc_contact_point_init(wrc_contact_point* point);        /**< Defaults of a contact point. */
+WRC_API int32_t wrc_gap_init(wrc_gap* gap);                              /**< Defaults of a gap. */
+WRC_API int32_t wrc_load_init(wrc_load* load);                           /**< Defaults of a load. */
+WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage);               /**< Defaults of creepages. */
+WRC_API int32_t wrc_friction_init(wrc_friction* friction);               /**< Defaults of friction. */
+WRC_API int32_t wrc_patch_init(wrc_patch* patch);                        /**< Defaults of a patch. */
+WRC_API int32_t wrc_strips_init(wrc_strips* strips);                     /**< Defaults of strips. */
+WRC_API int32_t wrc_forces_init(wrc_forces* forces);                     /**< Defaults of forces. */
+WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a wheelset's motion. */
+WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< Defaults of damage numbers. */
+WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
+WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
+WRC_API int32_t wrc_output_init(wrc_output* output);                     /**< Defaults of the output of a step. */
+WRC_API int32_t wrc_view_init(wrc_view* view);                           /**< Defaults of a view. */
+WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator);            /**< Defaults of an allocator. */
+/** @} */
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
-/* Says whether a model can be made of `config`, and if not why, as a sentence in `text` (`size` bytes, always
- * terminated when size > 0; text may be NULL). The statuses are those of wrc_model_init. @rt init @thread free */
+/** Says whether a model can be made of a configuration, and if not why, as a sentence.
+ * @param config configuration to check; NULL: WRC_ERROR_NULL
+ * @param[out] text the sentence, cut if need be and terminated when size > 0; empty when all is well; NULL: not wanted
+ * @param size bytes of text
+ * @return as wrc_model_create(). @rt init @thread free */
 WRC_API int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size);
 
-/* Bytes and alignment of the memory a model needs. Outputs zeroed on failure. @rt init @thread free */
+/** Memory a model needs.
+ * @param config configuration of the model
+ * @param[out] bytes size, @param[out] alignment in bytes; both zero on failure
+ * @return as wrc_model_init(), except that the shape of profile points is not looked at. @rt init @thread free */
 WRC_API int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alignment);
 
-/* Makes a model in the caller's memory (`bytes` and alignment from wrc_model_size). Profiles are copied; `config` and
- * all it points to may go away afterwards. The memory belongs to the caller and must outlive every contact of the
- * model; there is nothing to destroy. Statuses: WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _PROFILE,
- * _UNSUPPORTED, _BUFFER; *model is NULL on failure. @rt init @thread free */
+/** Makes a model in the caller's memory. Profiles are copied: config and all it points to may go away afterwards. The
+ * memory stays the caller's and must outlive every contact of the model; there is nothing to destroy.
+ * @param config configuration of the model
+ * @param memory aligned as wrc_model_size() says
+ * @param bytes of memory, at least what wrc_model_size() says
+ * @param[out] model the model; NULL on failure
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _PROFILE, _UNSUPPORTED, _BUFFER: ask
+ * wrc_config_check() why. @rt init @thread free */
 WRC_API int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model);
 
-/* The same with memory from `allocator` (NULL: malloc and free). Additionally WRC_ERROR_MEMORY. @rt init @thread free */
+/** wrc_model_init() with memory the library gets itself.
+ * @param config configuration of the model
+ * @param allocator where memory comes from; NULL: malloc and free
+ * @param[out] model the model, to be released with wrc_model_destroy(); NULL on failure
+ * @return as wrc_model_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
 WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model);
 
-/* Releases a model made by wrc_model_create; NULL is fine. Destroy its contacts first. @rt init @thread free */
+/** Releases a model made by wrc_model_create(). Destroy its contacts first.
+ * @param model NULL is fine @rt init @thread free */
 WRC_API void wrc_model_destroy(wrc_model* model);
 
 /* -------------------------------------------------------------------------------------------------------- contact */
 
-/* Bytes and alignment of the memory a contact of this model needs. @rt hard @thread free */
+/** Memory a contact of this model needs.
+ * @param model the model
+ * @param[out] bytes size, @param[out] alignment in bytes; both zero on failure
+ * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
 WRC_API int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alignment);
 
-/* Makes a contact in the caller's memory; the model must outlive it. Statuses: WRC_ERROR_NULL, _BUFFER; *contact is
- * NULL on failure. Nothing to destroy. @rt hard @thread free */
+/** Makes a contact in the caller's memory, every page of which it touches. The model must outlive the contact; the
+ * memory stays the caller's; there is nothing to destroy.
+ * @param model its model
+ * @param memory aligned as wrc_contact_size() says
+ * @param bytes of memory, at least what wrc_contact_size() says
+ * @param[out] contact the contact; NULL on failure
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread free */
 WRC_API int32_t wrc_contact_init(const wrc_model* model, void* memory, uint64_t bytes, wrc_contact** contact);
 
-/* The same with memory from `allocator` (NULL: malloc and free). Additionally WRC_ERROR_MEMORY. @rt init @thread free */
+/** wrc_contact_init() with memory the library gets itself.
+ * @param model its model
+ * @param allocator where memory comes from; NULL: malloc and free
+ * @param[out] contact the contact, to be released with wrc_contact_destroy(); NULL on failure
+ * @return as wrc_contact_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
 WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* allocator, wrc_contact** contact);
 
-/* Releases a contact made by wrc_contact_create; NULL is fine. @rt init @thread contact */
+/** Releases a contact made by wrc_contact_create().
+ * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
-/* Copies the whole state of a contact out of and back into it, for a rejected integrator step or an FMU rollback.
- * `bytes` of the buffer as from wrc_contact_size; no alignment needed. The state may be restored into any contact of
- * the same model. Statuses: WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model).
- * @rt hard @thread contact */
+/** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
+ * for any contact of the same model, in this process.
+ * @param contact the contact
+ * @param[out] buffer the copy; no alignment needed
+ * @param bytes of buffer, as from wrc_contact_size()
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes);
+
+/** Puts a saved state back, bit for bit.
+ * @param contact a contact of the model the state was saved from
+ * @param buffer from wrc_contact_save()
+ * @param bytes of buffer
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
-/* The sentence behind the last status other than WRC_OK on this contact, e.g.
- *   "load.normal_force = 80 N is outside 1000 .. 1e+07 N: did you pass kN?"
- * Written to buffer (`size` bytes, terminated, cut if need be). Returns WRC_OK, or WRC_ERROR_NULL/_BUFFER. Empty after
- * a call that returned WRC_OK. @rt hard @thread contact */
+/** The sentence behind the status of the last stage or step on this contact, for example
+ *   "load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach instead"
+ * and empty after WRC_OK. wrc_field, wrc_contact_save and wrc_contact_restore do not change it on failure.
+ * @param contact the contact
+ * @param[out] buffer the sentence, terminated, cut if need be
+ * @param size bytes of buffer
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER (size is 0). @rt hard @thread contact */
 WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_t size);
 
 /* --------------------------------------------------------------------------------------------------------- stages */
 
-/* Finds the initial contact point of a pose and samples the gap around it into the contact.
- * pose, point (may be NULL) as described at the structs. Statuses: WRC_ERROR_SEQUENCE (model without profiles),
+/** Finds the initial contact point of a pose and samples the gap around it into the contact: one contact point, the
+ * lowest; the rows reach up to 30 mm to either side. Theory manual, section 7.
+ * @param contact of a model with profiles
+ * @param pose of the wheelset, track frame
+ * @param[out] point where the bodies touch first; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles),
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
-/* Solves the normal problem for `gap`, or with gap == NULL for the gap of the last wrc_geometry, and regularises the
- * patch. patch may be NULL. Pressure field and strips stay in the contact.
- * Statuses: WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE; WRC_ERROR_SEQUENCE (gap is NULL and
- * there was no wrc_geometry), _GAP, _LOAD, _NOT_FINITE, _RANGE. @rt hard @thread contact */
+/** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
+ * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
+ * and rail material pass through the contact. All zero at standstill. Theory manual, section 7.
+ * @param contact the contact
+ * @param motion of the wheelset, track frame
+ * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE.
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
+
+/** Solves the normal problem and regularises the patch (wrc_regularise). Strips stay in the contact. Pressures are
+ * those of two bodies of equal material; theory manual, sections 2 and 3.
+ * @param contact the contact
+ * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
+ * @param load along the contact normal
+ * @param[out] patch the solution; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
+ * _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
+ * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
-/* Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse; with
- * strips == NULL, does so again for the strips in the contact. The origin of the strips' frame is the initial contact
- * point. patch may be NULL. Statuses: WRC_ERROR_SEQUENCE, _RANGE, _NOT_FINITE. @rt hard @thread contact */
+/** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
+ * Theory manual, section 3; paper section 2.
+ * @param contact the contact
+ * @param strips contact frame, whose origin must be the initial contact point; copied; NULL: the strips in the contact
+ * @param[out] patch the patch; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE,
+ * _SEQUENCE (strips is NULL and the contact has none), _RANGE, _NOT_FINITE. @rt hard @thread contact */
 WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, wrc_patch* patch);
 
-/* Solves the tangential problem of steady rolling on the contact's patch, or on the exact double ellipse `patch`
- * (which then replaces the contact's patch). forces may be NULL. Statuses: WRC_ERROR_SEQUENCE (no patch),
- * WRC_FLAG_NO_CONTACT, _TABLE_RANGE, WRC_ERROR_RANGE, _NOT_FINITE. @rt hard @thread contact */
+/** Solves the tangential problem of steady rolling. Theory manual, sections 4 and 5; paper eq. 5 to 9.
+ * @param contact the contact
+ * @param patch exact double ellipse with its joint at the origin of the contact frame, which replaces the contact's
+ * patch (a, b, psi and normal_force are read, 1e-3..1e7 N); NULL: the patch in the contact
+ * @param creepage at the origin of the contact frame
+ * @param friction between the bodies
+ * @param[out] forces on the wheel, contact frame; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch), _RANGE,
+ * _NOT_FINITE. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
-/* Wear and fatigue numbers of the last wrc_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
- * damage may be NULL. Statuses: WRC_ERROR_SEQUENCE, WRC_FLAG_NO_CONTACT. @rt hard @thread contact */
+/** Wear and fatigue numbers of the last wrc_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
+ * Theory manual, section 6; paper eq. 10 to 12.
+ * @param contact the contact
+ * @param[out] damage the numbers; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE. @rt hard @thread contact */
 WRC_API int32_t wrc_damage_numbers(wrc_contact* contact, wrc_damage* damage);
 
-/* All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage. The
- * first failing stage ends the step; flags of the stages are merged, the first one is returned.
- * @rt hard @thread contact */
+/** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
+ * @param contact the contact
+ * @param input what to solve
+ * @param[in,out] output where results go: the struct itself is only read
+ * @return WRC_OK or the first flag of the stages; the failure of the first stage that fails, which ends the step with
+ * all outputs zeroed. @rt hard @thread contact */
 WRC_API int32_t wrc_step(wrc_contact* contact, const wrc_input* input, wrc_output* output);
 
-/* wrc_step for `count` contacts, in order. Element i of inputs and outputs lies i * stride bytes behind the first;
- * statuses (count of them) may be NULL. Returns the gravest status. Contacts are independent: a host with threads
- * gives each thread its own range of contacts, with identical results. @rt hard @thread contact (all of them) */
+/** wrc_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
+ * range of contacts, with identical results.
+ * @param contacts count of them, each once
+ * @param count how many
+ * @param inputs the first input; element i lies i * input_stride bytes behind it
+ * @param input_stride [bytes]; 0: the same input for all
+ * @param outputs the first output; element i lies i * output_stride bytes behind it
+ * @param output_stride [bytes]
+ * @param[out] statuses count of them; NULL: not wanted
+ * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
+ * @thread contact, all of them */
 WRC_API int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
                                uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
                                int32_t* statuses);
 
-/* wrc_step with plain arrays, for Fortran 77 and S-functions.
- *   in  (8): lateral [m], roll [rad], yaw [rad], normal force [N], nu_x, nu_y, phi [1/m], friction
- *   out(12): fx, fy, fn [N], mz [N m], power / speed [N], approach [m], peak pressure [Pa], area [m^2],
- *            a [m], b [m], psi, fatigue index
- * @rt hard @thread contact */
-#define WRC_FLAT_INPUTS 8
-#define WRC_FLAT_OUTPUTS 12
+#define WRC_FLAT_INPUTS 8   /**< numbers wrc_step_flat() reads */
+#define WRC_FLAT_OUTPUTS 12 /**< numbers wrc_step_flat() writes */
+
+/** wrc_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
+ * @param contact of a model with profiles
+ * @param in WRC_FLAT_INPUTS numbers: lateral [m], roll [rad], yaw [rad], normal force [N], nu_x, nu_y, phi [1/m],
+ * friction
+ * @param[out] out WRC_FLAT_OUTPUTS numbers: fx, fy, fn [N], mz [N m], power / speed [N], approach [m],
+ * peak pressure [Pa], area [m^2], a [m], b [m], psi, fatigue index
+ * @return as wrc_step(). @rt hard @thread contact */
 WRC_API int32_t wrc_step_flat(wrc_contact* contact, const double* in, double* out);
 
-/* Shows a field of the last call without copying; view->data is NULL when the field has not been computed
- * (WRC_ERROR_SEQUENCE). @rt hard @thread contact */
-WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t field, wrc_view* view);
+/** One of the contact's patches with its forces. Moments are about the origin of the contact frame: the forces of all
+ * patches add up to those of the contact.
+ * @param contact the contact
+ * @param index 0 .. wrc_patch.patches - 1, by increasing y
+ * @param[out] patch the patch; NULL: not wanted
+ * @param[out] forces on the wheel; zero before wrc_tangential; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
+
+/** Shows a field of one patch after the last call without copying it.
+ * @param contact the contact
+ * @param patch 0 .. wrc_patch.patches - 1, by increasing y; the fields of the gap ignore it
+ * @param field enum wrc_field_id
+ * @param[out] view where the numbers lie; data is NULL when the field has not been computed
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
+ * _UNSUPPORTED (no such field). @rt hard @thread contact */
+WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */
 
-/* Coefficients of the linear theory for a patch a/b (1e-3..1e3), psi (-0.95..0.95), nu (0..0.5).
- * WRC_FLAG_TABLE_RANGE beyond the tables. @rt hard @thread free */
+/** Coefficients of the linear theory. Theory manual, section 4; paper eq. 5.
+ * @param a_over_b axis ratio, 1e-3..1e3 @param psi shape number, -0.95..0.95 @param poisson 0..0.5
+ * @param[out] coefficients the coefficients
+ * @return WRC_OK; WRC_FLAG_TABLE_RANGE beyond the tables; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE.
+ * @rt hard @thread free */
 WRC_API int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients* coefficients);
 
-/* Shakedown curve of the line contact: load factor p0/k above which the surface ratchets, at utilisation mu_a >= 0.
- * NaN never: a negative or non-finite argument gives WRC_ERROR_RANGE/_NOT_FINITE and 0. @rt hard @thread free */
+/** Shakedown curve of the line contact: load factor p0/k above which the surface ratchets. Theory manual, section 6.
+ * @param utilisation mu_a, 0..10
+ * @param[out] load_factor p0/k; 0 on failure
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
 WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
 
 /* ---------------------------------------------------------------------------------------------------- for dlopen */
 
-/* Every function above as a table, so that one dlsym("wrc_get_api") suffices. struct_size grows with the library:
- * check it (or the pointer's offset) before using a member newer than your header. */
+/** Every function above as a table, so that one dlsym("wrc_get_api") suffices. struct_size grows with the library: a
+ * table at least as large as the sizeof(wrc_api) you compiled with has every member you know. */
 typedef struct wrc_api {
-  uint32_t struct_size;
-  uint32_t abi_version;
-  uint32_t (*version)(void);
-  const char* (*status_name)(int32_t);
-  const char* (*status_text)(int32_t);
-  int32_t (*profile_init)(wrc_profile*);
-  int32_t (*config_init)(wrc_config*);
-  int32_t (*pose_init)(wrc_pose*);
-  int32_t (*contact_point_init)(wrc_contact_point*);
-  int32_t (*gap_init)(wrc_gap*);
-  int32_t (*load_init)(wrc_load*);
-  int32_t (*creepage_init)(wrc_creepage*);
-  int32_t (*friction_init)(wrc_friction*);
-  int32_t (*patch_init)(wrc_patch*);
-  int32_t (*strips_init)(wrc_strips*);
-  int32_t (*forces_init)(wrc_forces*);
-  int32_t (*damage_init)(wrc_damage*);
-  int32_t (*coefficients_init)(wrc_coefficients*);
-  int32_t (*input_init)(wrc_input*);
-  int32_t (*output_init)(wrc_output*);
-  int32_t (*view_init)(wrc_view*);
-  int32_t (*allocator_init)(wrc_allocator*);
-  int32_t (*config_check)(const wrc_config*, char*, uint64_t);
-  int32_t (*model_size)(const wrc_config*, uint64_t*, uint64_t*);
-  int32_t (*model_init)(const wrc_config*, void*, uint64_t, wrc_model**);
-  int32_t (*model_create)(const wrc_config*, const wrc_allocator*, wrc_model**);
-  void (*model_destroy)(wrc_model*);
-  int32_t (*contact_size)(const wrc_model*, uint64_t*, uint64_t*);
-  int32_t (*contact_init)(const wrc_model*, void*, uint64_t, wrc_contact**);
-  int32_t (*contact_create)(const wrc_model*, const wrc_allocator*, wrc_contact**);
-  void (*contact_destroy)(wrc_contact*);
-  int32_t (*contact_save)(const wrc_contact*, void*, uint64_t);
-  int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t);
-  int32_t (*last_error)(const wrc_contact*, char*, uint64_t);
-  int32_t (*geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*);
-  int32_t (*normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*);
-  int32_t (*regularise)(wrc_contact*, const wrc_strips*, wrc_patch*);
-  int32_t (*tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*, wrc_forces*);
-  int32_t (*damage_numbers)(wrc_contact*, wrc_damage*);
-  int32_t (*step)(wrc_contact*, const wrc_input*, wrc_output*);
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t abi_version; /**< WRC_ABI_VERSION of the library */
+  uint32_t (*version)(void); /**< wrc_version() */
+  const char* (*status_name)(int32_t); /**< wrc_status_name() */
+  const char* (*status_text)(int32_t); /**< wrc_status_text() */
+  int32_t (*profile_init)(wrc_profile*); /**< wrc_profile_init() */
+  int32_t (*config_init)(wrc_config*); /**< wrc_config_init() */
+  int32_t (*pose_init)(wrc_pose*); /**< wrc_pose_init() */
+  int32_t (*contact_point_init)(wrc_contact_point*); /**< wrc_contact_point_init() */
+  int32_t (*gap_init)(wrc_gap*); /**< wrc_gap_init() */
+  int32_t (*load_init)(wrc_load*); /**< wrc_load_init() */
+  int32_t (*creepage_init)(wrc_creepage*); /**< wrc_creepage_init() */
+  int32_t (*friction_init)(wrc_friction*); /**< wrc_friction_init() */
+  int32_t (*patch_init)(wrc_patch*); /**< wrc_patch_init() */
+  int32_t (*strips_init)(wrc_strips*); /**< wrc_strips_init() */
+  int32_t (*forces_init)(wrc_forces*); /**< wrc_forces_init() */
+  int32_t (*motion_init)(wrc_motion*); /**< wrc_motion_init() */
+  int32_t (*damage_init)(wrc_damage*); /**< wrc_damage_init() */
+  int32_t (*coefficients_init)(wrc_coefficients*); /**< wrc_coefficients_init() */
+  int32_t (*input_init)(wrc_input*); /**< wrc_input_init() */
+  int32_t (*output_init)(wrc_output*); /**< wrc_output_init() */
+  int32_t (*view_init)(wrc_view*); /**< wrc_view_init() */
+  int32_t (*allocator_init)(wrc_allocator*); /**< wrc_allocator_init() */
+  int32_t (*config_check)(const wrc_config*, char*, uint64_t); /**< wrc_config_check() */
+  int32_t (*model_size)(const wrc_config*, uint64_t*, uint64_t*); /**< wrc_model_size() */
+  int32_t (*model_init)(const wrc_config*, void*, uint64_t, wrc_model**); /**< wrc_model_init() */
+  int32_t (*model_create)(const wrc_config*, const wrc_allocator*, wrc_model**); /**< wrc_model_create() */
+  void (*model_destroy)(wrc_model*); /**< wrc_model_destroy() */
+  int32_t (*contact_size)(const wrc_model*, uint64_t*, uint64_t*); /**< wrc_contact_size() */
+  int32_t (*contact_init)(const wrc_model*, void*, uint64_t, wrc_contact**); /**< wrc_contact_init() */
+  int32_t (*contact_create)(const wrc_model*, const wrc_allocator*, wrc_contact**); /**< wrc_contact_create() */
+  void (*contact_destroy)(wrc_contact*); /**< wrc_contact_destroy() */
+  int32_t (*contact_save)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save() */
+  int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore() */
+  int32_t (*last_error)(const wrc_contact*, char*, uint64_t); /**< wrc_last_error() */
+  int32_t (*geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*); /**< wrc_geometry() */
+  int32_t (*creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*); /**< wrc_creepages() */
+  int32_t (*normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*); /**< wrc_normal() */
+  int32_t (*regularise)(wrc_contact*, const wrc_strips*, wrc_patch*); /**< wrc_regularise() */
+  int32_t (*tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*,
+                        wrc_forces*); /**< wrc_tangential() */
+  int32_t (*damage_numbers)(wrc_contact*, wrc_damage*); /**< wrc_damage_numbers() */
+  int32_t (*step)(wrc_contact*, const wrc_input*, wrc_output*); /**< wrc_step() */
   int32_t (*step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, const wrc_output*, uint64_t,
-                        int32_t*);
-  int32_t (*step_flat)(wrc_contact*, const double*, double*);
-  int32_t (*field)(const wrc_contact*, int32_t, wrc_view*);
-  int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*);
-  int32_t (*shakedown_limit)(double, double*);
+                        int32_t*); /**< wrc_step_batch() */
+  int32_t (*step_flat)(wrc_contact*, const double*, double*); /**< wrc_step_flat() */
+  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*, wrc_forces*); /**< wrc_contact_patch() */
+  int32_t (*field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_field() */
+  int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
+  int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
 } wrc_api;
 
-/* The table of this library, static storage; NULL when the library cannot serve callers of `abi_version`
- * (pass WRC_ABI_VERSION of the header you compiled with). @rt hard @thread free */
+/** The function table of this library.
+ * @param abi_version WRC_ABI_VERSION of the header you compiled with
+ * @return the table, in static storage; NULL when the library cannot serve that version. @rt hard @thread free */
 WRC_API const wrc_api* wrc_get_api(uint32_t abi_version);
 
 #ifdef __cplusplus

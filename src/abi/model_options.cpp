@@ -1,6 +1,7 @@
 #include "abi/model_options.hpp"
 
 #include "abi/structs.hpp"
+#include "contact/contact.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -75,6 +76,18 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     case WRC_NORMAL_EKP:
       options.normal_method = NormalMethod::ekp;
       break;
+    case WRC_NORMAL_EKP_ELLIPSE:
+      options.normal_method = NormalMethod::ekp_ellipse;
+      break;
+    case WRC_NORMAL_ANALYN:
+      options.normal_method = NormalMethod::analyn;
+      break;
+    case WRC_NORMAL_STRIPES:
+      options.normal_method = NormalMethod::stripes;
+      break;
+    case WRC_NORMAL_STRIP_HALFSPACE:
+      options.normal_method = NormalMethod::strip_halfspace;
+      break;
     default:
       return unsupported("config.normal_method", config.normal_method, "see enum wrc_normal_method");
   }
@@ -136,6 +149,9 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
       check_count(config.cells, "config.cells", 4, 512, "more cells cost time in proportion"),
       check_count(config.gap_rows, "config.gap_rows", 8, 4096, "the gap is interpolated between rows"),
       check_count(config.max_iterations, "config.max_iterations", 4, 1000, "40 are plenty"),
+      check_count(config.max_patches, "config.max_patches", 1, patch_capacity,
+                  "a wheel touches its rail in one to three places"),
+      check_count(config.warm_start, "config.warm_start", 0, 1, "0 or 1"),
       check(config.shear_modulus, "config.shear_modulus", "Pa", 1e8, 1e12, "did you pass MPa or GPa?",
             "steel has 80e9"),
       check(config.poisson, "config.poisson", "", 0.0, 0.5, "steel has 0.25 to 0.3", "steel has 0.25 to 0.3"),
@@ -153,8 +169,10 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   for (const Fault& each : checks) {
     if (each.failed()) return each;
   }
-  options.sizes = {config.strips, config.cells, config.gap_rows};
+  options.sizes = {.strips = config.strips, .cells = config.cells, .gap_rows = config.gap_rows};
   options.max_iterations = config.max_iterations;
+  options.max_patches = config.max_patches;
+  options.warm_start = config.warm_start != 0;
   options.material = {config.shear_modulus, config.poisson};
   options.load_tolerance = config.load_tolerance;
   options.gap_limit = config.gap_limit;

@@ -81,6 +81,19 @@ Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, double& spee
                          "speed is a magnitude; x is the rolling direction", "did you pass km/h?")});
 }
 
+Fault check_motion(const wrc_motion& motion) {
+  return first_of({check(motion.speed, "motion.speed", "m/s", 0.0, 200.0, "x is the rolling direction",
+                         "did you pass km/h?"),
+                   check(motion.lateral_velocity, "motion.lateral_velocity", "m/s", -20.0, 20.0),
+                   check(motion.vertical_velocity, "motion.vertical_velocity", "m/s", -20.0, 20.0),
+                   check(motion.roll_rate, "motion.roll_rate", "rad/s", -100.0, 100.0,
+                         "did you pass degrees?", "did you pass degrees?"),
+                   check(motion.yaw_rate, "motion.yaw_rate", "rad/s", -100.0, 100.0, "did you pass degrees?",
+                         "did you pass degrees?"),
+                   check(motion.pitch_rate, "motion.pitch_rate", "rad/s", -2000.0, 2000.0,
+                         "did you pass rpm?", "did you pass rpm?")});
+}
+
 Fault read_friction(const wrc_friction* theirs, double& coefficient) {
   wrc_friction ours;
   const Fault fault = read(theirs, "friction", ours);
@@ -238,39 +251,47 @@ wrc_contact_point point_of(const Contact& contact) {
   return ours;
 }
 
-wrc_patch patch_of(const Contact& contact) {
+/// `extent` and `shape`: of one patch, or of the whole contact and the patch that speaks for its shape.
+wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patch& shape,
+                   std::int32_t strips) {
   wrc_patch ours{};
-  if (!contact.touching) {
-    ours.approach = contact.normal.approach;
-    return ours;
-  }
-  ours.strips = contact.patch_strips;
-  ours.iterations = contact.normal.iterations;
-  ours.a = contact.sdec.a;
-  ours.b = contact.sdec.b;
-  ours.psi = contact.sdec.psi;
-  ours.normal_force = contact.extent.normal_force;
   ours.approach = contact.normal.approach;
+  if (!contact.touching) return ours;
+  ours.strips = strips;
+  ours.iterations = contact.normal.iterations;
+  ours.patches = contact.patches;
+  ours.a = shape.sdec.a;
+  ours.b = shape.sdec.b;
+  ours.psi = shape.sdec.psi;
+  ours.normal_force = extent.normal_force;
   ours.stiffness = contact.normal.stiffness;
-  ours.peak_pressure = contact.extent.peak_pressure;
-  ours.area = contact.extent.area;
-  ours.length = contact.extent.length;
-  ours.width = contact.extent.y_max - contact.extent.y_min;
-  ours.y_min = contact.extent.y_min;
-  ours.y_max = contact.extent.y_max;
+  ours.peak_pressure = extent.peak_pressure;
+  ours.area = extent.area;
+  ours.length = extent.length;
+  ours.width = extent.y_max - extent.y_min;
+  ours.y_min = extent.y_min;
+  ours.y_max = extent.y_max;
+  return ours;
+}
+
+wrc_patch patch_of(const Contact& contact) {
+  return patch_of(contact, contact.extent, contact.patch[contact.main_patch], contact.strips);
+}
+
+wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, double normal_force) {
+  wrc_forces ours{};
+  if (!contact.touching) return ours;
+  ours.fx = forces.fx;
+  ours.fy = forces.fy;
+  ours.fn = normal_force;
+  ours.mz = forces.mz;
+  ours.power = forces.power_per_speed * contact.speed;
+  ours.adhesion_fraction = forces.adhesion_fraction;
   return ours;
 }
 
 wrc_forces forces_of(const Contact& contact) {
-  wrc_forces ours{};
-  if (!contact.touching) return ours;
-  ours.fx = contact.forces.fx;
-  ours.fy = contact.forces.fy;
-  ours.fn = contact.extent.normal_force;
-  ours.mz = contact.forces.mz;
-  ours.power = contact.forces.power_per_speed * contact.speed;
-  ours.adhesion_fraction = contact.forces.adhesion_fraction;
-  return ours;
+  return forces_of(contact, contact.forces, contact.extent.normal_force);
 }
 
 wrc_damage damage_of(const Contact& contact) {
@@ -337,47 +358,42 @@ Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
   return outcome;
 }
 
-/// Where a field lies and how long it is; nullptr when its stage has not been reached.
+/// Where a field lies and how long it is.
 struct Field {
-  const double* data = nullptr;
-  std::uint64_t cells = 0, strips = 0;  ///< cells == 0: one value per strip or row
+  const double* data = nullptr;          ///< nullptr: its stage has not been reached
+  std::int32_t cells = 0, elements = 0;  ///< cells == 0: one value per strip or row
 };
 
-Field find_field(const Contact& contact, std::int32_t id) {
-  struct Entry {
-    Array array;
-    Stage needs;
-    bool cells;
-  };
-  // The strips shown are those the tangential fields live on, once there are such fields.
-  const bool region = contact.reached >= Stage::tangential;
-  static constexpr Entry cell_fields[] = {
-      {Array::cell_x, Stage::tangential, true},     {Array::pressure, Stage::tangential, true},
-      {Array::traction_x, Stage::tangential, true}, {Array::traction_y, Stage::tangential, true},
-      {Array::slip_x, Stage::tangential, true},     {Array::slip_y, Stage::tangential, true},
-      {Array::power_density, Stage::damage, true},  {Array::fatigue_index, Stage::damage, true},
-  };
-  const Entry strip_fields[] = {
-      {region ? Array::region_y : Array::patch_y, Stage::patch, false},
-      {region ? Array::region_width : Array::patch_width, Stage::patch, false},
-      {region ? Array::region_centre : Array::patch_centre, Stage::patch, false},
-      {region ? Array::region_half_length : Array::patch_half_length, Stage::patch, false},
-      {region ? Array::region_peak : Array::patch_peak, Stage::patch, false},
-      {Array::strip_power, Stage::damage, false},
-  };
+Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
+  static constexpr Array cell_fields[] = {Array::cell_x,        Array::pressure,     Array::traction_x,
+                                          Array::traction_y,    Array::slip_x,       Array::slip_y,
+                                          Array::power_density, Array::fatigue_index};
+  static constexpr Array patch_fields[] = {Array::patch_y, Array::patch_width, Array::patch_centre,
+                                           Array::patch_half_length, Array::patch_peak};
+  static constexpr Array region_fields[] = {Array::region_y, Array::region_width, Array::region_centre,
+                                            Array::region_half_length, Array::region_peak};
   static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre,
                                          Array::gap_curvature};
 
   if (id >= WRC_FIELD_GAP_Y) {
     if (contact.gap_rows == 0) return {};
-    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0,
-            static_cast<std::uint64_t>(contact.gap_rows)};
+    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0, contact.gap_rows};
   }
-  const Entry& entry = id < WRC_FIELD_STRIP_Y ? cell_fields[id] : strip_fields[id - WRC_FIELD_STRIP_Y];
-  if (contact.reached < entry.needs || !contact.touching) return {};
-  const std::int32_t strips = region ? contact.region_strips : contact.patch_strips;
-  const std::int32_t cells = entry.cells ? contact.model->options.sizes.cells : 0;
-  return {array(contact, entry.array), static_cast<std::uint64_t>(cells), static_cast<std::uint64_t>(strips)};
+  if (patch == nullptr || !contact.touching) return {};
+  const bool rolled = contact.reached >= Stage::tangential;
+  const bool assessed = contact.reached >= Stage::damage;
+  if (id == WRC_FIELD_STRIP_POWER) {
+    if (!assessed) return {};
+    return {array(contact, Array::strip_power) + patch->region_first, 0, patch->region_count};
+  }
+  if (id >= WRC_FIELD_STRIP_Y) {
+    const std::int32_t k = id - WRC_FIELD_STRIP_Y;
+    if (rolled) return {array(contact, region_fields[k]) + patch->region_first, 0, patch->region_count};
+    return {array(contact, patch_fields[k]) + patch->first, 0, patch->count};
+  }
+  if (!rolled || (id >= WRC_FIELD_POWER_DENSITY && !assessed)) return {};
+  const std::int32_t cells = contact.model->options.sizes.cells;
+  return {array(contact, cell_fields[id]) + patch->region_first * cells, cells, patch->region_count};
 }
 
 }  // namespace
@@ -398,6 +414,34 @@ int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_poin
     if (outcome.failed()) return outcome;
     outcome = wrc::find_gap(contact, ours);
     if (!outcome.failed()) abi::give(abi::point_of(contact), point);
+    return outcome;
+  });
+}
+
+int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepage* creepage) {
+  return abi::call(handle, [&](Contact& contact) -> Fault {
+    Fault outcome = abi::clear(creepage);
+    if (outcome.failed()) return outcome;
+    wrc_motion ours;
+    outcome = abi::read(motion, "motion", ours);
+    if (!outcome.failed()) outcome = abi::check_motion(ours);
+    if (outcome.failed()) return outcome;
+    wrc::RigidCreepage rigid;
+    outcome = wrc::find_creepages(contact,
+                                  {.speed = ours.speed,
+                                   .lateral_velocity = ours.lateral_velocity,
+                                   .vertical_velocity = ours.vertical_velocity,
+                                   .roll_rate = ours.roll_rate,
+                                   .yaw_rate = ours.yaw_rate,
+                                   .pitch_rate = ours.pitch_rate},
+                                  rigid);
+    if (outcome.failed()) return outcome;
+    wrc_creepage result = abi::defaults<wrc_creepage>();
+    result.longitudinal = rigid.longitudinal;
+    result.lateral = rigid.lateral;
+    result.spin = rigid.spin;
+    result.speed = rigid.rolling_speed;
+    abi::give(result, creepage);
     return outcome;
   });
 }
@@ -511,19 +555,41 @@ int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
   });
 }
 
-int32_t wrc_field(const wrc_contact* handle, int32_t field, wrc_view* view) {
+int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch, wrc_forces* forces) {
+  return abi::call(handle, [&](Contact& contact) -> Fault {
+    Fault outcome = abi::first_of({abi::clear(patch), abi::clear(forces)});
+    if (outcome.failed()) return outcome;
+    if (contact.patches == 0)
+      return {.status = WRC_ERROR_SEQUENCE, .field = "patch", .cause = "there is no patch yet"};
+    outcome = abi::check(static_cast<double>(index), "index", "", 0.0, contact.patches - 1.0);
+    if (outcome.failed()) return outcome;
+    const wrc::Patch& one = contact.patch[index];
+    abi::give(abi::patch_of(contact, one.extent, one, one.count), patch);
+    if (contact.reached >= wrc::Stage::tangential) {
+      abi::give(abi::forces_of(contact, one.forces, one.extent.normal_force), forces);
+    }
+    return outcome;
+  });
+}
+
+int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
   const Fault sized = abi::clear(view);
   if (sized.failed()) return sized.status;
   if (field < 0 || field > WRC_FIELD_GAP_CURVATURE) return WRC_ERROR_UNSUPPORTED;
-  const abi::Field found = abi::find_field(*handle->contact, field);
+  const Contact& contact = *handle->contact;
+  const bool of_patch = field < WRC_FIELD_GAP_Y && contact.patches > 0;
+  if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
+  const abi::Field found = abi::find_field(contact, of_patch ? &contact.patch[patch] : nullptr, field);
   if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
   wrc_view ours{};
   ours.data = found.data;
-  ours.rank = found.cells > 0 ? 2 : 1;
-  ours.count[0] = found.cells > 0 ? found.cells : found.strips;
-  ours.count[1] = found.cells > 0 ? found.strips : 1;
-  ours.stride[0] = found.cells > 0 ? found.strips : 1;
+  const auto elements = static_cast<uint64_t>(found.elements);
+  const bool cells = found.cells > 0;
+  ours.rank = cells ? 2 : 1;
+  ours.count[0] = cells ? static_cast<uint64_t>(found.cells) : elements;
+  ours.count[1] = cells ? elements : 1;
+  ours.stride[0] = cells ? elements : 1;
   ours.stride[1] = 1;
   abi::give(ours, view);
   return WRC_OK;

@@ -18,6 +18,7 @@ WRC_ZERO_DEFAULTS(wrc_load)
 WRC_ZERO_DEFAULTS(wrc_patch)
 WRC_ZERO_DEFAULTS(wrc_strips)
 WRC_ZERO_DEFAULTS(wrc_forces)
+WRC_ZERO_DEFAULTS(wrc_motion)
 WRC_ZERO_DEFAULTS(wrc_damage)
 WRC_ZERO_DEFAULTS(wrc_coefficients)
 WRC_ZERO_DEFAULTS(wrc_input)
@@ -52,9 +53,11 @@ wrc_config defaults<wrc_config>() {
   value.tangential_method = WRC_TANGENTIAL_FASTSIM_SDEC;
   value.traction_bound = WRC_BOUND_PARABOLIC;
   value.strips = 60;
-  value.cells = 50;
+  value.cells = 32;
   value.gap_rows = 256;
   value.max_iterations = 60;
+  value.max_patches = 4;
+  value.warm_start = 0;
   value.shear_modulus = 80e9;
   value.poisson = 0.25;
   value.load_tolerance = 1e-10;
@@ -96,6 +99,7 @@ int32_t wrc_friction_init(wrc_friction* friction) { return init(friction); }
 int32_t wrc_patch_init(wrc_patch* patch) { return init(patch); }
 int32_t wrc_strips_init(wrc_strips* strips) { return init(strips); }
 int32_t wrc_forces_init(wrc_forces* forces) { return init(forces); }
+int32_t wrc_motion_init(wrc_motion* motion) { return init(motion); }
 int32_t wrc_damage_init(wrc_damage* damage) { return init(damage); }
 int32_t wrc_coefficients_init(wrc_coefficients* coefficients) { return init(coefficients); }
 int32_t wrc_input_init(wrc_input* input) { return init(input); }

@@ -24,7 +24,7 @@ struct Version;
     static constexpr std::size_t first = (pinned_size); \
   };
 WRC_STRUCT(wrc_profile, 32)
-WRC_STRUCT(wrc_config, 136)
+WRC_STRUCT(wrc_config, 144)
 WRC_STRUCT(wrc_pose, 32)
 WRC_STRUCT(wrc_contact_point, 72)
 WRC_STRUCT(wrc_gap, 72)
@@ -34,6 +34,7 @@ WRC_STRUCT(wrc_friction, 16)
 WRC_STRUCT(wrc_patch, 112)
 WRC_STRUCT(wrc_strips, 48)
 WRC_STRUCT(wrc_forces, 56)
+WRC_STRUCT(wrc_motion, 56)
 WRC_STRUCT(wrc_damage, 80)
 WRC_STRUCT(wrc_coefficients, 64)
 WRC_STRUCT(wrc_input, 48)

@@ -4,9 +4,12 @@
 #include <new>
 
 #include "geometry/gap_rows.hpp"
+#include "normal/analyn.hpp"
 #include "normal/ekp.hpp"
 #include "normal/hertz.hpp"
 #include "normal/kik_piotrowski.hpp"
+#include "normal/strip_halfspace.hpp"
+#include "normal/stripes.hpp"
 
 namespace wrc {
 namespace {
@@ -19,6 +22,7 @@ std::size_t offset(const Contact& contact, Array which) {
 /// flange root.
 constexpr double gap_half_width = 0.030;  // [m]
 
+/// The strips whose five arrays begin with `first`.
 Strips strips_at(Contact& contact, Array first, std::int32_t count) {
   const auto member = [&](int i) { return array(contact, static_cast<Array>(static_cast<int>(first) + i)); };
   return {contact.model->options.sizes.strips, count, member(0), member(1), member(2), member(3), member(4)};
@@ -28,13 +32,52 @@ Strips strips_at(Contact& contact, Array first, std::int32_t count) {
 void back_to(Contact& contact, Stage stage) {
   contact.reached = stage;
   contact.touching = false;
-  contact.patch_strips = 0;
-  contact.region_strips = 0;
+  contact.strips = 0;
+  contact.patches = 0;
+  contact.main_patch = 0;
   contact.normal = {};
   contact.extent = {};
-  contact.sdec = {};
   contact.forces = {};
   contact.damage = {};
+}
+
+/// Where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which come
+/// without a gap, the origin if the patch holds it, and otherwise the strip of the largest peak.
+double contact_of(Contact& contact, const Strips& strips, const StripTotals& extent) {
+  if (contact.gap_rows > 0) return minimum(gap_rows(contact), extent.y_min, extent.y_max).y;
+  if (extent.y_min < 0.0 && extent.y_max > 0.0) return 0.0;
+  return strips.y[std::max_element(strips.peak, strips.peak + strips.count) - strips.peak];
+}
+
+/// Splits the strips into patches. Those beyond the room the model has are dropped from the tangential stage
+/// and flagged; the normal result keeps them.
+Fault find_patches(Contact& contact) {
+  const Strips strips = all_strips(contact);
+  contact.extent = totals(strips);
+  contact.patches = 0;
+  std::int32_t first = 0;
+  while (first < strips.count) {
+    const std::int32_t end = patch_end(strips, first);
+    if (contact.patches == contact.model->options.max_patches) {
+      return {.status = WRC_FLAG_MORE_PATCHES,
+              .field = "config.max_patches",
+              .value = static_cast<double>(contact.patches),
+              .unit = "patches"};
+    }
+    Patch& patch = contact.patch[contact.patches];
+    patch = {};
+    patch.first = first;
+    patch.count = end - first;
+    const Strips own = slice(strips, first, end);
+    patch.extent = totals(own);
+    patch.y_contact = contact_of(contact, own, patch.extent);
+    if (patch.extent.normal_force > contact.patch[contact.main_patch].extent.normal_force) {
+      contact.main_patch = contact.patches;
+    }
+    ++contact.patches;
+    first = end;
+  }
+  return {};
 }
 
 Fault sequence(const char* field, const char* cause) {
@@ -66,8 +109,20 @@ GapRows gap_rows(const Contact& contact) {
           array(contact, Array::gap_centre), array(contact, Array::gap_curvature)};
 }
 
-Strips patch_strips(Contact& contact) { return strips_at(contact, Array::patch_y, contact.patch_strips); }
-Strips region_strips(Contact& contact) { return strips_at(contact, Array::region_y, contact.region_strips); }
+Strips all_strips(Contact& contact) { return strips_at(contact, Array::patch_y, contact.strips); }
+
+Strips patch_strips(Contact& contact, const Patch& patch) {
+  return slice(all_strips(contact), patch.first, patch.first + patch.count);
+}
+
+Strips region_strips(Contact& contact, const Patch& patch) {
+  const Strips all = strips_at(contact, Array::region_y, contact.model->options.sizes.strips);
+  return slice(all, patch.region_first, patch.region_first + patch.region_count);
+}
+
+double* cell_block(Contact& contact, Array which, const Patch& patch) {
+  return array(contact, which) + patch.region_first * contact.model->options.sizes.cells;
+}
 
 // ----------------------------------------------------------------------------------------------------------
 // gap
@@ -75,6 +130,7 @@ Strips region_strips(Contact& contact) { return strips_at(contact, Array::region
 Fault find_gap(Contact& contact, const Pose& pose) {
   back_to(contact, Stage::none);
   contact.gap_rows = 0;
+  contact.posed = false;
   const Model& model = *contact.model;
   if (!model.has_geometry) {
     return sequence(
@@ -94,12 +150,22 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   worsen(fault, fill_gap_rows(model.rail, wheel, contact.point, window, memory.capacity, memory, rows));
   if (fault.failed()) return fault;
   contact.gap_rows = rows.count;
+  contact.pose = pose;
+  contact.posed = true;
   contact.reached = Stage::gap;
   return fault;
 }
 
+Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
+  if (!contact.posed)
+    return sequence("pose", "call wrc_geometry first: creepages belong to its contact point");
+  rigid = creepage(posed(contact.model->wheel, contact.pose), contact.point, motion);
+  return {};
+}
+
 void take_gap(Contact& contact, const GapRows& rows) {
   back_to(contact, Stage::gap);
+  contact.posed = false;
   contact.gap_rows = rows.count;
   std::copy_n(rows.y, rows.count, array(contact, Array::gap_y));
   std::copy_n(rows.height, rows.count, array(contact, Array::gap_height));
@@ -113,6 +179,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
 
 Fault take_gap(Contact& contact, const GapGrid& grid) {
   back_to(contact, Stage::none);
+  contact.posed = false;
   contact.gap_rows = 0;
   // Rows are needed accurately where they may touch; a quarter of the depth that matters leaves the rest out
   // of the fit.
@@ -129,6 +196,26 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
 // -------------------------------------------------------------------------------------------------------
 // normal
 
+namespace {
+
+/// The strip half-space solver with its scratch memory, from its last solution where the model asks for that.
+Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
+  const ModelOptions& options = contact.model->options;
+  NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace};
+  StripHalfspaceStart start{options.sizes.strips,
+                            options.warm_start ? contact.start_strips : 0,
+                            array(contact, Array::start_y),
+                            array(contact, Array::start_width),
+                            array(contact, Array::start_length_squared),
+                            array(contact, Array::start_shift)};
+  const Fault fault = solve_strip_halfspace(problem, {}, *contact.model->strip_kernel, workspace, start,
+                                            strips, contact.normal);
+  contact.start_strips = fault.failed() ? 0 : start.count;
+  return fault;
+}
+
+}  // namespace
+
 Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0) return sequence("gap", "call wrc_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
@@ -142,7 +229,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
   problem.max_iterations = options.max_iterations;
   problem.force_tolerance = options.load_tolerance;
 
-  Strips strips = patch_strips(contact);
+  Strips strips = all_strips(contact);
   Fault fault;
   switch (options.normal_method) {
     case NormalMethod::hertz:
@@ -152,7 +239,19 @@ Fault solve_normal(Contact& contact, const Load& load) {
       fault = solve_kik_piotrowski(problem, {}, strips, contact.normal);
       break;
     case NormalMethod::ekp:
-      fault = solve_ekp(problem, {}, strips, contact.normal);
+      fault = solve_ekp(problem, {EkpScale::area}, strips, contact.normal);
+      break;
+    case NormalMethod::ekp_ellipse:
+      fault = solve_ekp(problem, {EkpScale::ellipse}, strips, contact.normal);
+      break;
+    case NormalMethod::analyn:
+      fault = solve_analyn(problem, strips, contact.normal);
+      break;
+    case NormalMethod::stripes:
+      fault = solve_stripes(problem, strips, contact.normal);
+      break;
+    case NormalMethod::strip_halfspace:
+      fault = solve_from_start(contact, problem, strips);
       break;
   }
   if (fault.failed()) {
@@ -160,17 +259,18 @@ Fault solve_normal(Contact& contact, const Load& load) {
     return fault;
   }
   contact.reached = Stage::patch;
-  contact.patch_strips = strips.count;
+  contact.strips = strips.count;
   contact.touching = strips.count > 0;
-  contact.extent = totals(strips);
+  worsen(fault, find_patches(contact));
   return fault;
 }
 
 Fault take_strips(Contact& contact, const Strips& strips) {
   back_to(contact, Stage::patch);
+  contact.posed = false;
   contact.gap_rows = 0;
-  contact.patch_strips = strips.count;
-  const Strips ours = patch_strips(contact);
+  contact.strips = strips.count;
+  const Strips ours = all_strips(contact);
   std::copy_n(strips.y, strips.count, ours.y);
   std::copy_n(strips.width, strips.count, ours.width);
   if (strips.centre != nullptr) {
@@ -180,30 +280,29 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   }
   std::copy_n(strips.half_length, strips.count, ours.half_length);
   std::copy_n(strips.peak, strips.count, ours.peak);
-  contact.extent = totals(ours);
+  const Fault fault = find_patches(contact);
   contact.touching = contact.extent.normal_force > 0.0;
-  contact.normal.normal_force = contact.extent.normal_force;
-  contact.normal.peak_pressure = contact.extent.peak_pressure;
-  contact.normal.area = contact.extent.area;
-  return contact.touching ? Fault{} : Fault{.status = WRC_FLAG_NO_CONTACT};
+  return contact.touching ? fault : Fault{.status = WRC_FLAG_NO_CONTACT};
 }
 
 Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force) {
   back_to(contact, Stage::patch);
+  contact.posed = false;
   contact.gap_rows = 0;
-  Strips strips = patch_strips(contact);
+  Strips strips = all_strips(contact);
   sdec_strips(sdec, 0.0, 0.0, normal_force, contact.model->options.sizes.strips, strips);
-  contact.patch_strips = strips.count;
+  contact.strips = strips.count;
   contact.touching = true;
   contact.extent = totals(strips);
   contact.extent.area = pi * sdec.a * sdec.b;  // exactly, where the strips converge to it
   contact.extent.normal_force = normal_force;
   contact.extent.peak_pressure = peak_pressure(sdec, normal_force);
   contact.extent.length = 2.0 * sdec.a;
-  contact.normal.normal_force = normal_force;
-  contact.normal.peak_pressure = contact.extent.peak_pressure;
-  contact.normal.area = contact.extent.area;
-  contact.sdec = sdec;
+  contact.patches = 1;
+  contact.patch[0] = {};
+  contact.patch[0].count = strips.count;
+  contact.patch[0].extent = contact.extent;
+  contact.patch[0].sdec = sdec;
   return {};
 }
 
@@ -212,8 +311,13 @@ Fault regularise_patch(Contact& contact) {
     return sequence("strips", "there is no patch: call wrc_normal first, or hand over strips");
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-  return regularise(contact.extent, contact.normal.y_contact, contact.model->options.regularisation,
-                    contact.sdec);
+  Fault fault;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    Patch& patch = contact.patch[k];
+    worsen(fault,
+           regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
+  }
+  return fault;
 }
 
 }  // namespace wrc

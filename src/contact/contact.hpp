@@ -13,8 +13,10 @@
 #include "contact/model.hpp"
 #include "fault.hpp"
 #include "geometry/contact_search.hpp"
+#include "geometry/creepages.hpp"
 #include "normal/problem.hpp"
 #include "patch/sdec.hpp"
+#include "patch/split.hpp"
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
@@ -36,24 +38,41 @@ struct DamageNumbers {
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
+/// Most patches one contact can report.
+inline constexpr std::int32_t patch_capacity = 16;
+
+/// One of the patches of a contact: a run of its strips, and what was found on it.
+struct Patch {
+  std::int32_t first = 0, count = 0;                ///< strips of the patch
+  std::int32_t region_first = 0, region_count = 0;  ///< strips its tangential fields live on
+  StripTotals extent;
+  double y_contact = 0.0;   ///< where its bodies first touch [m]
+  Sdec sdec;                ///< its equivalent double ellipse about y_contact
+  TangentialForces forces;  ///< moment about the origin of the contact frame
+};
+
 struct Contact {
   const Model* model = nullptr;
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
-  bool touching = false;      ///< false: the bodies are apart and forces are zero
-  std::int32_t gap_rows = 0;  ///< rows in use
-  std::int32_t patch_strips = 0;
-  std::int32_t region_strips = 0;
+  bool touching = false;          ///< false: the bodies are apart and forces are zero
+  std::int32_t gap_rows = 0;      ///< rows in use
+  std::int32_t strips = 0;        ///< of all patches
+  std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
 
-  ContactPoint point;  ///< of the last geometry stage
+  bool posed = false;  ///< pose and point belong to the gap in the contact
+  Pose pose;           ///< of the last geometry stage
+  ContactPoint point;
   NormalSolution normal;
-  StripTotals extent;  ///< of the patch
-  Sdec sdec;
+  StripTotals extent;  ///< of all patches together
+  std::int32_t patches = 0;
+  Patch patch[patch_capacity];
+  std::int32_t main_patch = 0;  ///< the one that carries most
   Creepage creepage;
-  double friction = 0.0;  ///< mu [-]
-  double speed = 0.0;     ///< V [m/s]
-  TangentialForces forces;
+  double friction = 0.0;    ///< mu [-]
+  double speed = 0.0;       ///< V [m/s]
+  TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
 };
 
@@ -74,11 +93,17 @@ const double* array(const Contact& contact, Array which);
 
 /// Views over the contact's arrays, for the strips and rows in use.
 GapRows gap_rows(const Contact& contact);
-Strips patch_strips(Contact& contact);
-Strips region_strips(Contact& contact);
+Strips all_strips(Contact& contact);
+Strips patch_strips(Contact& contact, const Patch& patch);
+Strips region_strips(Contact& contact, const Patch& patch);
+
+/// The block of a cell array that belongs to one patch: element (cell i, strip j) at i * patch.region_count +
+/// j.
+double* cell_block(Contact& contact, Array which, const Patch& patch);
 
 /// Stages. Each returns what went wrong and leaves the contact usable.
 Fault find_gap(Contact& contact, const Pose& pose);
+Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);

@@ -38,6 +38,11 @@ enum class Array : std::size_t {
   power_density,
   fatigue_index,
   strip_power,
+  start_y,
+  start_width,
+  start_length_squared,
+  start_shift,
+  normal_workspace,
   count_
 };
 
@@ -45,6 +50,7 @@ inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count
 
 struct ArraySizes {
   std::int32_t strips = 0, cells = 0, gap_rows = 0;
+  std::int64_t normal_workspace = 0;  ///< doubles
 };
 
 struct ArrayLayout {

@@ -54,6 +54,11 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
   return {.status = WRC_ERROR_INTERNAL};
 }
 
+/// The influence tables of the strip half-space solver, for the models that use it.
+std::size_t kernel_bytes(const ModelOptions& options) {
+  return options.normal_method == NormalMethod::strip_halfspace ? sizeof(StripKernel) : 0;
+}
+
 /// A fault of a profile, under the name the caller knows it by.
 Fault named(Fault fault, const char* name) {
   if (fault.failed() && fault.field == nullptr) fault.field = name;
@@ -66,7 +71,8 @@ std::size_t model_bytes(const ModelOptions& options) {
   // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
   const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
   const std::size_t given = (wheel > rail ? wheel : rail) / 3 * 4;
-  return sizeof(Model) + sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
+  return sizeof(Model) + kernel_bytes(options) +
+         sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -74,10 +80,19 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options = options;
   model->options.wheel = {};
   model->options.rail = {};
-  model->layout = lay_out(options.sizes, sizeof(Contact));
+  if (kernel_bytes(options) > 0) {
+    model->options.sizes.normal_workspace = strip_halfspace_workspace(options.sizes.strips);
+  }
+  model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
 
-  auto* arrays = reinterpret_cast<double*>(model + 1);
+  auto* behind = reinterpret_cast<char*>(model + 1);
+  if (kernel_bytes(options) > 0) {
+    auto* kernel = new (behind) StripKernel;
+    tabulate(*kernel);
+    model->strip_kernel = kernel;
+  }
+  auto* arrays = reinterpret_cast<double*>(behind + kernel_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays);
   arrays += march_grid_size(options.sizes.cells);
 

@@ -10,6 +10,7 @@
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 #include "linear_theory/sdec.hpp"
+#include "normal/strip_halfspace.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
 #include "tangential/march_grid.hpp"
@@ -18,7 +19,7 @@
 namespace wrc {
 
 /// The methods a model can be made of, one per stage.
-enum class NormalMethod { hertz, kik_piotrowski, ekp };
+enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
 enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec };
 
 /// Where a profile comes from: a standard shape or points of the caller.
@@ -35,7 +36,9 @@ struct ModelOptions {
   TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
   TractionBound traction_bound = TractionBound::parabolic;
   ArraySizes sizes;
+  std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0;
+  bool warm_start = false;  ///< of the strip half-space solver
   Material material;
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
@@ -52,9 +55,10 @@ struct Model {
   bool has_geometry = false;
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
-  SdecTable linear_theory;  ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;     ///< along each strip
-  ArrayLayout layout;       ///< of every contact of this model
+  const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
+  SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;                       ///< along each strip
+  ArrayLayout layout;                         ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

@@ -18,31 +18,32 @@ bool works_on_ellipse(TangentialMethod method) {
   return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe;
 }
 
-/// Fills the region's strips, in the frame the variant wants them: about the initial contact point (y_contact
-/// of the contact frame), or about the ellipse's own centre.
-void prepare_region(Contact& contact, TangentialMethod method) {
-  Strips region = region_strips(contact);
+/// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial
+/// contact point, or about the ellipse's own centre.
+void prepare_region(Contact& contact, Patch& patch, TangentialMethod method) {
+  patch.region_first = patch.first;
+  patch.region_count = patch.count;
+  Strips region = region_strips(contact, patch);
   if (works_on_ellipse(method)) {
-    const Sdec ellipse{contact.sdec.a, contact.sdec.b, 0.0};
-    sdec_strips(ellipse, 0.0, 0.0, contact.extent.normal_force, contact.model->options.sizes.strips, region);
-    contact.region_strips = region.count;
+    const Sdec ellipse{patch.sdec.a, patch.sdec.b, 0.0};
+    sdec_strips(ellipse, 0.0, 0.0, patch.extent.normal_force, patch.count, region);
+    patch.region_count = region.count;
     return;
   }
-  const Strips patch = patch_strips(contact);
-  for (std::int32_t j = 0; j < patch.count; ++j) region.y[j] = patch.y[j] - contact.normal.y_contact;
-  std::copy_n(patch.width, patch.count, region.width);
-  std::copy_n(patch.centre, patch.count, region.centre);
-  std::copy_n(patch.half_length, patch.count, region.half_length);
-  std::copy_n(patch.peak, patch.count, region.peak);
-  contact.region_strips = patch.count;
+  const Strips own = patch_strips(contact, patch);
+  for (std::int32_t j = 0; j < own.count; ++j) region.y[j] = own.y[j] - patch.y_contact;
+  std::copy_n(own.width, own.count, region.width);
+  std::copy_n(own.centre, own.count, region.centre);
+  std::copy_n(own.half_length, own.count, region.half_length);
+  std::copy_n(own.peak, own.count, region.peak);
 }
 
-/// x and normal pressure of every cell.
-void fill_cells(Contact& contact) {
-  const Strips region = region_strips(contact);
+/// x and normal pressure of every cell of a patch.
+void fill_cells(Contact& contact, const Patch& patch) {
+  const Strips region = region_strips(contact, patch);
   const std::int32_t cells = contact.model->options.sizes.cells;
-  double* x = array(contact, Array::cell_x);
-  double* pressure = array(contact, Array::pressure);
+  double* x = cell_block(contact, Array::cell_x, patch);
+  double* pressure = cell_block(contact, Array::pressure, patch);
   for (std::int32_t i = 0; i < cells; ++i) {
     const double s = 1.0 - (2.0 * i + 1.0) / cells;
     const double shape = std::sqrt(1.0 - s * s);
@@ -54,9 +55,70 @@ void fill_cells(Contact& contact) {
   }
 }
 
-TangentialFields cell_fields(Contact& contact) {
-  return {array(contact, Array::traction_x), array(contact, Array::traction_y), array(contact, Array::slip_x),
-          array(contact, Array::slip_y)};
+TangentialFields cell_fields(Contact& contact, const Patch& patch) {
+  return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
+          cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
+}
+
+/// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of
+/// the contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and
+/// M_z comes back by - y_contact F_x.
+Fault roll(Contact& contact, Patch& patch) {
+  const Model& model = *contact.model;
+  const TangentialMethod method = model.options.tangential_method;
+  prepare_region(contact, patch, method);
+  RollingContact rolling;
+  rolling.region = region_strips(contact, patch);
+  rolling.a = patch.sdec.a;
+  rolling.b = patch.sdec.b;
+  rolling.shape_number = patch.sdec.psi;
+  rolling.shear_modulus = model.options.material.shear_modulus;
+  rolling.linear_theory = &model.linear_theory;
+  rolling.grid = &model.march_grid;
+  rolling.creepage = contact.creepage;
+  rolling.creepage.longitudinal -= contact.creepage.spin * patch.y_contact;
+  rolling.friction = contact.friction;
+  rolling.bound = model.options.traction_bound;
+  const TangentialFields fields = cell_fields(contact, patch);
+  Fault fault;
+  switch (method) {
+    case TangentialMethod::fastsim:
+      patch.forces = fastsim(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastsim_eqe:
+      patch.forces = fastsim_eqe(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastsim_eql:
+      patch.forces = fastsim_eql(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastsim_sdec:
+      patch.forces = fastsim_sdec(rolling, fields, fault);
+      break;
+  }
+  patch.forces.mz -= patch.y_contact * patch.forces.fx;
+
+  const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
+  Strips region = region_strips(contact, patch);
+  for (std::int32_t j = 0; j < region.count; ++j) region.y[j] += patch.y_contact + centre;
+  fill_cells(contact, patch);
+  return fault;
+}
+
+/// Adds up the patches; the share that sticks is weighted by area.
+TangentialForces sum_of_patches(const Contact& contact) {
+  TangentialForces sum;
+  double area = 0.0;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    sum.fx += patch.forces.fx;
+    sum.fy += patch.forces.fy;
+    sum.mz += patch.forces.mz;
+    sum.power_per_speed += patch.forces.power_per_speed;
+    sum.adhesion_fraction += patch.forces.adhesion_fraction * patch.extent.area;
+    area += patch.extent.area;
+  }
+  sum.adhesion_fraction /= area;
+  return sum;
 }
 
 }  // namespace
@@ -67,55 +129,16 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
             .field = "patch",
             .cause = "there is no patch: call wrc_normal first, or hand over strips or a patch"};
   }
-  const Model& model = *contact.model;
-  const TangentialMethod method = model.options.tangential_method;
   contact.reached = Stage::tangential;
   contact.creepage = creepage;
   contact.friction = friction;
   contact.speed = speed;
   contact.forces = {};
   contact.damage = {};
-  contact.region_strips = 0;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-
-  // The variants refer everything to the initial contact point; the contact frame of a host's own gap may
-  // have its origin elsewhere: nu_x there is nu_x - phi y_contact, and M_z comes back by - y_contact F_x.
-  const double y_contact = contact.normal.y_contact;
-  prepare_region(contact, method);
-  RollingContact rolling;
-  rolling.region = region_strips(contact);
-  rolling.a = contact.sdec.a;
-  rolling.b = contact.sdec.b;
-  rolling.shape_number = contact.sdec.psi;
-  rolling.shear_modulus = model.options.material.shear_modulus;
-  rolling.linear_theory = &model.linear_theory;
-  rolling.grid = &model.march_grid;
-  rolling.creepage = {creepage.longitudinal - creepage.spin * y_contact, creepage.lateral, creepage.spin};
-  rolling.friction = friction;
-  rolling.bound = model.options.traction_bound;
-  const TangentialFields fields = cell_fields(contact);
   Fault fault;
-  switch (method) {
-    case TangentialMethod::fastsim:
-      contact.forces = fastsim(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastsim_eqe:
-      contact.forces = fastsim_eqe(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastsim_eql:
-      contact.forces = fastsim_eql(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastsim_sdec:
-      contact.forces = fastsim_sdec(rolling, fields, fault);
-      break;
-  }
-  contact.forces.mz -= y_contact * contact.forces.fx;
-
-  const double shift =
-      y_contact + (method == TangentialMethod::fastsim_eqe ? contact.sdec.psi * contact.sdec.b : 0.0);
-  Strips region = region_strips(contact);
-  for (std::int32_t j = 0; j < region.count; ++j) region.y[j] += shift;
-  fill_cells(contact);
+  for (std::int32_t k = 0; k < contact.patches; ++k) worsen(fault, roll(contact, contact.patch[k]));
+  contact.forces = sum_of_patches(contact);
   return fault;
 }
 
@@ -126,29 +149,39 @@ Fault assess_damage(Contact& contact) {
   contact.reached = Stage::damage;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const ModelOptions& options = contact.model->options;
-  const Strips region = region_strips(contact);
   const std::int32_t cells = options.sizes.cells;
-  const TangentialFields fields = cell_fields(contact);
-  double* density = array(contact, Array::power_density);
-  double* per_width = array(contact, Array::strip_power);
-  double* local_index = array(contact, Array::fatigue_index);
-  frictional_power_density(fields, region.count, cells, contact.speed, density);
-  frictional_power_per_width(density, region, cells, per_width);
-  local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
-
-  // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent ellipse.
-  const ShakedownPoint point = shakedown_point(contact.forces, contact.extent.normal_force,
-                                               contact.extent.peak_pressure, options.shear_yield);
   DamageNumbers& damage = contact.damage;
-  damage.power = frictional_power(per_width, region);
-  damage.peak_power_density = *std::max_element(density, density + cells * region.count);
+  damage = {};
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    const Strips region = region_strips(contact, patch);
+    const TangentialFields fields = cell_fields(contact, patch);
+    double* density = cell_block(contact, Array::power_density, patch);
+    double* per_width = array(contact, Array::strip_power) + patch.region_first;
+    double* local_index = cell_block(contact, Array::fatigue_index, patch);
+    frictional_power_density(fields, region.count, cells, contact.speed, density);
+    frictional_power_per_width(density, region, cells, per_width);
+    local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
+    damage.power += frictional_power(per_width, region);
+    const double densest = *std::max_element(density, density + cells * region.count);
+    damage.peak_power_density = std::max(damage.peak_power_density, densest);
+    const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
+
+    // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent
+    // ellipse.
+    const ShakedownPoint point = shakedown_point(patch.forces, patch.extent.normal_force,
+                                                 patch.extent.peak_pressure, options.shear_yield);
+    const double index = fatigue_index(point);
+    if (k == 0 || worst_cell > damage.local_fatigue_index) damage.local_fatigue_index = worst_cell;
+    if (k == 0 || index > damage.fatigue_index) {  // the patch nearest to damage speaks for the contact
+      damage.fatigue_index = index;
+      damage.utilisation = point.utilised_friction;
+      damage.load_factor = point.load_factor;
+      damage.shakedown_limit = shakedown_limit(point.utilised_friction);
+    }
+  }
   damage.t_gamma = t_gamma(contact.forces);
   damage.t_gamma_no_spin = t_gamma_without_spin(contact.forces, contact.creepage);
-  damage.utilisation = point.utilised_friction;
-  damage.load_factor = point.load_factor;
-  damage.shakedown_limit = shakedown_limit(point.utilised_friction);
-  damage.fatigue_index = fatigue_index(point);
-  damage.local_fatigue_index = *std::max_element(local_index, local_index + cells * region.count);
   return {};
 }
 

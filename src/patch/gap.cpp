@@ -130,14 +130,22 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
   return {};
 }
 
-GapMinimum minimum(const GapRows& rows) {
+GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y[rows.count - 1]); }
+
+GapMinimum minimum(const GapRows& rows, double low, double high) {
   // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining
   // pieces.
-  const std::int32_t j = lowest_row(rows);
-  double low = rows.y[std::max(j - 1, 0)];
-  double high = rows.y[std::min(j + 1, rows.count - 1)];
-  if (interpolate(rows, low).slope >= 0.0) return {low, rows.height[std::max(j - 1, 0)]};
-  if (interpolate(rows, high).slope <= 0.0) return {high, rows.height[std::min(j + 1, rows.count - 1)]};
+  std::int32_t lowest = -1;
+  for (std::int32_t j = 0; j < rows.count; ++j) {
+    if (rows.y[j] < low || rows.y[j] > high) continue;
+    if (lowest < 0 || rows.height[j] < rows.height[lowest]) lowest = j;
+  }
+  if (lowest >= 0) {
+    low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
+    high = std::min(high, rows.y[std::min(lowest + 1, rows.count - 1)]);
+  }
+  if (interpolate(rows, low).slope >= 0.0) return {low, interpolate(rows, low).height};
+  if (interpolate(rows, high).slope <= 0.0) return {high, interpolate(rows, high).height};
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
     (interpolate(rows, middle).slope < 0.0 ? low : high) = middle;

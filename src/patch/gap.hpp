@@ -59,4 +59,7 @@ struct GapMinimum {
 };
 GapMinimum minimum(const GapRows& rows);
 
+/// The same within low <= y <= high: the contact point of one of several patches.
+GapMinimum minimum(const GapRows& rows, double low, double high);
+
 }  // namespace wrc

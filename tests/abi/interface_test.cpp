@@ -264,9 +264,9 @@ TEST_F(Interface, StagesOutOfOrderAreRefused) {
   EXPECT_EQ(wrc_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_damage_numbers(fresh, &damage), WRC_ERROR_SEQUENCE);
   wrc_view view = made<wrc_view>(wrc_view_init);
-  EXPECT_EQ(wrc_field(fresh, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(view.data, nullptr);
-  EXPECT_EQ(wrc_field(fresh, 4711, &view), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_field(fresh, 0, 4711, &view), WRC_ERROR_UNSUPPORTED);
   wrc_contact_destroy(fresh);
 }
 
@@ -500,7 +500,7 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_field(contact, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "csv.hpp"
 #include "wrc/wrc.h"
 
 namespace compare {
@@ -16,6 +17,25 @@ Struct made(int32_t (*init)(Struct*)) {
   value.struct_size = sizeof value;
   init(&value);
   return value;
+}
+
+/// Inputs of wrc_tangential for one row of a file with the columns of sdec_cases.csv.
+struct Rolling {
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+};
+inline Rolling rolling_of(const Csv& file, std::size_t row) {
+  Rolling rolling;
+  rolling.patch.a = 1e-3 * file(row, "a_mm");
+  rolling.patch.b = 1e-3 * file(row, "b_mm");
+  rolling.patch.psi = file(row, "psi");
+  rolling.patch.normal_force = 1e3 * file(row, "N_kN");
+  rolling.creepage.longitudinal = file(row, "cx");
+  rolling.creepage.lateral = file(row, "cy");
+  rolling.creepage.spin = file(row, "phi_per_m");
+  rolling.friction.coefficient = file(row, "mu");
+  return rolling;
 }
 
 /// A model and one contact of it.

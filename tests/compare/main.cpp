@@ -1,6 +1,6 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
-///   wrc_compare sdec|normal FILE.csv [--json]
+///   wrc_compare sdec|normal|grid FILE.csv [--json]
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -20,6 +20,8 @@ constexpr Kind kinds[] = {
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
     {"normal", compare::compare_normal,
      "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
+    {"grid", compare::compare_grid,
+     "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
 };
 
 int usage() {

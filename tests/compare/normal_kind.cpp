@@ -17,6 +17,10 @@ constexpr Variant variants[] = {
     {"hertz", WRC_NORMAL_HERTZ},
     {"kik_piotrowski", WRC_NORMAL_KIK_PIOTROWSKI},
     {"ekp", WRC_NORMAL_EKP},
+    {"ekp_ellipse", WRC_NORMAL_EKP_ELLIPSE},
+    {"analyn", WRC_NORMAL_ANALYN},
+    {"stripes", WRC_NORMAL_STRIPES},
+    {"strip_halfspace", WRC_NORMAL_STRIP_HALFSPACE},
 };
 
 /// Consecutive lines of the file that belong to one contact: [first, last).
@@ -53,21 +57,26 @@ struct LineLoad {
   }
 };
 
-wrc_view view_of(const Solver& solver, int32_t field) {
+wrc_view view_of(const Solver& solver, int32_t patch, int32_t field) {
   wrc_view view = made<wrc_view>(wrc_view_init);
-  if (wrc_field(solver.contact(), field, &view) != WRC_OK) throw std::runtime_error("field not available");
+  if (wrc_field(solver.contact(), patch, field, &view) != WRC_OK)
+    throw std::runtime_error("field not available");
   return view;
 }
 
-LineLoad computed_line_load(const Solver& solver) {
+LineLoad computed_line_load(const Solver& solver, int32_t patches) {
   const double pi = 3.14159265358979323846;
-  const wrc_view y = view_of(solver, WRC_FIELD_STRIP_Y), width = view_of(solver, WRC_FIELD_STRIP_WIDTH);
-  const wrc_view half = view_of(solver, WRC_FIELD_STRIP_HALF), peak = view_of(solver, WRC_FIELD_STRIP_PEAK);
   LineLoad load;
-  for (uint64_t j = 0; j < y.count[0]; ++j) {
-    load.low.push_back(y.data[j] - 0.5 * width.data[j]);
-    load.high.push_back(y.data[j] + 0.5 * width.data[j]);
-    load.per_length.push_back(0.5 * pi * half.data[j] * peak.data[j]);
+  for (int32_t patch = 0; patch < patches; ++patch) {
+    const wrc_view y = view_of(solver, patch, WRC_FIELD_STRIP_Y),
+                   width = view_of(solver, patch, WRC_FIELD_STRIP_WIDTH);
+    const wrc_view half = view_of(solver, patch, WRC_FIELD_STRIP_HALF);
+    const wrc_view peak = view_of(solver, patch, WRC_FIELD_STRIP_PEAK);
+    for (uint64_t j = 0; j < y.count[0]; ++j) {
+      load.low.push_back(y.data[j] - 0.5 * width.data[j]);
+      load.high.push_back(y.data[j] + 0.5 * width.data[j]);
+      load.per_length.push_back(0.5 * pi * half.data[j] * peak.data[j]);
+    }
   }
   return load;
 }
@@ -132,7 +141,8 @@ Report compare_normal(const Csv& file) {
       errors["area"].add(i, patch.area / (1e-6 * file(head, "area_mm2")) - 1.0);
       errors["approach"].add(i, patch.approach / (1e-3 * file(head, "pen_mm")) - 1.0);
       const double shift = (1e-3 * file(head, "ycp_rail_mm") - point.y_rail) / std::cos(point.angle);
-      errors["line_load"].add(i, line_load_error(file, cases[i], computed_line_load(solver), shift));
+      errors["line_load"].add(
+          i, line_load_error(file, cases[i], computed_line_load(solver, patch.patches), shift));
     }
   }
   return report;

@@ -88,7 +88,7 @@ struct Run {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, WRC_FIELD_TRACTION_X, &view) < 0;
+    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
     wrc_creepage wrong = creepage;
     wrong.spin = NAN;  // an error is reported without allocating either
     char text[256];
@@ -101,8 +101,13 @@ struct Choice {
   const char* name;
   int32_t value;
 };
-constexpr Choice normals[] = {
-    {"hertz", WRC_NORMAL_HERTZ}, {"kik_piotrowski", WRC_NORMAL_KIK_PIOTROWSKI}, {"ekp", WRC_NORMAL_EKP}};
+constexpr Choice normals[] = {{"hertz", WRC_NORMAL_HERTZ},
+                              {"kik_piotrowski", WRC_NORMAL_KIK_PIOTROWSKI},
+                              {"ekp", WRC_NORMAL_EKP},
+                              {"ekp_ellipse", WRC_NORMAL_EKP_ELLIPSE},
+                              {"analyn", WRC_NORMAL_ANALYN},
+                              {"stripes", WRC_NORMAL_STRIPES},
+                              {"strip_halfspace", WRC_NORMAL_STRIP_HALFSPACE}};
 constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
                                   {"fastsim_eqe", WRC_TANGENTIAL_FASTSIM_EQE},
                                   {"fastsim_eql", WRC_TANGENTIAL_FASTSIM_EQL},
@@ -119,7 +124,11 @@ int main() {
   for (const Choice& normal : normals) {
     for (const Choice& tangential : tangentials) {
       for (int32_t bound : {WRC_BOUND_PARABOLIC, WRC_BOUND_ELLIPTIC}) {
+        // Every normal method with the default tangential one, and every tangential method after EKP.
+        const bool usual = tangential.value == WRC_TANGENTIAL_FASTSIM_SDEC && bound == WRC_BOUND_PARABOLIC;
+        if (!usual && normal.value != WRC_NORMAL_EKP) continue;
         wrc_config config = made<wrc_config>(wrc_config_init);
+        config.warm_start = 1;
         config.normal_method = normal.value;
         config.tangential_method = tangential.value;
         config.traction_bound = bound;

@@ -1,0 +1,133 @@
+#include "halfspace/convolution.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "halfspace/influence.hpp"
+
+namespace wrc::halfspace {
+namespace {
+
+// out[j * rows + i] = in[i * columns + j], in small tiles that stay in cache.
+void transpose(const double* in, double* out, int rows, int columns) {
+  constexpr int tile = 8;
+  for (int i0 = 0; i0 < rows; i0 += tile) {
+    for (int j0 = 0; j0 < columns; j0 += tile) {
+      for (int i = i0; i < std::min(i0 + tile, rows); ++i) {
+        for (int j = j0; j < std::min(j0 + tile, columns); ++j) {
+          out[static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(i)] =
+              in[static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
+                 static_cast<std::size_t>(j)];
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel)
+    : nx_(grid.nx),
+      ny_(grid.ny),
+      padded_x_(Fft::good_length(2 * grid.nx - 1)),
+      padded_y_(Fft::good_length(2 * grid.ny - 1)),
+      fft_x_(padded_x_),
+      fft_y_(padded_y_) {
+  const std::size_t coefficients =
+      static_cast<std::size_t>(2 * nx_ - 1) * static_cast<std::size_t>(2 * ny_ - 1);
+  kxx_.assign(coefficients, 0.0);
+  kyy_.assign(coefficients, 0.0);
+  kxy_.assign(coefficients, 0.0);
+  const bool tangential = kernel == Kernel::tangential;
+  for (int my = 1 - ny_; my < ny_; ++my) {
+    Influence here = influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+    for (int mx = 1 - nx_; mx < nx_; ++mx) {
+      const std::size_t k = offset(mx, my);
+      const Influence upstream = influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      kxx_[k] = tangential ? (here.xx - upstream.xx) / grid.dx : here.zz;
+      kyy_[k] = tangential ? (here.yy - upstream.yy) / grid.dx : here.zz;
+      kxy_[k] = tangential ? (here.xy - upstream.xy) / grid.dx : 0.0;
+      here = upstream;
+    }
+  }
+  const std::size_t padded = static_cast<std::size_t>(padded_x_) * static_cast<std::size_t>(padded_y_);
+  for (Field* field : {&re_, &im_, &work_re_, &work_im_}) field->assign(padded, 0.0);
+  transform_kernel(kxx_, xx_re_, xx_im_);
+  transform_kernel(kyy_, yy_re_, yy_im_);
+  transform_kernel(kxy_, xy_re_, xy_im_);
+}
+
+void Convolution::transform(int rows) {
+  fft_x_.forward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), rows);
+  transpose(re_.data(), work_re_.data(), padded_x_, rows);
+  transpose(im_.data(), work_im_.data(), padded_x_, rows);
+  std::swap(re_, work_re_);
+  std::swap(im_, work_im_);
+  const std::size_t used = static_cast<std::size_t>(rows) * static_cast<std::size_t>(padded_x_);
+  std::fill(re_.begin() + static_cast<std::ptrdiff_t>(used), re_.end(), 0.0);
+  std::fill(im_.begin() + static_cast<std::ptrdiff_t>(used), im_.end(), 0.0);
+  fft_y_.forward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), padded_x_);
+}
+
+void Convolution::transform_back() {
+  fft_y_.backward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), padded_x_);
+  transpose(re_.data(), work_re_.data(), ny_, padded_x_);
+  transpose(im_.data(), work_im_.data(), ny_, padded_x_);
+  std::swap(re_, work_re_);
+  std::swap(im_, work_im_);
+  fft_x_.backward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), ny_);
+}
+
+void Convolution::transform_kernel(const Field& kernel, Field& spectrum_re, Field& spectrum_im) {
+  std::fill(re_.begin(), re_.end(), 0.0);
+  std::fill(im_.begin(), im_.end(), 0.0);
+  const double scale = 1.0 / (static_cast<double>(padded_x_) * padded_y_);
+  for (int my = 1 - ny_; my < ny_; ++my) {
+    for (int mx = 1 - nx_; mx < nx_; ++mx) {
+      const auto x = static_cast<std::size_t>((mx + padded_x_) % padded_x_);
+      const auto y = static_cast<std::size_t>((my + padded_y_) % padded_y_);
+      re_[x * static_cast<std::size_t>(padded_y_) + y] = scale * kernel[offset(mx, my)];
+    }
+  }
+  transform(padded_y_);
+  spectrum_re = re_;
+  spectrum_im = im_;
+}
+
+// The spectrum Z of p_x + i p_y holds those of the two real fields, P_x(k) = (Z(k) + conj Z(-k)) / 2 and
+// P_y(k) = (Z(k) - conj Z(-k)) / (2 i); the product is packed the same way.
+void Convolution::multiply_by_kernel() {
+  const auto nx = static_cast<std::size_t>(padded_x_), ny = static_cast<std::size_t>(padded_y_);
+  for (std::size_t ky = 0; ky < ny; ++ky) {
+    const std::size_t row = ky * nx, mirrored_row = (ky == 0 ? 0 : ny - ky) * nx;
+    for (std::size_t kx = 0; kx < nx; ++kx) {
+      const std::size_t k = row + kx, m = mirrored_row + (kx == 0 ? 0 : nx - kx);
+      const double xr = 0.5 * (re_[k] + re_[m]), xi = 0.5 * (im_[k] - im_[m]);
+      const double yr = 0.5 * (im_[k] + im_[m]), yi = 0.5 * (re_[m] - re_[k]);
+      const double ur = xx_re_[k] * xr - xx_im_[k] * xi + xy_re_[k] * yr - xy_im_[k] * yi;
+      const double ui = xx_re_[k] * xi + xx_im_[k] * xr + xy_re_[k] * yi + xy_im_[k] * yr;
+      const double vr = xy_re_[k] * xr - xy_im_[k] * xi + yy_re_[k] * yr - yy_im_[k] * yi;
+      const double vi = xy_re_[k] * xi + xy_im_[k] * xr + yy_re_[k] * yi + yy_im_[k] * yr;
+      work_re_[k] = ur - vi;
+      work_im_[k] = ui + vr;
+    }
+  }
+  std::swap(re_, work_re_);
+  std::swap(im_, work_im_);
+}
+
+void Convolution::apply(const double* px, const double* py, double* out_x, double* out_y) {
+  transpose(px, re_.data(), ny_, nx_);
+  transpose(py, im_.data(), ny_, nx_);
+  const std::ptrdiff_t used = static_cast<std::ptrdiff_t>(nx_) * ny_;
+  const std::ptrdiff_t padded = static_cast<std::ptrdiff_t>(padded_x_) * ny_;
+  std::fill(re_.begin() + used, re_.begin() + padded, 0.0);
+  std::fill(im_.begin() + used, im_.begin() + padded, 0.0);
+  transform(ny_);
+  multiply_by_kernel();
+  transform_back();
+  transpose(re_.data(), out_x, nx_, ny_);
+  transpose(im_.data(), out_y, nx_, ny_);
+}
+
+}  // namespace wrc::halfspace

@@ -1,0 +1,23 @@
+/// GMRES: solves a linear system known only through its products with vectors (Saad & Schultz 1986).
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace wrc::halfspace {
+
+using Vector = std::vector<double>;
+using LinearMap = std::function<void(const Vector& in, Vector& out)>;
+
+struct GmresResult {
+  int products = 0;       ///< applications of the matrix
+  double residual = 0.0;  ///< |b - A x| / |b| at the end, as GMRES estimates it
+};
+
+/// Solves matrix(x) = rhs from x = 0 with the preconditioner on the right (so that the residual is the true
+/// one), until |b - A x| <= tolerance |b| or `max_products`. No restarts: memory is max_products vectors at
+/// most.
+GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, const Vector& rhs,
+                  double tolerance, int max_products, Vector& x);
+
+}  // namespace wrc::halfspace

@@ -1,0 +1,37 @@
+#include "halfspace/influence.hpp"
+
+#include <cmath>
+
+namespace wrc::halfspace {
+namespace {
+
+// x asinh(y / |x|), the corner function of IInt y^2/r^3; its limit at x = 0 is 0.
+double corner(double x, double y) { return x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x)); }
+
+}  // namespace
+
+// With X, Y the distances from the four corners of the cell to the point,
+//     IInt y^2/r^3 = [[ X ln(Y + r) ]],  IInt x^2/r^3 = [[ Y ln(X + r) ]],  IInt x y/r^3 = [[ -r ]],
+// double differences over the corners; 1/r is the sum of the first two. asinh(Y/|X|) replaces ln(Y + r): the
+// difference ln|X| does not depend on Y and drops out, and nothing cancels for negative Y.
+Influence influence(const Material& material, double x, double y, double dx, double dy) {
+  const double xs[2] = {x - 0.5 * dx, x + 0.5 * dx};
+  const double ys[2] = {y - 0.5 * dy, y + 0.5 * dy};
+  double yy_over_r3 = 0.0, xx_over_r3 = 0.0, xy_over_r3 = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      const double sign = i == j ? 1.0 : -1.0;
+      yy_over_r3 += sign * corner(xs[i], ys[j]);
+      xx_over_r3 += sign * corner(ys[j], xs[i]);
+      xy_over_r3 -= sign * std::sqrt(xs[i] * xs[i] + ys[j] * ys[j]);
+    }
+  }
+  const double scale = 1.0 / (pi * material.shear_modulus);
+  const double nu = material.poisson;
+  return {.zz = scale * (1.0 - nu) * (xx_over_r3 + yy_over_r3),
+          .xx = scale * (xx_over_r3 + (1.0 - nu) * yy_over_r3),
+          .xy = scale * nu * xy_over_r3,
+          .yy = scale * ((1.0 - nu) * xx_over_r3 + yy_over_r3)};
+}
+
+}  // namespace wrc::halfspace

@@ -1,0 +1,88 @@
+#include "halfspace/pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patch/material.hpp"
+
+namespace wrc::halfspace {
+namespace {
+
+// Integral of sqrt(1 - t^2) from -1 to t.
+double semicircle_integral(double t) {
+  const double c = std::clamp(t, -1.0, 1.0);
+  return 0.5 * (c * std::sqrt((1.0 - c) * (1.0 + c)) + std::asin(c) + 0.5 * pi);
+}
+
+// Adds to row j the x-means of peak sqrt(1 - ((x - centre)/l)^2), times weight.
+void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, double l, double weight,
+                      Field& field) {
+  if (l <= 0.0) return;
+  double below = semicircle_integral((grid.x(0) - 0.5 * grid.dx - centre) / l);
+  for (int i = 0; i < grid.nx; ++i) {
+    const double above = semicircle_integral((grid.x(i) + 0.5 * grid.dx - centre) / l);
+    field[grid.index(i, j)] += weight * peak * l * (above - below) / grid.dx;
+    below = above;
+  }
+}
+
+}  // namespace
+
+double SdecPatch::half_length(double y) const {
+  const double t = y / (y > 0.0 ? b * (1.0 + psi) : b * (1.0 - psi));
+  return std::abs(t) < 1.0 ? a * std::sqrt((1.0 - t) * (1.0 + t)) : 0.0;
+}
+
+Grid grid_over(const SdecPatch& patch, int nx, int ny) {
+  return grid_over_box(-patch.a, patch.a, -patch.b * (1.0 - patch.psi), patch.b * (1.0 + patch.psi), nx, ny);
+}
+
+Field sdec_pressure(const SdecPatch& patch, double peak, const Grid& grid, CellPressure rule) {
+  Field field(grid.cells(), 0.0);
+  constexpr int lines =
+      16;  // midpoint rule across a cell; the integrand is smooth but at the joint and the tips
+  for (int j = 0; j < grid.ny; ++j) {
+    if (rule == CellPressure::mean) {
+      for (int k = 0; k < lines; ++k) {
+        const double l = patch.half_length(grid.y(j) + grid.dy * ((k + 0.5) / lines - 0.5));
+        add_semi_ellipse(grid, j, peak * l / patch.a, 0.0, l, 1.0 / lines, field);
+      }
+      continue;
+    }
+    const double l = patch.half_length(grid.y(j));
+    for (int i = 0; i < grid.nx; ++i) {
+      const double x = grid.x(i);
+      if (std::abs(x) < l) field[grid.index(i, j)] = peak * std::sqrt((l - x) * (l + x)) / patch.a;
+    }
+  }
+  return field;
+}
+
+Field strip_pressure(const Strips& strips, const Grid& grid) {
+  Field field(grid.cells(), 0.0);
+  for (int j = 0; j < grid.ny; ++j) {
+    const double low = grid.y(j) - 0.5 * grid.dy, high = grid.y(j) + 0.5 * grid.dy;
+    for (std::int32_t k = 0; k < strips.count; ++k) {
+      const double from = std::max(low, strips.y[k] - 0.5 * strips.width[k]);
+      const double to = std::min(high, strips.y[k] + 0.5 * strips.width[k]);
+      if (to <= from) continue;
+      add_semi_ellipse(grid, j, strips.peak[k], strips.centre[k], strips.half_length[k],
+                       (to - from) / grid.dy, field);
+    }
+  }
+  return field;
+}
+
+Grid grid_over(const Strips& strips, int nx, int ny) {
+  double trail = 0.0, lead = 0.0;
+  for (std::int32_t k = 0; k < strips.count; ++k) {
+    const double from = strips.centre[k] - strips.half_length[k],
+                 to = strips.centre[k] + strips.half_length[k];
+    trail = k == 0 ? from : std::min(trail, from);
+    lead = k == 0 ? to : std::max(lead, to);
+  }
+  const StripTotals sum = totals(strips);
+  return grid_over_box(trail, lead, sum.y_min, sum.y_max, nx, ny);
+}
+
+}  // namespace wrc::halfspace

@@ -1,0 +1,374 @@
+#include "halfspace/tangential.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "halfspace/gmres.hpp"
+#include "halfspace/resample.hpp"
+#include "halfspace/row_preconditioner.hpp"
+
+namespace wrc::halfspace {
+namespace {
+
+// A cell whose traction is sought.
+struct Cell {
+  std::size_t at = 0;  // index into fields
+  double bound = 0.0;  // g [Pa]; unused in full adhesion
+  double wx = 0.0, wy = 0.0;
+};
+
+struct Offsets {
+  double slip = 0.0, traction = 0.0;  // from the cell's centre along x [m]
+};
+
+Offsets offsets(Collocation collocation, double dx) {
+  if (collocation == Collocation::reference_program) return {.slip = dx / 6.0, .traction = 0.0};
+  return {.slip = 0.25 * dx, .traction = -0.25 * dx};
+}
+
+double friction_of(const RollingProblem& problem, std::size_t at) {
+  return problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at];
+}
+
+// One grid's Newton iteration. Tractions in `solution` are the start and the result.
+class Newton {
+ public:
+  Newton(const Grid& grid, Convolution& convolution, const RollingProblem& problem,
+         RollingSolution& solution);
+
+  // Iterates until the convergence test holds; false if cancelled.
+  bool run(double tolerance);
+
+ private:
+  bool full() const { return problem_.adhesion == Adhesion::full; }
+  void update_slip();
+  double linearise();
+  void step();
+  void convolve();
+  void apply_matrix(const Vector& in, Vector& out);
+
+  const RollingProblem& problem_;
+  RollingSolution& solution_;
+  Convolution& convolution_;
+  double rho_;
+  std::vector<Cell> cells_;
+  std::vector<Cell> frictionless_;  // in contact, but without traction whatever the slip
+  std::vector<CellUnknowns> unknowns_;
+  Vector radial_x_, radial_y_;  // changes of traction that bring slipping cells onto the circle
+  Vector rhs_;
+  Field field_x_, field_y_;
+  RowPreconditioner preconditioner_;
+};
+
+Newton::Newton(const Grid& grid, Convolution& convolution, const RollingProblem& problem,
+               RollingSolution& solution)
+    : problem_(problem),
+      solution_(solution),
+      convolution_(convolution),
+      rho_(1.0 / std::max(convolution.xx(0, 0), convolution.yy(0, 0))),
+      field_x_(grid.cells()),
+      field_y_(grid.cells()) {
+  const double ahead = offsets(problem.collocation, grid.dx).slip;
+  const Creepage& c = problem.creepage;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t at = grid.index(i, j);
+      if (problem.pressure[at] <= 0.0) continue;
+      const double bound = full() ? 0.0 : friction_of(problem, at) * problem.pressure[at];
+      const Cell cell{.at = at,
+                      .bound = bound,
+                      .wx = c.longitudinal - c.spin * grid.y(j),
+                      .wy = c.lateral + c.spin * (grid.x(i) + ahead)};
+      if (!full() && bound <= 0.0) {
+        frictionless_.push_back(cell);
+        continue;
+      }
+      cells_.push_back(cell);
+      unknowns_.push_back({.i = i, .j = j});
+    }
+  }
+  radial_x_.resize(cells_.size());
+  radial_y_.resize(cells_.size());
+}
+
+void Newton::convolve() {
+  convolution_.apply(field_x_.data(), field_y_.data(), field_x_.data(), field_y_.data());
+  ++solution_.products;
+}
+
+void Newton::update_slip() {
+  RollingSolution& s = solution_;
+  field_x_ = s.traction_x;
+  field_y_ = s.traction_y;
+  convolve();
+  for (const Cell& c : cells_) {
+    s.slip_x[c.at] = c.wx + field_x_[c.at];
+    s.slip_y[c.at] = c.wy + field_y_[c.at];
+  }
+  for (const Cell& c : frictionless_) {
+    s.slip_x[c.at] = c.wx + field_x_[c.at];
+    s.slip_y[c.at] = c.wy + field_y_[c.at];
+    s.state[c.at] = CellState::slip;
+  }
+}
+
+// Derives the Newton system at the present tractions and slips; returns the residual of the convergence test.
+//
+// With z = p - rho s: |z| <= g sticks, and the change of traction d is to make s + C d = 0. Otherwise the
+// cell slips; with n = z/|z| and t across it, the derivative of p = g z/|z| demands n.(p + d) = g, and along
+// t
+//     (|z| - g)/(rho g) d_t + (C d)_t = -|z|/(rho g) p_t,
+// where (|z| - g)/(rho g) tends to |s|/g. Sticking tractions may exceed g on the way: cut back to the circle
+// they would hide from the next iteration how far the adhesion area is from carrying itself, and the border
+// would creep by one cell per iteration.
+double Newton::linearise() {
+  RollingSolution& s = solution_;
+  rhs_.clear();
+  double error = 0.0, norm = 0.0;
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const Cell& c = cells_[k];
+    CellUnknowns& u = unknowns_[k];
+    const double px = s.traction_x[c.at], py = s.traction_y[c.at];
+    const double sx = s.slip_x[c.at], sy = s.slip_y[c.at];
+    const double zx = px - rho_ * sx, zy = py - rho_ * sy, z = std::hypot(zx, zy);
+    const bool sticks = full() || z <= c.bound;
+    s.state[c.at] = sticks ? CellState::adhesion : CellState::slip;
+    u.first = rhs_.size();
+    if (sticks) {
+      u.count = 2;
+      radial_x_[k] = radial_y_[k] = 0.0;
+      rhs_.push_back(-sx);
+      rhs_.push_back(-sy);
+      error += rho_ * rho_ * (sx * sx + sy * sy);
+    } else {
+      const double nx = zx / z, ny = zy / z;
+      u.count = 1;
+      u.tx = -ny;
+      u.ty = nx;
+      u.stiffening = (z - c.bound) / (rho_ * c.bound);
+      radial_x_[k] = (c.bound - px * nx - py * ny) * nx;
+      radial_y_[k] = (c.bound - px * nx - py * ny) * ny;
+      rhs_.push_back(-(px * u.tx + py * u.ty) * z / (rho_ * c.bound));
+      error += std::pow(px - c.bound * nx, 2) + std::pow(py - c.bound * ny, 2);
+    }
+    norm += full() ? px * px + py * py : c.bound * c.bound;
+  }
+  if (norm > 0.0) return std::sqrt(error / norm);
+  return error > 0.0 ? 1.0 : 0.0;
+}
+
+void Newton::apply_matrix(const Vector& in, Vector& out) {
+  std::fill(field_x_.begin(), field_x_.end(), 0.0);
+  std::fill(field_y_.begin(), field_y_.end(), 0.0);
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const CellUnknowns& u = unknowns_[k];
+    field_x_[cells_[k].at] = u.count == 2 ? in[u.first] : in[u.first] * u.tx;
+    field_y_[cells_[k].at] = u.count == 2 ? in[u.first + 1] : in[u.first] * u.ty;
+  }
+  convolve();
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const CellUnknowns& u = unknowns_[k];
+    const double x = field_x_[cells_[k].at], y = field_y_[cells_[k].at];
+    if (u.count == 2) {
+      out[u.first] = x;
+      out[u.first + 1] = y;
+    } else {
+      out[u.first] = u.tx * x + u.ty * y + u.stiffening * in[u.first];
+    }
+  }
+}
+
+void Newton::step() {
+  RollingSolution& s = solution_;
+  if (!full()) {  // the slip caused by the radial changes goes to the right-hand side
+    std::fill(field_x_.begin(), field_x_.end(), 0.0);
+    std::fill(field_y_.begin(), field_y_.end(), 0.0);
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      field_x_[cells_[k].at] = radial_x_[k];
+      field_y_[cells_[k].at] = radial_y_[k];
+    }
+    convolve();
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      const CellUnknowns& u = unknowns_[k];
+      const double x = field_x_[cells_[k].at], y = field_y_[cells_[k].at];
+      rhs_[u.first] -= u.count == 2 ? x : u.tx * x + u.ty * y;
+      if (u.count == 2) rhs_[u.first + 1] -= y;
+    }
+  }
+  preconditioner_.factor(unknowns_, convolution_);
+  // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
+  // system.
+  const double accuracy = full() ? 0.1 * problem_.tolerance : 1e-2;
+  constexpr int max_products = 100;
+  Vector change;
+  gmres([this](const Vector& in, Vector& out) { apply_matrix(in, out); },
+        [this](const Vector& in, Vector& out) { preconditioner_.apply(in, out); }, rhs_, accuracy,
+        max_products, change);
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const CellUnknowns& u = unknowns_[k];
+    const std::size_t at = cells_[k].at;
+    const double dx = u.count == 2 ? change[u.first] : change[u.first] * u.tx;
+    const double dy = u.count == 2 ? change[u.first + 1] : change[u.first] * u.ty;
+    double x = s.traction_x[at] + radial_x_[k] + dx, y = s.traction_y[at] + radial_y_[k] + dy;
+    const double length = std::hypot(x, y);
+    const double cut =
+        u.count == 1 ? cells_[k].bound / length : 1.0;  // from the tangent back onto the circle
+    s.traction_x[at] = cut * x;
+    s.traction_y[at] = cut * y;
+  }
+}
+
+bool Newton::run(double tolerance) {
+  RollingSolution& s = solution_;
+  update_slip();
+  for (s.iterations = 0;; ++s.iterations) {
+    s.residual = linearise();
+    if (s.residual <= tolerance) return true;
+    if (s.iterations == problem_.max_iterations) break;
+    const double decades = std::log(std::max(s.residual, tolerance)) / std::log(tolerance);
+    if (!problem_.progress.goes_on(std::clamp(decades, 0.0, 1.0))) return false;
+    step();
+    update_slip();
+  }
+  s.fault = {.status = WRC_FLAG_ITERATION_CAP,
+             .field = "halfspace.residual",
+             .value = s.residual,
+             .low = 0.0,
+             .high = tolerance};
+  return true;
+}
+
+// Forces, moment, power and adhesion area from the fields.
+void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s) {
+  const double shift = offsets(problem.collocation, grid.dx).traction;
+  double fx = 0.0, fy = 0.0, mz = 0.0, power = 0.0;
+  std::size_t contact = 0, adhesion = 0;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t at = grid.index(i, j);
+      if (problem.pressure[at] <= 0.0) continue;
+      const double px = s.traction_x[at], py = s.traction_y[at];
+      fx += px;
+      fy += py;
+      mz += (grid.x(i) + shift) * py - grid.y(j) * px;
+      power -= px * s.slip_x[at] + py * s.slip_y[at];
+      ++contact;
+      if (s.state[at] == CellState::adhesion) ++adhesion;
+    }
+  }
+  const double area = grid.cell_area();
+  s.forces = {.fx = fx * area, .fy = fy * area, .mz = mz * area, .power_per_speed = power * area};
+  if (contact > 0) s.forces.adhesion_fraction = static_cast<double>(adhesion) / static_cast<double>(contact);
+  const Creepage& c = problem.creepage;
+  s.power_by_balance = -(s.forces.fx * c.longitudinal + s.forces.fy * c.lateral + s.forces.mz * c.spin);
+}
+
+// The problem on a coarser grid: pressure and traction bound are averaged.
+RollingProblem restricted(const Grid& fine, const RollingProblem& problem, const Grid& coarse) {
+  RollingProblem out = problem;
+  out.pressure = average(fine, problem.pressure, coarse);
+  if (problem.friction.size() > 1) {
+    Field bound = problem.pressure;
+    for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= problem.friction[k];
+    out.friction = average(fine, bound, coarse);
+    for (std::size_t k = 0; k < out.friction.size(); ++k) {
+      if (out.pressure[k] > 0.0) out.friction[k] /= out.pressure[k];
+    }
+  }
+  return out;
+}
+
+// Start on the fine grid: the tractions' share of the pressure is what varies smoothly.
+void prolong(const Grid& coarse, const RollingProblem& coarse_problem, const RollingSolution& from,
+             const Grid& fine, const RollingProblem& problem, RollingSolution& to) {
+  Field share_x = from.traction_x, share_y = from.traction_y;
+  for (std::size_t k = 0; k < share_x.size(); ++k) {
+    if (coarse_problem.pressure[k] <= 0.0) continue;
+    share_x[k] /= coarse_problem.pressure[k];
+    share_y[k] /= coarse_problem.pressure[k];
+  }
+  to.traction_x = interpolate(coarse, share_x, coarse_problem.pressure, fine);
+  to.traction_y = interpolate(coarse, share_y, coarse_problem.pressure, fine);
+  for (std::size_t k = 0; k < to.traction_x.size(); ++k) {
+    to.traction_x[k] *= std::max(problem.pressure[k], 0.0);
+    to.traction_y[k] *= std::max(problem.pressure[k], 0.0);
+  }
+}
+
+void clear(const Grid& grid, RollingSolution& s) {
+  for (Field* field : {&s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y}) field->assign(grid.cells(), 0.0);
+  s.state.assign(grid.cells(), CellState::exterior);
+}
+
+Fault check(const Grid& grid, const RollingProblem& problem) {
+  const auto range = [](const char* field, double value) {
+    return Fault{.status = WRC_ERROR_RANGE, .field = field, .value = value};
+  };
+  if (problem.pressure.size() != grid.cells()) {
+    return range("halfspace.pressure.size", static_cast<double>(problem.pressure.size()));
+  }
+  for (const double p : problem.pressure) {
+    if (!std::isfinite(p)) return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.pressure", .value = p};
+  }
+  const Creepage& c = problem.creepage;
+  if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
+    return {.status = WRC_ERROR_NOT_FINITE, .field = "creepage"};
+  }
+  if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0))
+    return range("halfspace.tolerance", problem.tolerance);
+  if (problem.adhesion == Adhesion::full) return {};
+  if (problem.friction.size() != 1 && problem.friction.size() != grid.cells()) {
+    return range("halfspace.friction.size", static_cast<double>(problem.friction.size()));
+  }
+  for (const double mu : problem.friction) {
+    if (!(mu >= 0.0 && std::isfinite(mu))) return range("halfspace.friction", mu);
+  }
+  return {};
+}
+
+}  // namespace
+
+RollingSolver::RollingSolver(const Grid& grid, const Material& material) {
+  constexpr int coarsest = 12;  // cells along the shorter side
+  for (Grid g = grid;; g = coarsened(g)) {
+    levels_.push_back({g, Convolution(g, material, Convolution::Kernel::tangential)});
+    if (std::min(g.nx, g.ny) < 2 * coarsest) break;
+  }
+}
+
+RollingSolution RollingSolver::solve(const RollingProblem& problem) {
+  if (const Fault fault = check(levels_[0].grid, problem); fault.failed()) {
+    RollingSolution failed;
+    clear(levels_[0].grid, failed);
+    failed.fault = fault;
+    return failed;
+  }
+  std::vector<RollingProblem> problems{problem};
+  if (problem.adhesion == Adhesion::coulomb) {
+    for (std::size_t l = 1; l < levels_.size(); ++l) {
+      problems.push_back(restricted(levels_[l - 1].grid, problems.back(), levels_[l].grid));
+    }
+  }
+  RollingSolution coarse, solution;
+  for (std::size_t l = problems.size(); l-- > 0;) {
+    Level& level = levels_[l];
+    solution = {};
+    clear(level.grid, solution);
+    if (l + 1 < problems.size()) {
+      prolong(levels_[l + 1].grid, problems[l + 1], coarse, level.grid, problems[l], solution);
+    }
+    constexpr double coarse_tolerance = 1e-2;
+    Newton newton(level.grid, level.convolution, problems[l], solution);
+    if (!newton.run(l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance))) {
+      clear(level.grid, solution);
+      solution.fault = {.status = WRC_ERROR_CANCELLED};
+      return solution;
+    }
+    if (l > 0) coarse = std::move(solution);
+  }
+  finish(levels_[0].grid, problem, solution);
+  return solution;
+}
+
+}  // namespace wrc::halfspace

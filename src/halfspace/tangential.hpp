@@ -1,0 +1,96 @@
+/// Steady rolling with Coulomb friction between two half-spaces: Kalker's exact theory.
+///
+/// Slip of the wheel over the rail per unit rolled length, particles travelling towards -x:
+///     s(x, y) = w(x, y) - du/dx,    w = (nu_x - phi y, nu_y + phi x),
+/// u the displacement difference wheel minus rail from tractions p on the wheel (influence.hpp). Where |p| <
+/// g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g s / |s|. Both say p = P(p - rho s) for any rho >
+/// 0, P the projection onto the disk of radius g: that equation is solved, by Newton's method with a moving
+/// adhesion area (a primal-dual active set), its linear systems by GMRES with the rows along x inverted as
+/// preconditioner and FFT convolutions as products, started from the solution on a grid of half as many cells
+/// each way.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "fault.hpp"
+#include "halfspace/convolution.hpp"
+#include "halfspace/grid.hpp"
+#include "halfspace/progress.hpp"
+#include "tangential/problem.hpp"
+
+namespace wrc::halfspace {
+
+/// Where on a cell the discrete slip and traction are taken to be. The equation of one cell,
+///     s_i = w - (u(x_i + dx) - u(x_i)) / dx,
+/// knows the displacements one cell apart, with p constant per cell. The matrix is the same for both.
+enum class Collocation {
+  /// w at x_i + dx/4, p at x_i - dx/4. The difference quotient belongs to x_i + dx/2, and a piecewise
+  /// constant
+  /// solution of this singular equation represents the exact one best a quarter of a cell behind that of its
+  /// nominal place and meets the equation best a quarter ahead: the quarter-chord, three-quarter-chord rule
+  /// of the
+  /// vortex lattice (our leading edge is the airfoil's trailing edge).
+  quarter_point,
+  /// w at x_i + dx/6, p at x_i: reproduces the reference program CONTACT 25.2 on its own grid to 1e-5 of mu
+  /// N. The
+  /// offset dx/6 was found by that comparison.
+  reference_program
+};
+
+enum class Adhesion {
+  coulomb,  ///< |p| <= mu p_n
+  full      ///< s = 0 everywhere: linear theory
+};
+
+struct RollingProblem {
+  Field pressure;     ///< p_n of each cell [Pa]; cells with p_n > 0 are the contact area
+  Field friction;     ///< mu of each cell, or a single value for all; unused in full adhesion
+  Creepage creepage;  ///< about the origin of the grid's coordinates
+  Adhesion adhesion = Adhesion::coulomb;
+  Collocation collocation = Collocation::quarter_point;
+  double tolerance = 1e-4;  ///< |p - P(p - rho s)| <= tolerance |g| (2-norms over the cells; |p| in full
+                            ///< adhesion), rho = 1 / largest coefficient, about 1.3 G
+  int max_iterations = 60;  ///< Newton iterations on one grid
+  ProgressCallback progress;
+};
+
+enum class CellState : std::uint8_t { exterior, adhesion, slip };
+
+struct RollingSolution {
+  Field traction_x, traction_y;  ///< on the wheel [Pa]
+  Field slip_x, slip_y;          ///< sliding velocity / rolling speed [-]; zero outside the contact
+  std::vector<CellState> state;
+  TangentialForces forces;  ///< mz about the origin; power is the sum of -p . s over the cells
+  /// -(Fx nu_x + Fy nu_y + Mz phi) [N], the dissipation by the energy balance of steady rolling. The limit of
+  /// forces.power_per_speed for fine grids; it has the error of the forces only, where the sum over the cells
+  /// also misses what the difference quotient dissipates in steep gradients (first order, up to half where
+  /// only a few cells at the trailing edge slip).
+  double power_by_balance = 0.0;
+  int iterations = 0;     ///< Newton iterations on the given grid
+  int products = 0;       ///< convolutions on the given grid
+  double residual = 0.0;  ///< of the convergence test
+  Fault fault;            ///< WRC_FLAG_ITERATION_CAP: residual stayed above the tolerance
+};
+
+/// Solves any number of problems on one grid; the spectra and coarser grids are prepared once. Not to be
+/// shared by threads. Memory: four thirds of Convolution's plus at most 160 doubles and (2 nx) floats per
+/// cell.
+class RollingSolver {
+ public:
+  RollingSolver(const Grid& grid, const Material& material);
+
+  const Grid& grid() const { return levels_.front().grid; }
+
+  RollingSolution solve(const RollingProblem& problem);
+
+ private:
+  struct Level {
+    Grid grid;
+    Convolution convolution;
+  };
+  std::vector<Level> levels_;  // finest first
+};
+
+}  // namespace wrc::halfspace

@@ -1,0 +1,329 @@
+#include "inputs.hpp"
+
+#include <algorithm>
+
+namespace hostile {
+namespace {
+
+/// Now and then one of the values is spoilt.
+void poison_one(Choices& choices, std::vector<double>& values) {
+  if (!choices.one_in(24) || values.empty()) return;
+  values[choices.below(static_cast<std::uint32_t>(values.size()))] = choices.poison();
+}
+
+/// Simple tread with a flange [m]; no standard's shape.
+double wheel_height(double y) {
+  if (y < -0.058) return 0.028 - 20.0 * (y + 0.058) * (y + 0.058);
+  if (y < -0.032) return std::fmin(0.028, 0.0008 + 60.0 * (y + 0.032) * (y + 0.032));
+  return -0.025 * y;
+}
+double rail_height(double y) {
+  const double over = std::fmax(0.0, std::fabs(y) - 0.025);
+  return 0.5 * y * y / 0.3 + 60.0 * over * over;
+}
+
+/// Measured, worn, edited by hand or simply wrong: the ways a profile file can be.
+void spoil_profile(Choices& choices, std::vector<double>& y, std::vector<double>& z) {
+  const auto count = static_cast<std::uint32_t>(y.size());
+  const auto somewhere = [&] { return choices.below(count); };
+  const double size = choices.magnitude(1e-9, 1e-2);
+  switch (choices.below(12)) {
+    case 0:
+    case 1:
+      break;
+    case 2:  // noise of a measurement
+      for (double& value : z) value += choices.between(-size, size);
+      break;
+    case 3: {  // a step: with many points nearly vertical
+      const std::uint32_t from = somewhere();
+      for (std::uint32_t i = from; i < count; ++i) z[i] += size;
+      break;
+    }
+    case 4: {  // a kink
+      const std::uint32_t from = somewhere();
+      const double slope = choices.between(-3.0, 3.0);
+      for (std::uint32_t i = from; i < count; ++i) z[i] += slope * (y[i] - y[from]);
+      break;
+    }
+    case 5: {  // a vertical part
+      const std::uint32_t at = 1 + choices.below(count - 1);
+      y[at] = y[at - 1] + choices.magnitude(1e-15, 1e-6);
+      break;
+    }
+    case 6: {  // a hollow or a groove
+      const double middle = y[somewhere()], width = choices.magnitude(1e-4, 2e-2);
+      for (std::uint32_t i = 0; i < count; ++i)
+        z[i] += (choices.one_in(2) ? size : -size) * std::exp(-std::pow((y[i] - middle) / width, 2));
+      break;
+    }
+    case 7:  // a single spike
+      z[somewhere()] += choices.one_in(2) ? size : -size;
+      break;
+    case 8:  // flat
+      std::fill(z.begin(), z.end(), 0.0);
+      break;
+    case 9:  // the other sign of z
+      for (double& value : z) value = -value;
+      break;
+    case 10:  // millimetres, or the wrong order
+      if (choices.one_in(2)) {
+        for (double& value : y) value *= 1e3;
+        for (double& value : z) value *= 1e3;
+      } else {
+        std::reverse(y.begin(), y.end());
+      }
+      break;
+    default:  // unevenly spaced
+      for (std::uint32_t i = 1; i + 1 < count; ++i) {
+        y[i] = choices.between(y[i - 1], y[i + 1]);
+        z[i] = std::clamp(z[i], -1.0, 1.0);
+      }
+  }
+}
+
+void make_points(Choices& choices, double from, double to, double (*height)(double), ProfilePoints& made) {
+  std::uint32_t count = 60;
+  switch (choices.below(8)) {
+    case 5:
+      count = 4 + choices.below(9);
+      break;
+    case 6:
+      count = static_cast<std::uint32_t>(choices.magnitude(100.0, 3000.0));
+      break;
+    case 7:
+      count = choices.one_in(8) ? 20000 : 400;
+      break;
+    default:
+      break;
+  }
+  made.y.resize(count);
+  made.z.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    made.y[i] = from + (to - from) * i / (count - 1);
+    made.z[i] = height(made.y[i]);
+  }
+  spoil_profile(choices, made.y, made.z);
+  poison_one(choices, made.y);
+  poison_one(choices, made.z);
+  made.profile.kind = WRC_PROFILE_POINTS;
+  made.profile.count = count;
+  made.profile.y = made.y.data();
+  made.profile.z = made.z.data();
+}
+
+}  // namespace
+
+void make_wheel(Choices& choices, ProfilePoints& wheel) {
+  wheel.profile = made<wrc_profile>(wrc_profile_init);
+  wheel.profile.kind = WRC_PROFILE_S1002;
+  if (choices.one_in(2)) make_points(choices, -0.070, 0.060, wheel_height, wheel);
+}
+
+void make_rail(Choices& choices, ProfilePoints& rail) {
+  rail.profile = made<wrc_profile>(wrc_profile_init);
+  rail.profile.kind = choices.one_in(2) ? WRC_PROFILE_60E1 : WRC_PROFILE_UIC60_BENCHMARK;
+  if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
+}
+
+wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_profile* rail) {
+  const auto count = [&](double low, double high) {
+    return static_cast<std::int32_t>(choices.magnitude(low, high));
+  };
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.side = static_cast<std::int32_t>(choices.below(2));
+  config.normal_method = static_cast<std::int32_t>(choices.below(3));
+  config.regularisation = static_cast<std::int32_t>(choices.below(2));
+  config.tangential_method = static_cast<std::int32_t>(choices.below(4));
+  config.traction_bound = static_cast<std::int32_t>(choices.below(2));
+  config.strips = count(4.0, 512.0);
+  config.cells = count(4.0, 512.0);
+  config.gap_rows = count(8.0, 4096.0);
+  if (choices.one_in(2)) config.max_iterations = count(4.0, 1000.0);
+  if (choices.one_in(4)) config.shear_modulus = choices.magnitude(1e8, 1e12);
+  if (choices.one_in(4)) config.poisson = choices.between(0.0, 0.5);
+  if (choices.one_in(2)) config.load_tolerance = choices.magnitude(1e-14, 1e-2);
+  if (choices.one_in(2)) config.gap_limit = choices.magnitude(1e-5, 0.02);
+  if (choices.one_in(4)) config.shear_yield = choices.magnitude(1e6, 1e11);
+  if (choices.one_in(4)) config.wheel_radius = choices.magnitude(0.05, 2.0);
+  if (choices.one_in(8)) config.track_gauge = choices.between(1.0, 1.7);
+  if (choices.one_in(8)) config.flange_back_distance = config.track_gauge - choices.between(0.0, 0.2);
+  if (choices.one_in(8)) config.gauge_depth = choices.magnitude(1e-3, 0.05);
+  if (choices.one_in(2)) config.rail_inclination = 0.025;
+  if (choices.one_in(8)) config.rail_inclination = choices.between(-0.2, 0.2);
+  if (!choices.one_in(8)) {
+    config.wheel = wheel;
+    config.rail = rail;
+  }
+  return config;
+}
+
+wrc_pose make_pose(Choices& choices) {
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  const bool far = choices.one_in(4);
+  pose.lateral = far ? choices.between(-0.1, 0.1) : choices.between(-0.008, 0.008);
+  pose.roll = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
+  pose.yaw = choices.signed_magnitude(1e-9, 0.2);
+  if (choices.one_in(40)) pose.yaw = choices.poison();
+  if (choices.one_in(40)) pose.lateral = choices.poison();
+  return pose;
+}
+
+wrc_load make_load(Choices& choices) {
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  if (choices.one_in(3)) {
+    load.prescribed = WRC_PRESCRIBE_APPROACH;
+    load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0) : choices.magnitude(1e-15, 0.01);
+  } else {
+    load.normal_force = choices.magnitude(1e2, 1e6);
+  }
+  if (choices.one_in(40)) load.normal_force = load.approach = choices.poison();
+  return load;
+}
+
+wrc_creepage make_creepage(Choices& choices) {
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  const double most = choices.one_in(4) ? 10.0 : 0.1;
+  creepage.longitudinal = choices.signed_magnitude(1e-15, most);
+  creepage.lateral = choices.signed_magnitude(1e-15, most);
+  creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
+  creepage.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  if (choices.one_in(40)) creepage.spin = choices.poison();
+  return creepage;
+}
+
+wrc_friction make_friction(Choices& choices) {
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  friction.coefficient = choices.one_in(40) ? choices.poison() : choices.magnitude(1e-4, 2.0);
+  return friction;
+}
+
+wrc_patch make_patch(Choices& choices) {
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  patch.a = choices.magnitude(1e-6, 0.1);
+  patch.b = choices.magnitude(1e-6, 0.1);
+  patch.psi = choices.signed_magnitude(1e-12, 0.95);
+  patch.normal_force = choices.magnitude(1e-3, 1e7);
+  if (choices.one_in(40)) patch.a = choices.poison();
+  return patch;
+}
+
+void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
+  std::uint32_t rows = 4 + choices.below(static_cast<std::uint32_t>(room) - 3);
+  if (choices.one_in(40)) rows = choices.one_in(2) ? 3 : static_cast<std::uint32_t>(room) + 1;
+  const double width = choices.magnitude(1e-7, 0.3);
+  const double middle = choices.between(-0.1, 0.1) * (choices.one_in(4) ? 1.0 : 0.0);
+  const double curvature = choices.one_in(4) ? choices.magnitude(1e-3, 1e6) : 1.0 / 0.46;
+  const double lateral_curvature = choices.magnitude(1e-3, 1e5);
+  const double size = choices.magnitude(1e-12, 1e-2);
+  const std::uint32_t shape = choices.below(10);
+  const std::uint32_t special = choices.below(rows);
+  gap.y.resize(rows);
+  gap.height.resize(rows);
+  gap.centre.resize(rows);
+  gap.curvature.resize(rows);
+  for (std::uint32_t j = 0; j < rows; ++j) {
+    const double s = 2.0 * j / (rows - 1) - 1.0;
+    const double y = 0.5 * width * s;
+    gap.y[j] = middle + y;
+    double h = 0.5 * lateral_curvature * y * y;
+    switch (shape) {
+      case 0:  // several minima
+        h += size * std::cos(40.0 * s);
+        break;
+      case 1:  // a plateau
+        h = std::fmax(0.0, h - size);
+        break;
+      case 2:  // a step
+        h += j > special ? size : 0.0;
+        break;
+      case 3:  // rising to one side: least at the edge
+        h = size * s;
+        break;
+      case 4:  // noise
+        h += choices.between(-size, size);
+        break;
+      case 5:  // concave: the ends touch
+        h = -h;
+        break;
+      case 6:  // one row far below the others
+        h -= j == special ? size : 0.0;
+        break;
+      case 7:  // flat
+        h = 0.0;
+        break;
+      default:
+        break;
+    }
+    gap.height[j] = shape == 8 ? h - 1e-3 : h;  // 8: negative everywhere
+    gap.centre[j] = shape == 9 ? choices.between(-0.3, 0.3) : 0.02 * s * static_cast<double>(shape % 2);
+    gap.curvature[j] = curvature * (shape == 4 ? choices.between(0.1, 10.0) : 1.0);
+  }
+  for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
+  if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
+  gap.gap = made<wrc_gap>(wrc_gap_init);
+  gap.gap.rows = rows;
+  gap.gap.y = gap.y.data();
+  poison_one(choices, gap.y);
+  if (!choices.one_in(3)) {
+    poison_one(choices, gap.height);
+    poison_one(choices, gap.curvature);
+    gap.gap.height = gap.height.data();
+    gap.gap.curvature = gap.curvature.data();
+    if (!choices.one_in(4)) gap.gap.centre = gap.centre.data();
+    return;
+  }
+  // The same surface, element by element; rows may stand apart in memory.
+  const std::uint32_t columns = 3 + choices.below(60), stride = columns + choices.below(5);
+  const double length = choices.magnitude(1e-6, 0.3);
+  gap.x.resize(columns);
+  gap.h.assign(static_cast<std::size_t>(rows) * stride, std::numeric_limits<double>::quiet_NaN());
+  for (std::uint32_t i = 0; i < columns; ++i)
+    gap.x[i] = length * (static_cast<double>(i) / (columns - 1) - 0.5);
+  const double noise = choices.one_in(4) ? size : 0.0;
+  for (std::uint32_t j = 0; j < rows; ++j) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const double x = gap.x[i] - gap.centre[j];
+      gap.h[j * stride + i] = gap.height[j] + 0.5 * gap.curvature[j] * x * x +
+                              (noise > 0.0 ? choices.between(-noise, noise) : 0.0);
+    }
+  }
+  if (choices.one_in(24)) gap.h[special * stride] = choices.poison();
+  poison_one(choices, gap.x);
+  gap.gap.columns = columns;
+  gap.gap.x = gap.x.data();
+  gap.gap.h = gap.h.data();
+  gap.gap.row_stride = stride;
+}
+
+void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
+  std::uint32_t count = 1 + choices.below(static_cast<std::uint32_t>(room));
+  if (choices.one_in(40)) count = choices.one_in(2) ? 0 : static_cast<std::uint32_t>(room) + 1;
+  const double width = std::fmin(choices.magnitude(1e-9, 0.1), 0.5 / std::fmax(1.0, count));
+  const double half = choices.magnitude(1e-9, 0.1), peak = choices.magnitude(1.0, 1e11);
+  const bool even = choices.one_in(2), holes = choices.one_in(4);
+  double border = -0.5 * width * count * choices.between(0.0, 1.0);
+  for (auto* each : {&strips.y, &strips.width, &strips.centre, &strips.half_length, &strips.peak})
+    each->resize(count);
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const double w = even ? width : std::fmax(1e-9, width * choices.between(0.01, 1.0));
+    if (holes) border += width * choices.between(0.0, 0.1);
+    strips.width[j] = w;
+    strips.y[j] = border + 0.5 * w;
+    border += w;
+    strips.half_length[j] = even ? half : std::fmax(1e-9, half * choices.between(0.0, 1.0));
+    strips.centre[j] = choices.between(-0.3, 0.3) * (choices.one_in(8) ? 1.0 : 1e-3);
+    strips.peak[j] = choices.one_in(8) ? 0.0 : peak * choices.between(0.0, 1.0);
+  }
+  poison_one(choices, strips.y);
+  poison_one(choices, strips.peak);
+  poison_one(choices, strips.half_length);
+  strips.strips = made<wrc_strips>(wrc_strips_init);
+  strips.strips.count = count;
+  strips.strips.y = strips.y.data();
+  strips.strips.width = strips.width.data();
+  strips.strips.centre = choices.one_in(2) ? nullptr : strips.centre.data();
+  strips.strips.half_length = strips.half_length.data();
+  strips.strips.peak = strips.peak.data();
+}
+
+}  // namespace hostile

@@ -1,0 +1,46 @@
+/// Inputs that a careless, unlucky or hostile vendor could hand over: most lie inside the documented ranges
+/// at an extreme or with an unphysical shape, some outside.
+#pragma once
+
+#include <vector>
+
+#include "choices.hpp"
+#include "wrc/wrc.h"
+
+namespace hostile {
+
+/// A struct with its size and defaults.
+template <typename Struct>
+Struct made(std::int32_t (*init)(Struct*)) {
+  Struct value{};
+  value.struct_size = sizeof value;
+  init(&value);
+  return value;
+}
+
+struct ProfilePoints {
+  std::vector<double> y, z;
+  wrc_profile profile{};
+};
+struct GapArrays {
+  std::vector<double> y, height, centre, curvature, x, h;
+  wrc_gap gap{};
+};
+struct StripArrays {
+  std::vector<double> y, width, centre, half_length, peak;
+  wrc_strips strips{};
+};
+
+void make_wheel(Choices& choices, ProfilePoints& made);
+void make_rail(Choices& choices, ProfilePoints& made);
+wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_profile* rail);
+wrc_pose make_pose(Choices& choices);
+wrc_load make_load(Choices& choices);
+wrc_creepage make_creepage(Choices& choices);
+wrc_friction make_friction(Choices& choices);
+wrc_patch make_patch(Choices& choices);
+/// At most `room` rows or strips, or one too many now and then.
+void make_gap(Choices& choices, std::int32_t room, GapArrays& made);
+void make_strips(Choices& choices, std::int32_t room, StripArrays& made);
+
+}  // namespace hostile

@@ -1,0 +1,325 @@
+#include "play.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <vector>
+
+#include "inputs.hpp"
+
+namespace hostile {
+namespace {
+
+/// All a step gives.
+struct Results {
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+};
+
+/// The members of a struct that are doubles: all of them from `first` on.
+template <typename Struct>
+std::vector<double> doubles_from(const Struct& value, const double& first) {
+  const auto* begin = &first;
+  const auto offset =
+      static_cast<std::size_t>(reinterpret_cast<const char*>(begin) - reinterpret_cast<const char*>(&value));
+  std::vector<double> values((sizeof value - offset) / sizeof(double));
+  std::memcpy(values.data(), reinterpret_cast<const char*>(&value) + offset, values.size() * sizeof(double));
+  return values;
+}
+
+std::vector<double> all_doubles(const Results& results) {
+  std::vector<double> all = doubles_from(results.point, results.point.x);
+  for (const auto& each :
+       {doubles_from(results.patch, results.patch.a), doubles_from(results.forces, results.forces.fx),
+        doubles_from(results.damage, results.damage.power)})
+    all.insert(all.end(), each.begin(), each.end());
+  return all;
+}
+
+/// The values of a field, or nothing when it has not been computed.
+std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
+  wrc_view view = made<wrc_view>(wrc_view_init);
+  std::vector<double> values;
+  if (wrc_field(contact, 0, id, &view) != WRC_OK) return values;
+  for (std::uint64_t i = 0; i < view.count[0]; ++i)
+    for (std::uint64_t j = 0; j < view.count[1]; ++j)
+      values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
+  return values;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+/// The statuses a call on a contact with valid handles and struct sizes may end with.
+bool documented(std::int32_t status) {
+  switch (status) {
+    case WRC_OK:
+    case WRC_FLAG_NO_CONTACT:
+    case WRC_FLAG_ITERATION_CAP:
+    case WRC_FLAG_PATCH_AT_EDGE:
+    case WRC_FLAG_TABLE_RANGE:
+    case WRC_ERROR_NOT_FINITE:
+    case WRC_ERROR_RANGE:
+    case WRC_ERROR_GAP:
+    case WRC_ERROR_LOAD:
+    case WRC_ERROR_SEQUENCE:
+      return true;
+    default:
+      return false;
+  }
+}
+
+class Case {
+ public:
+  explicit Case(Choices& choices) : choices_(choices) {}
+  ~Case() {
+    wrc_contact_destroy(contact_);
+    wrc_model_destroy(model_);
+  }
+  Case(const Case&) = delete;
+  Case& operator=(const Case&) = delete;
+
+  Verdict play() {
+    ProfilePoints wheel, rail;
+    make_wheel(choices_, wheel);
+    make_rail(choices_, rail);
+    config_ = make_config(choices_, &wheel.profile, &rail.profile);
+    const std::int32_t status = timed([&] { return wrc_model_create(&config_, nullptr, &model_); });
+    if (status != WRC_OK) {
+      expect(model_ == nullptr, "a refused model is NULL");
+      expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
+                 status == WRC_ERROR_UNSUPPORTED,
+             "a model is refused with a documented status");
+      return verdict_;
+    }
+    verdict_.model_made = true;
+    if (!expect(wrc_contact_create(model_, nullptr, &contact_) == WRC_OK, "a contact can be made"))
+      return verdict_;
+
+    const std::vector<double> good = good_step();
+    const std::uint32_t calls = 1 + choices_.below(5);
+    for (std::uint32_t i = 0; i < calls; ++i) call();
+    expect(same_bits(good, good_step()), "a later good step gives the same bits");
+    return verdict_;
+  }
+
+ private:
+  bool expect(bool holds, const char* property) {
+    if (!holds && verdict_.broken.empty()) verdict_.broken = std::string(where_) + ": not so: " + property;
+    return holds;
+  }
+
+  template <typename Call>
+  std::int32_t timed(Call&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::int32_t status = work();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    verdict_.slowest_call = std::max(verdict_.slowest_call, took.count());
+    return status;
+  }
+
+  /// An ordinary step, to be repeated later: every number of it, fields included, and its statuses.
+  std::vector<double> good_step() {
+    constexpr std::uint32_t rows = 8;  // every model has room for so many
+    double y[rows], height[rows], curvature[rows];
+    for (std::uint32_t j = 0; j < rows; ++j) {
+      y[j] = -0.01 + 0.02 * j / (rows - 1);
+      height[j] = 0.5 * y[j] * y[j] / 0.3;
+      curvature[j] = 1.0 / 0.46;
+    }
+    wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+    gap.rows = rows;
+    gap.y = y;
+    gap.height = height;
+    gap.curvature = curvature;
+    const wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_load load = made<wrc_load>(wrc_load_init);
+    load.normal_force = 80e3;
+    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    creepage.longitudinal = 1e-3;
+    creepage.spin = 0.3;
+    const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+    std::vector<double> all;
+    for (const wrc_pose* each : {static_cast<const wrc_pose*>(nullptr), &pose}) {
+      if (each != nullptr && config_.wheel == nullptr) continue;
+      Results results;
+      const wrc_input input = {sizeof input, 0, each, &gap, &load, &creepage, &friction};
+      wrc_output output = {sizeof output,  0, &results.point, &results.patch, &results.forces,
+                           &results.damage};
+      where_ = each == nullptr ? "good step with a gap" : "good step with a pose";
+      const std::int32_t status = timed([&] { return wrc_step(contact_, &input, &output); });
+      check_step(status, results, load, friction.coefficient);
+      all.push_back(status);
+      for (double value : all_doubles(results)) all.push_back(value);
+      for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id)
+        for (double value : field(contact_, id)) all.push_back(value);
+    }
+    return all;
+  }
+
+  void call() {
+    ++verdict_.calls;
+    switch (choices_.below(8)) {
+      case 0:
+        return caller_patch();
+      case 1:
+        return caller_strips();
+      case 2:
+        return stages_in_any_order();
+      case 3:
+      case 4:
+        return step(false);
+      default:
+        return step(config_.wheel != nullptr);
+    }
+  }
+
+  void step(bool with_pose) {
+    where_ = with_pose ? "step with a pose" : "step with a gap";
+    const wrc_pose pose = make_pose(choices_);
+    GapArrays gap;
+    if (!with_pose) make_gap(choices_, config_.gap_rows, gap);
+    const wrc_load load = make_load(choices_);
+    const wrc_creepage creepage = make_creepage(choices_);
+    const wrc_friction friction = make_friction(choices_);
+    Results results;
+    const wrc_input input = {sizeof input, 0,        with_pose ? &pose : nullptr, &gap.gap, &load,
+                             &creepage,    &friction};
+    wrc_output output = {sizeof output, 0, &results.point, &results.patch, &results.forces, &results.damage};
+    const std::int32_t status = timed([&] { return wrc_step(contact_, &input, &output); });
+    check_step(status, results, load, friction.coefficient);
+  }
+
+  void caller_patch() {
+    where_ = "tangential on a patch of the caller";
+    const wrc_patch patch = make_patch(choices_);
+    const wrc_creepage creepage = make_creepage(choices_);
+    const wrc_friction friction = make_friction(choices_);
+    Results results;
+    std::int32_t status =
+        timed([&] { return wrc_tangential(contact_, &patch, &creepage, &friction, &results.forces); });
+    if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &results.damage));
+    check_results(status, results, friction.coefficient);
+  }
+
+  void caller_strips() {
+    where_ = "strips of the caller";
+    StripArrays strips;
+    make_strips(choices_, config_.strips, strips);
+    const wrc_creepage creepage = make_creepage(choices_);
+    const wrc_friction friction = make_friction(choices_);
+    Results results;
+    std::int32_t status = timed([&] { return wrc_regularise(contact_, &strips.strips, &results.patch); });
+    check_results(status, results, friction.coefficient);
+    if (status < 0) return;
+    Results rolling;
+    status = timed([&] { return wrc_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
+    if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &rolling.damage));
+    check_results(status, rolling, friction.coefficient);
+  }
+
+  /// Whatever the order: results or WRC_ERROR_SEQUENCE.
+  void stages_in_any_order() {
+    where_ = "stages in any order";
+    for (int i = 0; i < 4; ++i) {
+      const wrc_pose pose = make_pose(choices_);
+      const wrc_load load = make_load(choices_);
+      const wrc_creepage creepage = make_creepage(choices_);
+      const wrc_friction friction = make_friction(choices_);
+      Results results;
+      std::int32_t status = WRC_OK;
+      switch (choices_.below(5)) {
+        case 0:
+          status = timed([&] { return wrc_geometry(contact_, &pose, &results.point); });
+          break;
+        case 1:
+          status = timed([&] { return wrc_normal(contact_, nullptr, &load, &results.patch); });
+          break;
+        case 2:
+          status = timed([&] { return wrc_regularise(contact_, nullptr, &results.patch); });
+          break;
+        case 3:
+          status =
+              timed([&] { return wrc_tangential(contact_, nullptr, &creepage, &friction, &results.forces); });
+          break;
+        default:
+          status = timed([&] { return wrc_damage_numbers(contact_, &results.damage); });
+      }
+      check_results(status, results, friction.coefficient);
+    }
+  }
+
+  /// What must hold after a step.
+  void check_step(std::int32_t status, const Results& results, const wrc_load& load, double friction) {
+    check_results(status, results, friction);
+    if (status < 0) return;
+    if (load.prescribed == WRC_PRESCRIBE_LOAD && status != WRC_FLAG_ITERATION_CAP) {
+      expect(results.forces.fn > 0.0, "a prescribed load presses the bodies together");
+      // The tolerance of the configuration, and what finite numbers allow.
+      expect(std::fabs(results.forces.fn - load.normal_force) <=
+                 (2.0 * config_.load_tolerance + 1e-9) * load.normal_force,
+             "the prescribed load is met");
+    }
+    expect(std::fabs(results.forces.power - results.damage.power) <=
+               1e-6 * std::fabs(results.damage.power) + 1e-9 * friction * results.forces.fn,
+           "power of the forces and of the field agree");
+  }
+
+  /// What must hold after any call.
+  void check_results(std::int32_t status, const Results& results, double friction) {
+    expect(documented(status), "the status is documented for this call");
+    const std::vector<double> all = all_doubles(results);
+    expect(all_finite(all), "every output is finite");
+    if (status < 0) {
+      expect(std::all_of(all.begin(), all.end(), [](double value) { return value == 0.0; }),
+             "outputs of a failed call are zero");
+      char text[256] = "";
+      expect(wrc_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+             "an error has a sentence");
+    }
+    const wrc_forces& forces = results.forces;
+    expect(forces.fn >= 0.0, "the normal force is compressive");
+    expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + 1e-9) || forces.fn == 0.0,
+           "creep forces stay within friction");
+    expect(forces.power >= 0.0, "frictional power is not negative");
+    expect(forces.adhesion_fraction >= 0.0 && forces.adhesion_fraction <= 1.0 + 1e-12, "adhesion is a share");
+    expect(results.damage.power >= 0.0 && results.damage.peak_power_density >= 0.0, "power is not negative");
+    const wrc_patch& patch = results.patch;
+    expect(std::fabs(patch.psi) < 1.0, "the shape number is within -1 .. 1");
+    expect(patch.area >= 0.0 && patch.peak_pressure >= 0.0 && patch.y_max >= patch.y_min,
+           "the patch is a patch");
+    if (patch.normal_force > 0.0) {
+      expect(patch.a > 0.0 && patch.b > 0.0 && patch.area > 0.0 && patch.peak_pressure > 0.0,
+             "a loaded patch has a size");
+    }
+    if (forces.fn > 0.0) ++verdict_.solved;
+    for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
+      const std::vector<double> values = field(contact_, id);
+      expect(all_finite(values), "every field is finite");
+      if (id == WRC_FIELD_PRESSURE || id == WRC_FIELD_POWER_DENSITY || id == WRC_FIELD_STRIP_POWER) {
+        expect(std::all_of(values.begin(), values.end(), [](double value) { return value >= 0.0; }),
+               "pressure and power are nowhere negative");
+      }
+    }
+  }
+
+  Choices& choices_;
+  Verdict verdict_;
+  const char* where_ = "model";
+  wrc_config config_{};
+  wrc_model* model_ = nullptr;
+  wrc_contact* contact_ = nullptr;
+};
+
+}  // namespace
+
+Verdict play(Choices& choices) { return Case(choices).play(); }
+
+}  // namespace hostile
