@@ -28,9 +28,9 @@ std::int32_t collocation_strips(std::int32_t strips) { return std::max((7 * stri
 /// The solver's strips; arrays in the workspace, all `grid.count` long.
 struct System {
   CollocationGrid grid;
-  double* cell_y =
-      nullptr;  ///< the strip as the grid has it; the outermost ones of a patch are fitted to its border
-  double* cell_width = nullptr;
+  /// The strip as the grid has it; grid.y and grid.width of a patch's outermost strips are fitted to its
+  /// border.
+  double *cell_y = nullptr, *cell_width = nullptr;
   double* height = nullptr;     ///< over the lowest point [m]
   double* curvature = nullptr;  ///< d2h/dx2 [1/m]
   double* gap_centre = nullptr;
@@ -38,13 +38,15 @@ struct System {
   double* inverse_length = nullptr;
   double* centre = nullptr;
   double* peak = nullptr;
-  double* influence =
-      nullptr;  ///< count x count: u at the middle of j by unit peak in i, over the compliance [m]
+  /// count x count, row j column i: displacement at the middle of j by unit peak in i, over the compliance
+  /// [m].
+  double* influence = nullptr;
   double* matrix = nullptr;  ///< of the active strips
   double* by_approach = nullptr;
   double* by_height = nullptr;
   double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
   double* shift = nullptr;  ///< of the centre against the gap's [m]
+  /// Neighbouring active strips joined two by two.
   double *pair_y = nullptr, *pair_centre = nullptr, *pair_inverse_length = nullptr, *pair_strength = nullptr;
   std::int32_t* active = nullptr;  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
@@ -133,6 +135,9 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     }
     if (in_contact) s.active[s.active_count++] = j;
   }
+  // A start that lies elsewhere is no start.
+  for (std::int32_t j = 0; j < s.grid.count && s.active_count == 0; ++j)
+    if (s.height[j] < 0.1 * approach) s.active[s.active_count++] = j;
   if (s.active_count == 0) s.active[s.active_count++] = 0;
 }
 
