@@ -107,9 +107,10 @@ LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poi
 
 ExtrapolatedCoefficients extrapolated_coefficients(double axis_ratio, double psi, double poisson,
                                                    int finest) {
-  // Slender patches need resolution along their length; long rows also need it across, for their short end
-  // strips.
-  const double stretch = std::pow(axis_ratio, axis_ratio < 1.0 ? 0.25 : 0.125);
+  // Wide patches need resolution along their width. Long ones need it both ways, the strips at their ends
+  // being short: of equal counts and of more cells than strips the former changes less from one division to
+  // the next.
+  const double stretch = axis_ratio < 1.0 ? std::sqrt(std::sqrt(axis_ratio)) : 1.0;
   const int strips = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest / stretch)));
   const int cells = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest * stretch)));
   const LinearCoefficients coarse = linear_coefficients(axis_ratio, psi, poisson, strips / 2, cells / 2);
