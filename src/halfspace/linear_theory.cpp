@@ -1,6 +1,7 @@
 #include "halfspace/linear_theory.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,9 +32,8 @@ Edge edge(double x, double y_low, double y_high, double poisson) {
 // Fills the block of slips in strip `to` from tractions in strip `from`. The displacements of a strip are
 // needed at the n cell centres and one cell upstream of the last; each cell of `from` has two edges: (n +
 // 1)^2 edge functions, differenced both ways.
-void fill(Eigen::MatrixXd& matrix, const std::vector<Strip>& strips, int to, int from, double width,
+void fill(Eigen::MatrixXd& matrix, const std::vector<Strip>& strips, int to, int from, int n, double width,
           double poisson) {
-  const int n = static_cast<int>(strips.size());
   const Strip& t = strips[static_cast<std::size_t>(to)];
   const Strip& f = strips[static_cast<std::size_t>(from)];
   const double y_low = t.y - f.y - 0.5 * width, y_high = t.y - f.y + 0.5 * width;
@@ -64,24 +64,25 @@ constexpr Member members[] = {&LinearCoefficients::c11, &LinearCoefficients::c22
 
 }  // namespace
 
-LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int n) {
+LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int strip_count,
+                                       int n) {
   const double a = std::sqrt(axis_ratio), b = 1.0 / a;  // c = 1, G = 1
   const SdecPatch patch{.a = a, .b = b, .psi = psi};
-  const double width = 2.0 * b / n;
+  const double width = 2.0 * b / strip_count;
   std::vector<Strip> strips;
-  for (int j = 0; j < n; ++j) {
+  for (int j = 0; j < strip_count; ++j) {
     const double y = -b * (1.0 - psi) + (j + 0.5) * width;
     const double l = patch.half_length(y);
     strips.push_back({.y = y, .trail = -l, .length = 2.0 * l / n});
   }
-  const Eigen::Index size = 2 * static_cast<Eigen::Index>(n) * n;
+  const Eigen::Index size = 2 * static_cast<Eigen::Index>(strip_count) * n;
   Eigen::MatrixXd matrix(size, size);
-  for (int to = 0; to < n; ++to) {
-    for (int from = 0; from < n; ++from) fill(matrix, strips, to, from, width, poisson);
+  for (int to = 0; to < strip_count; ++to) {
+    for (int from = 0; from < strip_count; ++from) fill(matrix, strips, to, from, n, width, poisson);
   }
   Eigen::MatrixXd rigid(size, 3),
       force = Eigen::MatrixXd::Zero(3, size);  // of nu_x, nu_y, phi; F_x, F_y, M_z
-  for (int j = 0; j < n; ++j) {
+  for (int j = 0; j < strip_count; ++j) {
     const Strip& s = strips[static_cast<std::size_t>(j)];
     const double area = s.length * width;
     for (int i = 0; i < n; ++i) {
@@ -106,15 +107,24 @@ LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poi
 
 ExtrapolatedCoefficients extrapolated_coefficients(double axis_ratio, double psi, double poisson,
                                                    int finest) {
-  const LinearCoefficients coarse = linear_coefficients(axis_ratio, psi, poisson, finest / 2);
-  const LinearCoefficients middle = linear_coefficients(axis_ratio, psi, poisson, 3 * finest / 4);
-  const LinearCoefficients fine = linear_coefficients(axis_ratio, psi, poisson, finest);
+  // Wide patches need resolution along their width. Long ones need it both ways, the strips at their ends
+  // being short: of equal counts and of more cells than strips the former changes less from one division to
+  // the next.
+  const double stretch = axis_ratio < 1.0 ? std::sqrt(std::sqrt(axis_ratio)) : 1.0;
+  const int strips = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest / stretch)));
+  const int cells = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest * stretch)));
+  const LinearCoefficients coarse = linear_coefficients(axis_ratio, psi, poisson, strips / 2, cells / 2);
+  const LinearCoefficients middle =
+      linear_coefficients(axis_ratio, psi, poisson, 3 * strips / 4, 3 * cells / 4);
+  const LinearCoefficients fine = linear_coefficients(axis_ratio, psi, poisson, strips, cells);
   ExtrapolatedCoefficients out;
   for (const Member c : members) {
-    // Nodes 1/n = h, 4/3 h, 2 h: the parabola through the three values, and the line through the finer two,
-    // at 0.
+    // Nodes 1/n = h, 4/3 h, 2 h: the parabola through the three values at 0. The lines through the finer and
+    // the coarser two miss it there by e and 2 e if the error has no higher terms; the larger e is the
+    // estimate.
+    const double finer = 4.0 * (fine.*c) - 3.0 * (middle.*c), coarser = 3.0 * (middle.*c) - 2.0 * (coarse.*c);
     out.value.*c = 8.0 * (fine.*c) - 9.0 * (middle.*c) + 2.0 * (coarse.*c);
-    out.error.*c = std::abs(out.value.*c - (4.0 * (fine.*c) - 3.0 * (middle.*c)));
+    out.error.*c = std::max(std::abs(out.value.*c - finer), 0.5 * std::abs(out.value.*c - coarser));
   }
   return out;
 }

@@ -18,12 +18,13 @@ struct LinearCoefficients {
   double c11 = 0.0, c22 = 0.0, c13 = 0.0, c23 = 0.0, c31 = 0.0, c32 = 0.0, c33 = 0.0;
 };
 
-/// Of the patch with a/b = axis_ratio on n strips of n cells. Memory: 32 n^4 bytes (11 MB for n = 24).
-LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int n);
+/// Of the patch with a/b = axis_ratio on `strips` strips of `cells` cells each. Memory: 32 (strips cells)^2
+/// bytes, 34 MB for 32 x 32.
+LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int strips, int cells);
 
 struct ExtrapolatedCoefficients {
   LinearCoefficients value;
-  LinearCoefficients error;  ///< estimate: distance to the linear extrapolation from the finer two grids
+  LinearCoefficients error;  ///< estimate, from linear extrapolations of two of the three divisions
 };
 
 /// Extrapolated from n = finest/2, 3/4 finest and finest with error terms 1/n and 1/n^2; finest divisible

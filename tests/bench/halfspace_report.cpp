@@ -116,7 +116,7 @@ int report_kalker() {
       "  a/b    nu |    C11  print   diff |    C22  print   diff |    C23  print   diff |    C33  (+- "
       "estimate)\n");
   for (const Row& r : rows) {
-    const ExtrapolatedCoefficients c = extrapolated_coefficients(r.ratio, 0.0, r.nu, 24);
+    const ExtrapolatedCoefficients c = extrapolated_coefficients(r.ratio, 0.0, r.nu, 32);
     std::printf(
         "%6.2f  %.2f | %6.3f %6.3f %+5.2f%% | %6.3f %6.3f %+5.2f%% | %6.3f %6.3f %+5.2f%% | %6.3f +- %.3f\n",
         r.ratio, r.nu, c.value.c11, r.c11, 100 * (c.value.c11 / r.c11 - 1), c.value.c22, r.c22,

@@ -18,7 +18,7 @@ void print(const wrc::halfspace::LinearCoefficients& c) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int cells = argc > 1 ? std::atoi(argv[1]) : 24;
+  const int cells = argc > 1 ? std::atoi(argv[1]) : 32;
   if (cells < 8 || cells % 4 != 0) {
     std::fprintf(stderr, "cells must be a multiple of 4, at least 8\n");
     return 2;
