@@ -3,7 +3,7 @@
  *
  *   ./paper_cases [output directory]
  *
- * Prints patch, forces and frictional power of three variants beside CONTACT (Kalker's exact half-space
+ * Prints patch, forces and frictional power of five variants beside CONTACT (Kalker's exact half-space
  * theory), beside the library's own exact solver, and beside the deviations the paper reports; writes the
  * fields as CSV for draw_paper_figures.py.
  *
@@ -20,22 +20,30 @@
 #include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
-/* -------------------------------------------------------------------------------------------------- what to
- * compute */
+/* ------------------------------------------------------------------------------------------------------ what
+ * to compute */
 
 typedef struct variant {
-  const char* name; /* as the paper calls it */
+  const char* name; /* as the paper calls it, normal+tangential method */
+  const char* bound_name;
   const char* file_name;
-  int32_t tangential_method;
+  int32_t normal_method, tangential_method, traction_bound;
 } variant;
 
-/* HZ+FASTSIM-EQ.E in the paper is not Hertz's patch: it is the ellipse equivalent to the EKP patch, with its
- * semi-axes a and b and the semi-elliptic pressure of the same load. That is what WRC_TANGENTIAL_FASTSIM_EQE
- * makes of EKP. */
-static const variant variants[] = {{"EKP+FASTSIM-SDEC", "sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
-                                   {"EKP+FASTSIM-EQ.L", "eql", WRC_TANGENTIAL_FASTSIM_EQL},
-                                   {"HZ+FASTSIM-EQ.E", "eqe", WRC_TANGENTIAL_FASTSIM_EQE}};
-enum { VARIANTS = 3 };
+/* The paper's three variants with its parabolic traction bound; then FASTSIM-SDEC with friction * pressure as
+ * the bound, and the same on the pressure of the strip half-space solver. HZ+FASTSIM-EQ.E in the paper is not
+ * Hertz's patch: it is the ellipse equivalent to the EKP patch, with its semi-axes a and b and the
+ * semi-elliptic pressure of the same load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP. */
+enum { VARIANTS = 5 };
+static const variant variants[VARIANTS] = {
+    {"EKP+FASTSIM-SDEC", "", "sdec", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
+    {"EKP+FASTSIM-EQ.L", "", "eql", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
+    {"HZ+FASTSIM-EQ.E", "", "eqe", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_PARABOLIC},
+    {"EKP+FASTSIM-SDEC", ", elliptic", "sdec_elliptic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC,
+     WRC_BOUND_ELLIPTIC},
+    {"strips+FASTSIM-SDEC", ", elliptic", "strips", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+     WRC_BOUND_ELLIPTIC},
+};
 
 typedef struct rolling_case {
   const char* name;
@@ -46,7 +54,16 @@ typedef struct rolling_case {
 } rolling_case;
 
 static const rolling_case profile_cases[] = {
-    {"Case 1 (pure spin)", "case1", 0.0, 0.0, -0.5, 68.68, 8752.0, 10160.0, NAN, {3.64, 11.5, -8.89}},
+    {"Case 1 (pure spin)",
+     "case1",
+     0.0,
+     0.0,
+     -0.5,
+     68.68,
+     8752.0,
+     10160.0,
+     NAN,
+     {3.64, 11.5, -8.89, NAN, NAN}},
     {"Case 2 (combined)",
      "case2",
      -0.49e-3,
@@ -56,7 +73,7 @@ static const rolling_case profile_cases[] = {
      -4281.0,
      -5537.0,
      NAN,
-     {6.91, 33.2, -12.5}},
+     {6.91, 33.2, -12.5, NAN, NAN}},
 };
 
 /* The paper prints phi = 1.0 1/m for its Case 1 and 10.3 W for CONTACT. CONTACT gives 19.1 W there; 10.3 W
@@ -72,7 +89,7 @@ static const rolling_case ellipse_cases[] = {
      2129.0,
      -1933.0,
      -19.3,
-     {NAN, NAN, NAN}},
+     {NAN, NAN, NAN, NAN, NAN}},
     {"Case 1 (phi = 0.585: the printed 10.3 W)",
      "case1",
      0.0,
@@ -82,7 +99,7 @@ static const rolling_case ellipse_cases[] = {
      2095.0,
      -2611.0,
      -17.9,
-     {11.4, 40.2, 49.8}},
+     {11.4, 40.2, 49.8, NAN, NAN}},
     {"Case 2 (combined)",
      "case2",
      -0.49e-3,
@@ -92,7 +109,7 @@ static const rolling_case ellipse_cases[] = {
      3644.0,
      -1582.0,
      -16.3,
-     {11.0, 22.5, 26.0}},
+     {11.0, 22.5, 26.0, NAN, NAN}},
 };
 
 static const double friction_coefficient = 0.35;
@@ -173,9 +190,9 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
 
 static void print_heading(const char* title) {
   printf("\n%s\n", title);
-  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi",
+  printf("%-42s %-29s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi",
          "area", "approach", "p_max", "Fx", "Fy", "Mz", "power", "dev.", "paper's");
-  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um",
+  printf("%-42s %-29s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um",
          "MPa", "N", "N", "N m", "W", "%", "dev. %");
 }
 
@@ -189,7 +206,7 @@ static void print_number(const char* format, double value, int width) {
 
 static void print_result(const char* case_name, const char* model, const wrc_patch* patch,
                          const wrc_forces* forces, double reference_power, double paper_deviation) {
-  printf("%-42s %-17s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
+  printf("%-42s %-29s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
          1e3 * patch->a, 1e3 * patch->b, patch->psi, 1e6 * patch->area, 1e6 * patch->approach,
          1e-6 * patch->peak_pressure, forces->fx, forces->fy, forces->mz, forces->power);
   print_number(" %+8.2f", 100.0 * (forces->power / reference_power - 1.0), 8);
@@ -197,8 +214,15 @@ static void print_result(const char* case_name, const char* model, const wrc_pat
   printf("\n");
 }
 
+/* Name and bound of a variant, for the table. */
+static const char* model_name(const variant* which, const char* name) {
+  static char text[64];
+  snprintf(text, sizeof text, "%s%s", name, which->bound_name);
+  return text;
+}
+
 static void print_reference(const rolling_case* rolling, const char* patch_columns) {
-  printf("%-42s %-17s %s %8.0f %8.0f", "", "CONTACT", patch_columns, rolling->fx, rolling->fy);
+  printf("%-42s %-29s %s %8.0f %8.0f", "", "CONTACT", patch_columns, rolling->fx, rolling->fy);
   print_number(" %7.1f", rolling->mz, 7);
   printf(" %7.2f\n", rolling->power);
 }
@@ -299,7 +323,7 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
   wrc_forces forces = {sizeof forces,       0,           solution.fx,    solution.fy,
                        patch->normal_force, solution.mz, solution.power, solution.adhesion_fraction};
   print_result("", "wrc, exact", patch, &forces, rolling->power, NAN);
-  printf("%-42s %-17s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
+  printf("%-42s %-29s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
          solution.power_by_balance);
   write_exact_fields(grid, yield, directory, part, rolling->file_name);
 
@@ -386,7 +410,9 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       wrc_config config = *base;
       config.wheel = &wheel;
       config.rail = &rail;
+      config.normal_method = variants[v].normal_method;
       config.tangential_method = variants[v].tangential_method;
+      config.traction_bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
@@ -402,8 +428,8 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       const int32_t status = wrc_step(contact, &input, &output);
       if (status < 0) fail(contact, variants[v].name, status);
 
-      print_result(v == 0 ? rolling->name : "", variants[v].name, &patch, &forces, rolling->power,
-                   rolling->paper_deviation[v]);
+      print_result(v == 0 ? rolling->name : "", model_name(&variants[v], variants[v].name), &patch, &forces,
+                   rolling->power, rolling->paper_deviation[v]);
       write_fields(contact, directory, "profiles", rolling->file_name, variants[v].file_name);
       write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &damage);
       if (v == VARIANTS - 1) {
@@ -442,9 +468,11 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
   for (size_t c = 0; c < sizeof ellipse_cases / sizeof *ellipse_cases; ++c) {
     const rolling_case* rolling = &ellipse_cases[c];
     const wrc_creepage creepage = creepage_of(rolling);
-    for (int v = 0; v < VARIANTS; ++v) {
+    for (int v = 0; v < VARIANTS - 1 /* the patch is given */; ++v) {
       wrc_config config = *base;
+      config.normal_method = variants[v].normal_method;
       config.tangential_method = variants[v].tangential_method;
+      config.traction_bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
@@ -458,8 +486,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       status = wrc_damage_numbers(contact, &damage);
       if (status < 0) fail(contact, variants[v].name, status);
 
-      print_result(v == 0 ? rolling->name : "", strchr(variants[v].name, '+') + 1, &exact, &forces,
-                   rolling->power, rolling->paper_deviation[v]);
+      print_result(v == 0 ? rolling->name : "", model_name(&variants[v], strchr(variants[v].name, '+') + 1),
+                   &exact, &forces, rolling->power, rolling->paper_deviation[v]);
       write_fields(contact, directory, "ellipse", rolling->file_name, variants[v].file_name);
       write_summary(summary, "ellipse", rolling->file_name, variants[v].file_name, &damage);
       wrc_contact_destroy(contact);
