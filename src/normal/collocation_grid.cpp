@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "normal/penetration.hpp"
+
 namespace wrc {
 namespace {
 
@@ -74,20 +76,23 @@ double foundation_approach(const GapRows& rows, double lowest_height, double nor
   return level / 0.6;
 }
 
-void build_collocation_grid(const GapRows& rows, double lowest_height, double depth, std::int32_t count,
+void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
                             CollocationGrid& grid) noexcept {
-  const double level = lowest_height + depth;
-  // Extent of everything below the level.
-  std::int32_t first = 0, last = rows.count - 1;
-  while (first < last && rows.height[first] >= level) ++first;
-  while (last > first && rows.height[last] >= level) --last;
-  grid.at_edge = first == 0 || last == rows.count - 1;
+  const double level = lowest.height + depth;
+  // Extent of everything below the level: around the minimum, where it may lie between two rows, and out to
+  // the last rows below.
+  const Span around = penetration_span(rows, lowest, PenetrationScale{.at_centre = 1.0}, depth);
+  double y_from = around.y_from, y_to = around.y_to;
+  grid.at_edge = around.at_edge || rows.height[0] < level || rows.height[rows.count - 1] < level;
   const auto crossing = [&](std::int32_t inside, std::int32_t outside) {
     const double share = (level - rows.height[inside]) / (rows.height[outside] - rows.height[inside]);
     return rows.y[inside] + share * (rows.y[outside] - rows.y[inside]);
   };
-  const double y_from = first == 0 ? rows.y[0] : crossing(first, first - 1);
-  const double y_to = last == rows.count - 1 ? rows.y[last] : crossing(last, last + 1);
+  std::int32_t first = 0, last = rows.count - 1;
+  while (first < rows.count && rows.height[first] >= level) ++first;
+  while (last >= 0 && rows.height[last] >= level) --last;
+  if (first < rows.count) y_from = std::min(y_from, first == 0 ? rows.y[0] : crossing(first, first - 1));
+  if (last >= 0) y_to = std::max(y_to, last == rows.count - 1 ? rows.y[last] : crossing(last, last + 1));
   const double step = (y_to - y_from) / samples;
 
   std::array<double, samples + 1 + 2 * curvature_reach> height;

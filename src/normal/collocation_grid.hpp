@@ -30,7 +30,7 @@ double foundation_approach(const GapRows& rows, double lowest_height, double nor
 /// widths inversely proportional to the root of the lateral curvature (the width of a contact is proportional
 /// to the root of its radius). Curvature is the second difference over 4 % of the whole extent: what a
 /// profile does within less than that does not move the strips. `grid` has memory for `count`.
-void build_collocation_grid(const GapRows& rows, double lowest_height, double depth, std::int32_t count,
+void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
                             CollocationGrid& grid) noexcept;
 
 }  // namespace wrc

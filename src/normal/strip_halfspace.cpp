@@ -115,7 +115,7 @@ void put(const GapRows& rows, double lowest_height, std::int32_t j, double y, do
 /// the virtual penetration elsewhere.
 void place(const NormalProblem& problem, const GapMinimum& lowest, double approach, double depth,
            const StripHalfspaceStart& start, System& s) {
-  build_collocation_grid(problem.gap, lowest.height, depth, collocation_strips(problem.strips), s.grid);
+  build_collocation_grid(problem.gap, lowest, depth, collocation_strips(problem.strips), s.grid);
   s.skewed = false;
   s.active_count = 0;
   for (std::int32_t j = 0; j < s.grid.count; ++j) {
@@ -129,7 +129,9 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     s.centre[j] = s.gap_centre[j];
     bool in_contact = start.count == 0 && s.height[j] < 0.7 * approach;
     if (const Started warm = started(start, s.grid.y[j]); warm.in_contact) {
-      s.half_length[j] = std::sqrt(warm.length_squared);
+      // u > 0 at the edges bounds l; the approach is an estimate if the load is given.
+      const double most = std::max(3.0 * (approach - s.height[j]), 0.06 * approach) / s.curvature[j];
+      s.half_length[j] = std::sqrt(std::min(warm.length_squared, most));
       s.centre[j] += warm.shift;
       in_contact = true;
     }
@@ -138,7 +140,7 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
   // A start that lies elsewhere is no start.
   for (std::int32_t j = 0; j < s.grid.count && s.active_count == 0; ++j)
     if (s.height[j] < 0.1 * approach) s.active[s.active_count++] = j;
-  if (s.active_count == 0) s.active[s.active_count++] = 0;
+  if (s.active_count == 0 && s.grid.count > 0) s.active[s.active_count++] = 0;
 }
 
 /// Midpoint error of the line potential's logarithm over a strip of width w at distance r, over the midpoint
@@ -452,13 +454,17 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
     place(problem, lowest, approach, depth, start, s);
     if (start.count > 0) fit_ends(rows, lowest.height, s);
     converged = false;
-    for (std::int32_t sweep = 0; sweep < options.max_sweeps && !converged; ++sweep) {
+    for (std::int32_t sweep = 0; sweep < options.max_sweeps && !converged && s.active_count > 0; ++sweep) {
       build_influence(kernel, s);
       approach = solve_pressures(problem, s, solution.stiffness);
       ++solution.iterations;
       if (s.active_count == 0) break;
       converged = move_edges(problem, kernel, approach, s) <= options.tolerance;
       fit_ends(rows, lowest.height, s);
+    }
+    if (s.active_count == 0 && start.count > 0) {
+      start.count = 0;  // a start that far off is worse than none
+      continue;
     }
     if (!touches_the_grids_end(s) || s.grid.at_edge) break;
     depth *= 1.4;
