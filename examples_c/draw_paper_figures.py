@@ -26,6 +26,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MultipleLocator
 
 # ------------------------------------------------------------------------------------------------------ what is drawn
 
@@ -92,13 +93,17 @@ class BadInput(Exception):
     """One line for the user: which file, and what is wrong with it."""
 
 
-def read_columns(path, required, text=()):
-    """Columns of a CSV file by name: numpy arrays of finite numbers, lists of strings for those named in text."""
+def read_columns(path, required, text=(), undefined=()):
+    """Columns of a CSV file by name: numpy arrays of numbers, lists of strings for those named in text.
+
+    Numbers must be finite, except in the columns named in undefined.
+    """
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"{path}: cannot be read ({getattr(error, 'strerror', None) or error}); run paper_cases first") from None
+        reason = getattr(error, "strerror", None) or error
+        raise BadInput(f"{path}: cannot be read ({reason}); run paper_cases first") from None
     if len(rows) < 2:
         raise BadInput(f"{path}: no data")
     missing = [name for name in required if name not in rows[0]]
@@ -120,7 +125,7 @@ def read_columns(path, required, text=()):
                 columns[name][k] = float(value)
             except ValueError:
                 raise BadInput(f"{path}:{k + 2}: {name} = '{value}' is not a number") from None
-            if not math.isfinite(columns[name][k]):
+            if name not in undefined and not math.isfinite(columns[name][k]):
                 raise BadInput(f"{path}:{k + 2}: {name} = {value} is not finite")
     return columns
 
@@ -142,20 +147,22 @@ class Fields:
         strips = read_columns(directory / f"{stem}_strips.csv", STRIP_COLUMNS)
         path = directory / f"{stem}_cells.csv"
         cells = read_columns(path, ("strip",) + CELL_COLUMNS)
-        strip = cells["strip"].astype(int)
-        count = np.bincount(strip, minlength=len(strips["y_m"])) if strip.min() >= 0 else np.array([])
-        if len(count) != len(strips["y_m"]) or count.min() == 0:
+        number_of, count = np.unique(cells["strip"], return_counts=True)
+        if not np.array_equal(number_of, np.arange(len(strips["y_m"]))):
             raise BadInput(f"{path}: its strips are not those of {stem}_strips.csv")
         trail, lead = strips["x_trail_m"], strips["x_lead_m"]
-        self.__set_cells(cells, ((lead - trail) / count)[strip])
+        self.__set_cells(cells, ((lead - trail) / count)[cells["strip"].astype(int)])
         self.__set_strips(strips, trail, lead, strips["peak_pressure_Pa"])
 
     def __read_rectangles(self, directory, stem):
         strips = read_columns(directory / f"{stem}_strips.csv", ("y_m", "width_m", "power_W_per_m"))
         path = directory / f"{stem}_cells.csv"
-        cells = read_columns(path, CELL_COLUMNS + ("length_m",))
+        # Where nothing presses, the fatigue index is 0/0.
+        cells = read_columns(path, CELL_COLUMNS + ("length_m",), undefined=("fatigue_index",))
         loaded = cells["pressure_Pa"] > 0.0
         cells = {name: values[loaded] for name, values in cells.items()}
+        if not np.isfinite(cells["fatigue_index"]).all():
+            raise BadInput(f"{path}: a fatigue_index under pressure is not finite")
         rows = [np.isclose(cells["y_m"], y, rtol=0.0, atol=0.25 * width)
                 for y, width in zip(strips["y_m"], strips["width_m"])]
         touched = np.array([row.any() for row in rows])
@@ -190,12 +197,11 @@ class Fields:
 
     @property
     def outline(self):
-        """Patch outline as (y, x) in mm: through the strip ends, closed in a point at both borders."""
-        first, last = self.borders
-        middle = 0.5 * (self.strip_trail + self.strip_lead)
-        y = np.concatenate([[first], self.strip_y, [last], self.strip_y[::-1], [first]])
-        x = np.concatenate([[middle[0]], self.strip_lead, [middle[-1]], self.strip_trail[::-1], [middle[0]]])
-        return MILLI * y, MILLI * x
+        """Border of the strips as (y, x) in mm: straight at their ends, so stepped."""
+        left, right = self.strip_y - 0.5 * self.strip_width, self.strip_y + 0.5 * self.strip_width
+        y = np.stack([left, right], 1).ravel()
+        lead, trail = np.repeat(self.strip_lead, 2), np.repeat(self.strip_trail, 2)
+        return (MILLI * np.concatenate([y, y[::-1], y[:1]]), MILLI * np.concatenate([lead, trail[::-1], lead[:1]]))
 
     @property
     def equivalent_double_ellipse(self):
@@ -222,13 +228,19 @@ def read_part(directory, part):
 
 def use_style():
     plt.rcParams.update({
-        "font.size": 11, "axes.titlesize": 11, "axes.labelsize": 11, "legend.fontsize": 10, "figure.titlesize": 14,
-        "figure.dpi": 100, "savefig.dpi": 160, "axes.linewidth": 0.8, "lines.linewidth": 1.8, "mathtext.fontset": "dejavusans",
+        "font.size": 11, "axes.titlesize": 11, "axes.labelsize": 11, "legend.fontsize": 10, "figure.titlesize": 13,
+        "figure.dpi": 100, "savefig.dpi": 160, "axes.linewidth": 0.8, "lines.linewidth": 1.8,
     })
+
+
+def number(value, form):
+    """Formatted with a minus sign, not a hyphen."""
+    return format(value, form).replace("-", "\N{MINUS SIGN}")
 
 
 def save(figure, directory, name):
     path = directory / f"{name}.png"
+    figure.draw_without_rendering()  # the layout settles in the second pass: colour bars change with their ticks
     figure.savefig(path, metadata={"Software": None})
     plt.close(figure)
     return path
@@ -268,10 +280,12 @@ def draw_maps(directory, part, results, name, title, note, bar_label, values_of,
     y_limits, x_limits = patch_limits(results, 0.2)
     panel_width = 3.7 if part is PROFILES else 3.1
     row_height = panel_width * np.ptp(x_limits) / np.ptp(y_limits) + 1.15
-    figure = plt.figure(figsize=(panel_width * columns + 1.7, row_height * len(results) + 1.0), layout="constrained")
+    foot_height = 0.15 + 0.2 * len(note.splitlines())
+    figure = plt.figure(figsize=(panel_width * columns + 1.7, row_height * len(results) + 0.3 + foot_height), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.06, h_pad=0.05)
     figure.suptitle(title)
-    rows = np.atleast_1d(figure.subfigures(len(results), 1))
+    *rows, foot = figure.subfigures(len(results) + 1, 1, height_ratios=[row_height] * len(results) + [foot_height])
+    foot.text(0.5, 0.5, note, ha="center", va="center", fontsize=10)
     for row, (case, fields_of_case) in zip(rows, results.items()):
         row.suptitle(case.title, fontsize=12)
         panels = np.atleast_1d(row.subplots(1, columns, sharex=True, sharey=True))
@@ -280,12 +294,13 @@ def draw_maps(directory, part, results, name, title, note, bar_label, values_of,
             cells = draw_cells(panel, fields, values_of(fields), colours, limits)
             panel.set(xlim=y_limits, ylim=x_limits, aspect="equal", title=f"{fields.label}\n{caption_of(fields)}")
             panel.set_xlabel(part.lateral_label)
+            panel.xaxis.set_major_locator(MultipleLocator(5.0))
+            panel.yaxis.set_major_locator(MultipleLocator(2.0))
             mark_rolling(panel)
         for panel in panels[len(fields_of_case):]:
             panel.set_visible(False)
         panels[0].set_ylabel("x [mm]")
         row.colorbar(cells, ax=list(panels), label=bar_label, extend=extend, shrink=0.95, aspect=14, pad=0.015)
-    rows[-1].supxlabel(note, fontsize=10)
     return save(figure, directory, name)
 
 
@@ -298,7 +313,9 @@ def draw_power_density(directory, part, results):
 
     return draw_maps(directory, part, results, f"{part.key}_power_density",
                      f"Where the patch dissipates: {part.title}",
-                     "Frictional power density at V = 1 m/s. Grey: adhesion, no power. Cross: initial contact point.",
+                     "Frictional power density at V = 1 m/s. Grey: adhesion, no power. Cross: initial contact point.\n"
+                     "A strip's first slipping cell holds all slid since the onset, half a cell to one and a half:\n"
+                     "hence single dark or light cells along the border of adhesion.",
                      "power density [W/mm²]", values, lambda fields: f"{fields.total_power:.2f} W in total",
                      POWER_COLOURS, limits)
 
@@ -314,7 +331,7 @@ def draw_fatigue_index(directory, part, results):
                      f"Red: damage expected (FI > 0). Scale clipped at ±{clip:.1f}: FI tends to −∞ at the border, where "
                      "$p_n$ vanishes. Cross: initial contact point.",
                      "FI(x, y) [-]", lambda fields: fields.fatigue_index,
-                     lambda fields: f"largest FI = {fields.fatigue_index.max():+.3f}",
+                     lambda fields: f"largest FI = {number(fields.fatigue_index.max(), '+.3f')}",
                      plt.get_cmap("RdBu_r"), lambda fields_of_case: ((-clip, clip), "min"))
 
 
@@ -369,7 +386,7 @@ def draw_shakedown_map(directory):
     axes.plot(inside, 1.0 / inside, color="black", linewidth=1.2, linestyle=":")
     axes.text(0.02, 5.0, "ratcheting", fontsize=14)
     axes.text(0.02, 0.4, "shakedown", fontsize=14)
-    axes.annotate("shakedown limit of the line contact", (0.03, float(shakedown_curve(np.array(0.03)))), (0.05, 4.25),
+    axes.annotate("shakedown limit", (0.03, float(shakedown_curve(np.array(0.03)))), (0.05, 4.25),
                   fontsize=10, arrowprops={"arrowstyle": "-", "linewidth": 0.8})
     axes.annotate("FI = 0:  $p_0/k = 1/\\mu_a$", (0.20, 5.0), (0.215, 5.2), fontsize=10,
                   arrowprops={"arrowstyle": "-", "linewidth": 0.8})
@@ -384,10 +401,9 @@ def draw_shakedown_map(directory):
                                    markersize=8, markeredgewidth=1.5, label=f"{part.name}: {case.short}"))
     present = [variant for key, variant in variants.items() if any(model == key for _, _, model in points)]
     variant_handles = [Patch(color=variant.colour, label=variant.profile_label.split("+")[-1]) for variant in present]
-    # Both legends go beside the map: no corner of it stays free once all methods are drawn.
-    axes.legend(handles=variant_handles + case_handles, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    axes.legend(handles=variant_handles + case_handles, loc="lower right")
     axes.set(xlim=(0.0, 0.45), ylim=(0.0, 6.0), xlabel="utilisation $\\mu_a = \\sqrt{F_x^2 + F_y^2}\\,/\\,N$ [-]",
-             ylabel="load factor $p_0\\,/\\,k$ [-]", title="Shakedown map, k = 250 MPa")
+             ylabel="load factor $p_0\\,/\\,k$ [-]", title="Shakedown map of the line contact, k = 250 MPa")
     return save(figure, directory, "shakedown_map")
 
 
@@ -404,16 +420,18 @@ def draw_normal_contact(directory, results):
     figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(9.0, 8.0), layout="constrained",
                                           height_ratios=(1.45, 1.0))
     figure.suptitle("Normal contact: S1002 on UIC60, centred, 80 kN, method EKP")
-    cells = draw_cells(upper, fields, MEGA * fields.pressure, plt.get_cmap("viridis"), (0.0, MEGA * fields.pressure.max()))
+    pressure = MEGA * fields.pressure
+    cells = draw_cells(upper, fields, pressure, plt.get_cmap("viridis"), (0.0, pressure.max()))
     borders = np.append(fields.strip_y - 0.5 * fields.strip_width, fields.borders[1])
     trail = np.append(fields.strip_trail, fields.strip_trail[-1])
     lead = np.append(fields.strip_lead, fields.strip_lead[-1])
-    upper.vlines(MILLI * borders, MILLI * trail, MILLI * lead, color="white", linewidth=0.35, alpha=0.6)
+    upper.vlines(MILLI * borders, MILLI * trail, MILLI * lead, color="white", linewidth=0.5, alpha=0.6)
     ellipse, = upper.plot(MILLI * y, MILLI * x, "--", color="#D55E00", linewidth=2.0)
-    upper.set(xlim=(MILLI * fields.borders[0] - 1.2, MILLI * fields.borders[1] + 2.6), aspect="equal", ylabel="x [mm]",
-              ylim=(MILLI * -1.15 * a, MILLI * 1.15 * a))
+    upper.set(xlim=(MILLI * fields.borders[0] - 1.2, MILLI * fields.borders[1] + 2.6), ylabel="x [mm]")
+    upper.set_aspect("equal", adjustable="datalim")  # the lateral axes of both panels stay aligned
     upper.legend([Line2D([], [], color="black", linewidth=1.0), ellipse],
-                 ["patch", f"equivalent double ellipse: a = {MILLI * a:.2f} mm, b = {MILLI * b:.2f} mm, $\\psi$ = {psi:.3f}"],
+                 ["patch", f"equivalent double ellipse: a = {MILLI * a:.2f} mm, b = {MILLI * b:.2f} mm, "
+                 f"$\\psi$ = {number(psi, '.3f')}"],
                  loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     mark_rolling(upper)
     figure.colorbar(cells, ax=upper, label="pressure [MPa]", aspect=18, pad=0.015)
@@ -448,6 +466,8 @@ def main():
         written.append(draw_shakedown_map(directory))
     except BadInput as error:
         sys.exit(f"draw_paper_figures: {error}")
+    except OSError as error:
+        sys.exit(f"draw_paper_figures: cannot write {error.filename}: {error.strerror}")
     for path in written:
         print(path)
 

@@ -47,9 +47,9 @@ int main(void) {
   wrc_load_init(&load);
   wrc_creepage_init(&creepage);
   wrc_friction_init(&friction);
-  load.normal_force = 80e3;       /* N */
+  load.normal_force = 80e3; /* N */
   creepage.longitudinal = 0.5e-3;
-  creepage.speed = 40.0;          /* m/s */
+  creepage.speed = 40.0; /* m/s */
   friction.coefficient = 0.35;
 
   wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
@@ -60,10 +60,10 @@ int main(void) {
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {
-    printf("patch   %.1f x %.1f mm, approach %.1f um, peak pressure %.0f MPa\n", 1e3 * patch.length, 1e3 * patch.width,
-           1e6 * patch.approach, 1e-6 * patch.peak_pressure);
-    printf("forces  Fx %.0f N, Fy %.0f N, Mz %.1f N m, frictional power %.0f W\n", forces.fx, forces.fy, forces.mz,
-           forces.power);
+    printf("patch   %.1f x %.1f mm, approach %.1f um, peak pressure %.0f MPa\n", 1e3 * patch.length,
+           1e3 * patch.width, 1e6 * patch.approach, 1e-6 * patch.peak_pressure);
+    printf("forces  Fx %.0f N, Fy %.0f N, Mz %.1f N m, frictional power %.0f W\n", forces.fx, forces.fy,
+           forces.mz, forces.power);
   }
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);

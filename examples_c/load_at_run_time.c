@@ -1,4 +1,5 @@
-/* load_at_run_time.c - how a host that is not linked to wrc uses it: dlopen, one dlsym, then the function table.
+/* load_at_run_time.c - how a host that is not linked to wrc uses it: dlopen, one dlsym, then the function
+ * table.
  *
  *   ./load_at_run_time path/to/libwrc.so.1
  */
@@ -61,8 +62,9 @@ int main(int argc, char** argv) {
   const int32_t status = wrc->tangential(contact, &patch, &creepage, &friction, &forces);
   char text[256] = "";
   wrc->last_error(contact, text, sizeof text);
-  printf("wrc %u.%u through %s: %s%s, Fx = %.0f N of at most %.0f N\n", wrc->version() >> 16, wrc->version() >> 8 & 255U,
-         path, wrc->status_name(status), text, forces.fx, friction.coefficient * patch.normal_force);
+  printf("wrc %u.%u through %s: %s%s, Fx = %.0f N of at most %.0f N\n", wrc->version() >> 16,
+         wrc->version() >> 8 & 255U, path, wrc->status_name(status), text, forces.fx,
+         friction.coefficient * patch.normal_force);
 
   wrc->contact_destroy(contact);
   wrc->model_destroy(model);

@@ -1,4 +1,5 @@
-/* own_case.c - your own profiles, load and creepages from the command line; ./run.sh --help lists the options. */
+/* own_case.c - your own profiles, load and creepages from the command line; ./run.sh --help lists the
+ * options. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +9,8 @@
 
 enum { MOST_POINTS = 20000 };
 
-/* ---------------------------------------------------------------------------------------------------- profile files */
+/* ----------------------------------------------------------------------------------------------------
+ * profile files */
 
 /* Reads "y z" lines into arrays that live as long as the program; returns the number of points. */
 static uint32_t read_points(const char* path, double scale, double* y, double* z) {
@@ -57,7 +59,8 @@ static wrc_profile profile_from(const char* source, double scale, double* y, dou
   return profile;
 }
 
-/* ----------------------------------------------------------------------------------------------------- command line */
+/* -----------------------------------------------------------------------------------------------------
+ * command line */
 
 typedef struct options {
   const char *wheel, *rail, *csv;
@@ -77,14 +80,16 @@ static double number(const char* option, const char* text) {
 }
 
 static options parse(int argc, char** argv) {
-  options given = {"S1002", "UIC60", NULL, 1e-3, 80e3, 0.0, 0.46, 1.435, 1.360, 0.0, 0.0, 0.35, 1.0, 80e9, 0.25, {1e-3, 0.0, 0.0}};
+  options given = {"S1002", "UIC60", NULL, 1e-3, 80e3, 0.0,  0.46, 1.435,
+                   1.360,   0.0,     0.0,  0.35, 1.0,  80e9, 0.25, {1e-3, 0.0, 0.0}};
   const struct {
     const char* name;
     double* value;
-  } numbers[] = {{"--load", &given.load},         {"--inclination", &given.inclination}, {"--radius", &given.radius},
-                 {"--gauge", &given.gauge},       {"--flange-back", &given.flange_back}, {"--lateral", &given.lateral},
-                 {"--yaw", &given.yaw},           {"--friction", &given.friction},       {"--speed", &given.speed},
-                 {"--poisson", &given.poisson},   {"--shear-modulus", &given.shear_modulus}};
+  } numbers[] = {
+      {"--load", &given.load},       {"--inclination", &given.inclination},    {"--radius", &given.radius},
+      {"--gauge", &given.gauge},     {"--flange-back", &given.flange_back},    {"--lateral", &given.lateral},
+      {"--yaw", &given.yaw},         {"--friction", &given.friction},          {"--speed", &given.speed},
+      {"--poisson", &given.poisson}, {"--shear-modulus", &given.shear_modulus}};
   for (int i = 1; i < argc; ++i) {
     const char* option = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : NULL;
@@ -98,7 +103,8 @@ static options parse(int argc, char** argv) {
     if (known) {
       ++i;
     } else if (strcmp(option, "--creepage") == 0) {
-      for (int k = 0; k < 3; ++k) given.creepage[k] = number(option, i + 1 + k < argc ? argv[i + 1 + k] : NULL);
+      for (int k = 0; k < 3; ++k)
+        given.creepage[k] = number(option, i + 1 + k < argc ? argv[i + 1 + k] : NULL);
       i += 3;
     } else if (value != NULL && strcmp(option, "--wheel") == 0) {
       given.wheel = argv[++i];
@@ -106,7 +112,8 @@ static options parse(int argc, char** argv) {
       given.rail = argv[++i];
     } else if (value != NULL && strcmp(option, "--csv") == 0) {
       given.csv = argv[++i];
-    } else if (value != NULL && strcmp(option, "--unit") == 0 && (strcmp(value, "mm") == 0 || strcmp(value, "m") == 0)) {
+    } else if (value != NULL && strcmp(option, "--unit") == 0 &&
+               (strcmp(value, "mm") == 0 || strcmp(value, "m") == 0)) {
       given.scale = strcmp(value, "mm") == 0 ? 1e-3 : 1.0;
       ++i;
     } else {
@@ -117,11 +124,13 @@ static options parse(int argc, char** argv) {
   return given;
 }
 
-/* ---------------------------------------------------------------------------------------------------------- the job */
+/* ----------------------------------------------------------------------------------------------------------
+ * the job */
 
 static void write_csv(const wrc_contact* contact, const char* path) {
-  static const int32_t fields[] = {WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,   WRC_FIELD_TRACTION_Y,
-                                   WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
+  static const int32_t fields[] = {
+      WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
+      WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
   enum { FIELDS = 8 };
   wrc_view views[FIELDS], y;
   y.struct_size = sizeof y;
@@ -135,7 +144,8 @@ static void write_csv(const wrc_contact* contact, const char* path) {
     fprintf(stderr, "cannot write '%s'\n", path);
     exit(EXIT_FAILURE);
   }
-  fprintf(file, "y_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
+  fprintf(file,
+          "y_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
   for (uint64_t j = 0; j < views[0].count[1]; ++j) {
     for (uint64_t i = 0; i < views[0].count[0]; ++i) {
       fprintf(file, "%.9g", y.data[j * y.stride[0]]);
@@ -180,7 +190,8 @@ int main(int argc, char** argv) {
 
   wrc_pose pose = {sizeof pose, 0, given.lateral, 0.0, given.yaw};
   wrc_load load = {sizeof load, WRC_PRESCRIBE_LOAD, given.load, 0.0};
-  wrc_creepage creepage = {sizeof creepage, 0, given.creepage[0], given.creepage[1], given.creepage[2], given.speed};
+  wrc_creepage creepage = {sizeof creepage,   0,          given.creepage[0], given.creepage[1],
+                           given.creepage[2], given.speed};
   wrc_friction friction = {sizeof friction, 0, given.friction};
   wrc_contact_point point;
   wrc_patch patch;
@@ -200,15 +211,20 @@ int main(int argc, char** argv) {
   if (status >= 0) {
     printf("contact point   wheel y = %.2f mm, rail y = %.2f mm, angle %.2f mrad, rolling radius %.2f mm\n",
            1e3 * point.y_wheel, 1e3 * point.y_rail, 1e3 * point.angle, 1e3 * point.rolling_radius);
-    printf("patch           length %.2f mm, width %.2f mm (y %.2f .. %.2f mm), area %.1f mm2\n", 1e3 * patch.length,
-           1e3 * patch.width, 1e3 * patch.y_min, 1e3 * patch.y_max, 1e6 * patch.area);
+    printf("patch           length %.2f mm, width %.2f mm (y %.2f .. %.2f mm), area %.1f mm2\n",
+           1e3 * patch.length, 1e3 * patch.width, 1e3 * patch.y_min, 1e3 * patch.y_max, 1e6 * patch.area);
     printf("double ellipse  a = %.2f mm, b = %.2f mm, psi = %.3f\n", 1e3 * patch.a, 1e3 * patch.b, patch.psi);
     printf("normal          N = %.0f N, approach %.2f um, stiffness %.3g N/m, peak pressure %.0f MPa\n",
            patch.normal_force, 1e6 * patch.approach, patch.stiffness, 1e-6 * patch.peak_pressure);
-    printf("on the wheel    Fx = %.1f N, Fy = %.1f N, Mz = %.2f N m (%.0f %% of friction * load, %.0f %% of the area sticks)\n",
-           forces.fx, forces.fy, forces.mz, 100.0 * damage.utilisation / given.friction, 100.0 * forces.adhesion_fraction);
-    printf("wear            power %.3g W, T-gamma %.3g N (without spin %.3g N), largest power density %.3g W/m2\n",
-           damage.power, damage.t_gamma, damage.t_gamma_no_spin, damage.peak_power_density);
+    printf(
+        "on the wheel    Fx = %.1f N, Fy = %.1f N, Mz = %.2f N m (%.0f %% of friction * load, %.0f %% of the "
+        "area sticks)\n",
+        forces.fx, forces.fy, forces.mz, 100.0 * damage.utilisation / given.friction,
+        100.0 * forces.adhesion_fraction);
+    printf(
+        "wear            power %.3g W, T-gamma %.3g N (without spin %.3g N), largest power density %.3g "
+        "W/m2\n",
+        damage.power, damage.t_gamma, damage.t_gamma_no_spin, damage.peak_power_density);
     printf("fatigue         index %.3f, largest local index %.3f; load factor %.2f, shakedown limit %.2f\n",
            damage.fatigue_index, damage.local_fatigue_index, damage.load_factor, damage.shakedown_limit);
     if (given.csv != NULL) write_csv(contact, given.csv);

@@ -1,13 +1,16 @@
-/* paper_cases.c - the source paper's cases through the C interface: S1002 on UIC60 and an exact double ellipse.
+/* paper_cases.c - the source paper's cases through the C interface: S1002 on UIC60 and an exact double
+ * ellipse.
  *
  *   ./paper_cases [output directory]
  *
- * Prints patch, forces and frictional power of three variants beside CONTACT (Kalker's exact half-space theory) and
- * beside the deviations the paper reports, and writes the fields as CSV for draw_paper_figures.py.
+ * Prints patch, forces and frictional power of three variants beside CONTACT (Kalker's exact half-space
+ * theory), beside the library's own exact solver, and beside the deviations the paper reports; writes the
+ * fields as CSV for draw_paper_figures.py.
  *
- * Paper: B. Liu, S. Bruni, Application of the extended FASTSIM for non-Hertzian contacts towards the prediction of
- * wear and rolling contact fatigue of wheel/rail systems, Proc. IMechE Part F 238(4) (2024) 427-436.
- * Reference values: CONTACT 25.2, steady rolling, V = 1 m/s; the theory manual says how they were obtained.
+ * Paper: B. Liu, S. Bruni, Application of the extended FASTSIM for non-Hertzian contacts towards the
+ * prediction of wear and rolling contact fatigue of wheel/rail systems, Proc. IMechE Part F 238(4) (2024)
+ * 427-436. Reference values: CONTACT 25.2, steady rolling, V = 1 m/s; the theory manual says how they were
+ * obtained.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,17 +18,20 @@
 #include <string.h>
 
 #include "wrc/wrc.h"
+#include "wrc/wrc_offline.h"
 
-/* -------------------------------------------------------------------------------------------------- what to compute */
+/* -------------------------------------------------------------------------------------------------- what to
+ * compute */
 
 typedef struct variant {
-  const char* name;      /* as the paper calls it */
+  const char* name; /* as the paper calls it */
   const char* file_name;
   int32_t tangential_method;
 } variant;
 
-/* HZ+FASTSIM-EQ.E in the paper is not Hertz's patch: it is the ellipse equivalent to the EKP patch, with its semi-axes
- * a and b and the semi-elliptic pressure of the same load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP. */
+/* HZ+FASTSIM-EQ.E in the paper is not Hertz's patch: it is the ellipse equivalent to the EKP patch, with its
+ * semi-axes a and b and the semi-elliptic pressure of the same load. That is what WRC_TANGENTIAL_FASTSIM_EQE
+ * makes of EKP. */
 static const variant variants[] = {{"EKP+FASTSIM-SDEC", "sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
                                    {"EKP+FASTSIM-EQ.L", "eql", WRC_TANGENTIAL_FASTSIM_EQL},
                                    {"HZ+FASTSIM-EQ.E", "eqe", WRC_TANGENTIAL_FASTSIM_EQE}};
@@ -34,28 +40,65 @@ enum { VARIANTS = 3 };
 typedef struct rolling_case {
   const char* name;
   const char* file_name;
-  double longitudinal, lateral, spin;        /* creepages at the initial contact point */
-  double power, fx, fy, mz;                  /* CONTACT; NAN: not known */
-  double paper_deviation[VARIANTS];          /* of the total power, per cent; NAN: not in the paper */
+  double longitudinal, lateral, spin; /* creepages at the initial contact point */
+  double power, fx, fy, mz;           /* CONTACT; NAN: not known */
+  double paper_deviation[VARIANTS];   /* of the total power, per cent; NAN: not in the paper */
 } rolling_case;
 
 static const rolling_case profile_cases[] = {
     {"Case 1 (pure spin)", "case1", 0.0, 0.0, -0.5, 68.68, 8752.0, 10160.0, NAN, {3.64, 11.5, -8.89}},
-    {"Case 2 (combined)", "case2", -0.49e-3, -0.22e-3, 0.29, 30.60, -4281.0, -5537.0, NAN, {6.91, 33.2, -12.5}},
+    {"Case 2 (combined)",
+     "case2",
+     -0.49e-3,
+     -0.22e-3,
+     0.29,
+     30.60,
+     -4281.0,
+     -5537.0,
+     NAN,
+     {6.91, 33.2, -12.5}},
 };
 
-/* The paper prints phi = 1.0 1/m for its Case 1 and 10.3 W for CONTACT. CONTACT gives 19.1 W there; 10.3 W belongs to
- * phi = 0.585 1/m. No load, sign, origin or reading of the ellipticity reconciles the printed pair. Both are shown. */
+/* The paper prints phi = 1.0 1/m for its Case 1 and 10.3 W for CONTACT. CONTACT gives 19.1 W there; 10.3 W
+ * belongs to phi = 0.585 1/m. No load, sign, origin or reading of the ellipticity reconciles the printed
+ * pair. Both are shown. */
 static const rolling_case ellipse_cases[] = {
-    {"Case 1 (as printed, phi = 1.0)", "case1_printed", 0.0, 0.0, 1.0, 19.1, 2129.0, -1933.0, -19.3, {NAN, NAN, NAN}},
-    {"Case 1 (phi = 0.585: the printed 10.3 W)", "case1", 0.0, 0.0, 0.585, 10.31, 2095.0, -2611.0, -17.9,
+    {"Case 1 (as printed, phi = 1.0)",
+     "case1_printed",
+     0.0,
+     0.0,
+     1.0,
+     19.1,
+     2129.0,
+     -1933.0,
+     -19.3,
+     {NAN, NAN, NAN}},
+    {"Case 1 (phi = 0.585: the printed 10.3 W)",
+     "case1",
+     0.0,
+     0.0,
+     0.585,
+     10.31,
+     2095.0,
+     -2611.0,
+     -17.9,
      {11.4, 40.2, 49.8}},
-    {"Case 2 (combined)", "case2", -0.49e-3, -0.22e-3, 0.29, 6.04, 3644.0, -1582.0, -16.3, {11.0, 22.5, 26.0}},
+    {"Case 2 (combined)",
+     "case2",
+     -0.49e-3,
+     -0.22e-3,
+     0.29,
+     6.04,
+     3644.0,
+     -1582.0,
+     -16.3,
+     {11.0, 22.5, 26.0}},
 };
 
 static const double friction_coefficient = 0.35;
 
-/* ------------------------------------------------------------------------------------------------------------ tools */
+/* ------------------------------------------------------------------------------------------------------------
+ * tools */
 
 static void fail(const wrc_contact* contact, const char* what, int32_t status) {
   char text[256] = "";
@@ -64,8 +107,8 @@ static void fail(const wrc_contact* contact, const char* what, int32_t status) {
   exit(EXIT_FAILURE);
 }
 
-static FILE* open_csv(const char* directory, const char* part, const char* case_name, const char* variant_name,
-                      const char* what) {
+static FILE* open_csv(const char* directory, const char* part, const char* case_name,
+                      const char* variant_name, const char* what) {
   char path[512];
   snprintf(path, sizeof path, "%s/%s_%s_%s_%s.csv", directory, part, case_name, variant_name, what);
   FILE* file = fopen(path, "w");
@@ -90,11 +133,11 @@ static double at(const wrc_view* view, uint64_t i, uint64_t j) {
 }
 
 /* The fields of the last step: one line per cell, and one per strip. */
-static void write_fields(const wrc_contact* contact, const char* directory, const char* part, const char* case_name,
-                         const char* variant_name) {
-  static const int32_t cell_fields[] = {WRC_FIELD_X,          WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,
-                                        WRC_FIELD_TRACTION_Y, WRC_FIELD_SLIP_X,   WRC_FIELD_SLIP_Y,
-                                        WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
+static void write_fields(const wrc_contact* contact, const char* directory, const char* part,
+                         const char* case_name, const char* variant_name) {
+  static const int32_t cell_fields[] = {
+      WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
+      WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
   enum { CELL_FIELDS = 8 };
   wrc_view views[CELL_FIELDS];
   for (int k = 0; k < CELL_FIELDS; ++k) views[k] = view_of(contact, cell_fields[k]);
@@ -106,7 +149,9 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
   const wrc_view power = view_of(contact, WRC_FIELD_STRIP_POWER);
 
   FILE* cells = open_csv(directory, part, case_name, variant_name, "cells");
-  fprintf(cells, "strip,y_m,width_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
+  fprintf(cells,
+          "strip,y_m,width_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,"
+          "fatigue_index\n");
   for (uint64_t j = 0; j < views[0].count[1]; ++j) {
     for (uint64_t i = 0; i < views[0].count[0]; ++i) {
       fprintf(cells, "%d,%.9g,%.9g", (int)j, at(&y, j, 0), at(&width, j, 0));
@@ -119,18 +164,19 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
   FILE* strips = open_csv(directory, part, case_name, variant_name, "strips");
   fprintf(strips, "y_m,width_m,x_trail_m,x_lead_m,peak_pressure_Pa,power_W_per_m\n");
   for (uint64_t j = 0; j < y.count[0]; ++j) {
-    fprintf(strips, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", at(&y, j, 0), at(&width, j, 0), at(&centre, j, 0) - at(&half, j, 0),
-            at(&centre, j, 0) + at(&half, j, 0), at(&peak, j, 0), at(&power, j, 0));
+    fprintf(strips, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", at(&y, j, 0), at(&width, j, 0),
+            at(&centre, j, 0) - at(&half, j, 0), at(&centre, j, 0) + at(&half, j, 0), at(&peak, j, 0),
+            at(&power, j, 0));
   }
   fclose(strips);
 }
 
 static void print_heading(const char* title) {
   printf("\n%s\n", title);
-  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi", "area",
-         "approach", "p_max", "Fx", "Fy", "Mz", "power", "dev.", "paper's");
-  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um", "MPa", "N",
-         "N", "N m", "W", "%", "dev. %");
+  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi",
+         "area", "approach", "p_max", "Fx", "Fy", "Mz", "power", "dev.", "paper's");
+  printf("%-42s %-17s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um",
+         "MPa", "N", "N", "N m", "W", "%", "dev. %");
 }
 
 static void print_number(const char* format, double value, int width) {
@@ -141,11 +187,11 @@ static void print_number(const char* format, double value, int width) {
   }
 }
 
-static void print_result(const char* case_name, const char* model, const wrc_patch* patch, const wrc_forces* forces,
-                         double reference_power, double paper_deviation) {
-  printf("%-42s %-17s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model, 1e3 * patch->a,
-         1e3 * patch->b, patch->psi, 1e6 * patch->area, 1e6 * patch->approach, 1e-6 * patch->peak_pressure, forces->fx,
-         forces->fy, forces->mz, forces->power);
+static void print_result(const char* case_name, const char* model, const wrc_patch* patch,
+                         const wrc_forces* forces, double reference_power, double paper_deviation) {
+  printf("%-42s %-17s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
+         1e3 * patch->a, 1e3 * patch->b, patch->psi, 1e6 * patch->area, 1e6 * patch->approach,
+         1e-6 * patch->peak_pressure, forces->fx, forces->fy, forces->mz, forces->power);
   print_number(" %+8.2f", 100.0 * (forces->power / reference_power - 1.0), 8);
   print_number(" %+8.2f", paper_deviation, 8);
   printf("\n");
@@ -165,7 +211,8 @@ static void write_summary(FILE* summary, const char* part, const char* case_name
           damage->local_fatigue_index);
 }
 
-/* ---------------------------------------------------------------------------------------------------------- the job */
+/* ----------------------------------------------------------------------------------------------------------
+ * the job */
 
 static wrc_creepage creepage_of(const rolling_case* rolling) {
   wrc_creepage creepage;
@@ -187,6 +234,133 @@ static void make(const wrc_config* config, wrc_model** model, wrc_contact** cont
     fprintf(stderr, "out of memory\n");
     exit(EXIT_FAILURE);
   }
+}
+
+/* ------------------------------------------------------------------------------------------------- the exact
+ * solver */
+
+enum { MOST_CELLS = 200 * 200 };
+static double exact_gap[MOST_CELLS], exact_pressure[MOST_CELLS], traction_x[MOST_CELLS],
+    traction_y[MOST_CELLS], slip_x[MOST_CELLS], slip_y[MOST_CELLS];
+
+static void write_exact_fields(const wrc_grid* grid, double yield, const char* directory, const char* part,
+                               const char* case_name) {
+  FILE* cells = open_csv(directory, part, case_name, "exact", "cells");
+  FILE* strips = open_csv(directory, part, case_name, "exact", "strips");
+  fprintf(cells,
+          "y_m,width_m,x_m,length_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,"
+          "fatigue_index\n");
+  fprintf(strips, "y_m,width_m,power_W_per_m\n");
+  for (uint32_t j = 0; j < grid->ny; ++j) {
+    const double y = grid->y0 + j * grid->dy;
+    double row_power = 0.0;
+    for (uint32_t i = 0; i < grid->nx; ++i) {
+      const size_t k = (size_t)j * grid->nx + i;
+      if (exact_pressure[k] <= 0.0) continue;
+      const double density = -(slip_x[k] * traction_x[k] + slip_y[k] * traction_y[k]); /* at 1 m/s */
+      const double index = (hypot(traction_x[k], traction_y[k]) - yield) / exact_pressure[k];
+      row_power += density * grid->dx;
+      fprintf(cells, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", y, grid->dy,
+              grid->x0 + i * grid->dx, grid->dx, exact_pressure[k], traction_x[k], traction_y[k], slip_x[k],
+              slip_y[k], density, index);
+    }
+    fprintf(strips, "%.9g,%.9g,%.9g\n", y, grid->dy, row_power);
+  }
+  fclose(cells);
+  fclose(strips);
+}
+
+/* Steady rolling under exact_pressure; prints a line for the table. The collocation is that of CONTACT, so
+ * that the line compares with its line cell by cell; the power by the energy balance is the limit on fine
+ * grids. */
+static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage, const rolling_case* rolling,
+                              const wrc_patch* patch, double yield, const char* directory, const char* part,
+                              FILE* summary) {
+  wrc_exact_rolling_problem problem;
+  wrc_exact_rolling_solution solution;
+  problem.struct_size = sizeof problem;
+  solution.struct_size = sizeof solution;
+  wrc_exact_rolling_problem_init(&problem);
+  wrc_exact_rolling_solution_init(&solution);
+  problem.collocation = WRC_COLLOCATION_REFERENCE;
+  problem.grid = grid;
+  problem.pressure = exact_pressure;
+  problem.coefficient = friction_coefficient;
+  problem.creepage = creepage;
+  solution.traction_x = traction_x;
+  solution.traction_y = traction_y;
+  solution.slip_x = slip_x;
+  solution.slip_y = slip_y;
+  char text[256];
+  if (wrc_exact_rolling(&problem, &solution, text, sizeof text) < 0) {
+    fprintf(stderr, "exact rolling: %s\n", text);
+    exit(EXIT_FAILURE);
+  }
+  wrc_forces forces = {sizeof forces,       0,           solution.fx,    solution.fy,
+                       patch->normal_force, solution.mz, solution.power, solution.adhesion_fraction};
+  print_result("", "wrc, exact", patch, &forces, rolling->power, NAN);
+  printf("%-42s %-17s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
+         solution.power_by_balance);
+  write_exact_fields(grid, yield, directory, part, rolling->file_name);
+
+  wrc_damage damage;
+  damage.struct_size = sizeof damage;
+  wrc_damage_init(&damage);
+  damage.power = solution.power;
+  damage.utilisation = hypot(solution.fx, solution.fy) / patch->normal_force;
+  damage.load_factor = patch->peak_pressure / yield;
+  wrc_shakedown_limit(damage.utilisation, &damage.shakedown_limit);
+  damage.fatigue_index = damage.utilisation - 1.0 / damage.load_factor;
+  write_summary(summary, part, rolling->file_name, "exact", &damage);
+}
+
+/* The exact normal problem for the gap in the contact: 0.3 mm cells, as the reference. */
+static wrc_patch solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
+  grid->struct_size = sizeof *grid;
+  wrc_grid_init(grid);
+  grid->nx = 50;
+  grid->ny = 90;
+  grid->dx = grid->dy = 0.3e-3;
+  grid->x0 = -0.5 * (grid->nx - 1) * grid->dx;
+  grid->y0 = -16e-3;
+  int32_t status = wrc_exact_gap(contact, grid, exact_gap);
+  if (status < 0) fail(contact, "wrc_exact_gap", status);
+  wrc_exact_normal_problem problem;
+  wrc_exact_normal_solution solution;
+  problem.struct_size = sizeof problem;
+  solution.struct_size = sizeof solution;
+  wrc_exact_normal_problem_init(&problem);
+  wrc_exact_normal_solution_init(&solution);
+  problem.normal_force = normal_force;
+  problem.grid = grid;
+  problem.gap = exact_gap;
+  solution.pressure = exact_pressure;
+  char text[256];
+  if (wrc_exact_normal(&problem, &solution, text, sizeof text) < 0) {
+    fprintf(stderr, "exact normal contact: %s\n", text);
+    exit(EXIT_FAILURE);
+  }
+  double y_min = 1.0, y_max = -1.0;
+  for (uint32_t j = 0; j < grid->ny; ++j) {
+    for (uint32_t i = 0; i < grid->nx; ++i) {
+      if (exact_pressure[(size_t)j * grid->nx + i] <= 0.0) continue;
+      const double y = grid->y0 + j * grid->dy;
+      if (y < y_min) y_min = y;
+      if (y > y_max) y_max = y;
+    }
+  }
+  static const double pi = 3.14159265358979323846;
+  wrc_patch patch;
+  patch.struct_size = sizeof patch;
+  wrc_patch_init(&patch);
+  patch.normal_force = solution.normal_force;
+  patch.approach = solution.approach;
+  patch.peak_pressure = solution.peak_pressure;
+  patch.area = solution.area;
+  patch.b = 0.5 * (y_max - y_min + grid->dy);
+  patch.a = patch.area / (pi * patch.b);
+  patch.psi = 0.5 * (y_max + y_min) / patch.b;
+  return patch;
 }
 
 static void run_profile_cases(const wrc_config* base, const char* directory, FILE* summary) {
@@ -232,6 +406,12 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
                    rolling->paper_deviation[v]);
       write_fields(contact, directory, "profiles", rolling->file_name, variants[v].file_name);
       write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &damage);
+      if (v == VARIANTS - 1) {
+        wrc_grid grid;
+        const wrc_patch exact = solve_exact_normal(contact, load.normal_force, &grid);
+        run_exact_rolling(&grid, &creepage, rolling, &exact, config.shear_yield, directory, "profiles",
+                          summary);
+      }
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
     }
@@ -257,7 +437,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
   wrc_friction_init(&friction);
   friction.coefficient = friction_coefficient;
 
-  print_heading("Exact double ellipse a = 4.25 mm, b = 6.375 mm, psi = 0.4, p0 = 300 MPa (17.02 kN), friction 0.35");
+  print_heading(
+      "Exact double ellipse a = 4.25 mm, b = 6.375 mm, psi = 0.4, p0 = 300 MPa (17.02 kN), friction 0.35");
   for (size_t c = 0; c < sizeof ellipse_cases / sizeof *ellipse_cases; ++c) {
     const rolling_case* rolling = &ellipse_cases[c];
     const wrc_creepage creepage = creepage_of(rolling);
@@ -277,24 +458,39 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       status = wrc_damage_numbers(contact, &damage);
       if (status < 0) fail(contact, variants[v].name, status);
 
-      print_result(v == 0 ? rolling->name : "", strchr(variants[v].name, '+') + 1, &exact, &forces, rolling->power,
-                   rolling->paper_deviation[v]);
+      print_result(v == 0 ? rolling->name : "", strchr(variants[v].name, '+') + 1, &exact, &forces,
+                   rolling->power, rolling->paper_deviation[v]);
       write_fields(contact, directory, "ellipse", rolling->file_name, variants[v].file_name);
       write_summary(summary, "ellipse", rolling->file_name, variants[v].file_name, &damage);
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
     }
+    wrc_grid grid = {sizeof grid, 60, 60, 0, exact.a / 30.0, exact.b / 30.0, 0.0, 0.0};
+    grid.x0 = -exact.a + 0.5 * grid.dx;
+    grid.y0 = -exact.b * (1.0 - exact.psi) + 0.5 * grid.dy;
+    for (uint32_t j = 0; j < grid.ny; ++j) {
+      const double y = grid.y0 + j * grid.dy;
+      const double eta = y / (exact.b * (1.0 + (y > 0.0 ? exact.psi : -exact.psi)));
+      for (uint32_t i = 0; i < grid.nx; ++i) {
+        const double xi = (grid.x0 + i * grid.dx) / exact.a;
+        exact_pressure[j * grid.nx + i] = peak_pressure * sqrt(fmax(0.0, 1.0 - xi * xi - eta * eta));
+      }
+    }
+    run_exact_rolling(&grid, &creepage, rolling, &exact, base->shear_yield, directory, "ellipse", summary);
     print_reference(rolling, " 4.25   6.38  0.400    85.1        -    300");
   }
-  printf("The paper prints phi = 1.0 1/m and 10.3 W for Case 1; that pair does not reproduce: CONTACT gives 19.1 W at\n"
-         "phi = 1.0 1/m, and 10.3 W at phi = 0.585 1/m. The paper's deviations are set beside the latter.\n");
+  printf(
+      "The paper prints phi = 1.0 1/m and 10.3 W for Case 1; that pair does not reproduce: CONTACT gives "
+      "19.1 W at\n"
+      "phi = 1.0 1/m, and 10.3 W at phi = 0.585 1/m. The paper's deviations are set beside the latter.\n");
 }
 
 int main(int argc, char** argv) {
   const char* directory = argc > 1 ? argv[1] : ".";
   wrc_config config;
   config.struct_size = sizeof config;
-  wrc_config_init(&config); /* G = 80 GPa, nu = 0.25, R = 0.46 m, k = 250 MPa: the paper's values are the defaults */
+  wrc_config_init(
+      &config); /* G = 80 GPa, nu = 0.25, R = 0.46 m, k = 250 MPa: the paper's values are the defaults */
 
   char path[512];
   snprintf(path, sizeof path, "%s/summary.csv", directory);
@@ -303,7 +499,9 @@ int main(int argc, char** argv) {
     fprintf(stderr, "cannot write %s: does the directory exist?\n", path);
     return EXIT_FAILURE;
   }
-  fprintf(summary, "part,case,model,power_W,utilisation,load_factor,shakedown_limit,fatigue_index,local_fatigue_index\n");
+  fprintf(
+      summary,
+      "part,case,model,power_W,utilisation,load_factor,shakedown_limit,fatigue_index,local_fatigue_index\n");
   run_profile_cases(&config, directory, summary);
   run_ellipse_cases(&config, directory, summary);
   fclose(summary);

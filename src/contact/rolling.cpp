@@ -167,10 +167,12 @@ Fault assess_damage(Contact& contact) {
     damage.peak_power_density = std::max(damage.peak_power_density, densest);
     const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
 
-    // The peak pressure is the patch's own, also where a variant spreads the load over the equivalent
-    // ellipse.
-    const ShakedownPoint point = shakedown_point(patch.forces, patch.extent.normal_force,
-                                                 patch.extent.peak_pressure, options.shear_yield);
+    // Variants that spread the load over the equivalent ellipse have that ellipse's peak pressure.
+    const bool on_ellipse = works_on_ellipse(options.tangential_method);
+    const double peak = on_ellipse ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
+                                   : patch.extent.peak_pressure;
+    const ShakedownPoint point =
+        shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
     const double index = fatigue_index(point);
     if (k == 0 || worst_cell > damage.local_fatigue_index) damage.local_fatigue_index = worst_cell;
     if (k == 0 || index > damage.fatigue_index) {  // the patch nearest to damage speaks for the contact

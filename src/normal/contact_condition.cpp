@@ -45,11 +45,12 @@ double impose_approach(double approach, const Material& material, double x, doub
   double load = 0.0;          // per unit of peak / half length [m^3]
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double shift = strips.centre[j] - x;
-    const double dy = std::abs(strips.y[j] - y);
-    const double distance = shift == 0.0 ? dy : std::sqrt(dy * dy + shift * shift);
+    const double dy = strips.y[j] - y;
     const double half_width = 0.5 * strips.width[j];
     const double l = strips.half_length[j];
-    displacement += l * strip_displacement(l, distance - half_width, distance + half_width);
+    double seen = strip_displacement(l, dy - half_width, dy + half_width);
+    if (shift != 0.0) seen *= std::sqrt((l * l + dy * dy) / (l * l + dy * dy + shift * shift));
+    displacement += l * seen;
     load += 0.5 * pi * l * l * strips.width[j];
   }
   const double level = approach / (material.normal_compliance() * displacement);

@@ -24,8 +24,8 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
 /// displacement at the point (x, y) equal to the approach: the one contact condition of the Kik-Piotrowski
 /// family. Returns the load of the strips [N].
 ///
-/// Strips whose middle is shifted in x by s are taken at the distance sqrt(dy^2 + s^2): right for s << l and
-/// for s << |dy|, that is for the skew yaw gives a patch.
+/// Strips whose middle is shifted in x by s count by the factor sqrt((l^2 + dy^2) / (l^2 + dy^2 + s^2)): the
+/// leading effect of s both near the strip and far from it; right for the skew yaw gives a patch, s < l / 2.
 double impose_approach(double approach, const Material& material, double x, double y,
                        Strips& strips) noexcept;
 

@@ -30,7 +30,7 @@ inline double natural_exp(double x) noexcept {
   const double octaves = std::floor(x / ln2 + 0.5);
   const double rest = x - octaves * ln2;  // |rest| <= 0.347
   double series = 1.0;
-  for (int n = 14; n >= 1; --n) series = 1.0 + series * rest / n;
+  for (int n = 14; n >= 1; --n) series = 1.0 + series * (rest * (1.0 / n));
   return std::ldexp(series, static_cast<int>(octaves));
 }
 

@@ -28,9 +28,9 @@ std::int32_t collocation_strips(std::int32_t strips) { return std::max((7 * stri
 /// The solver's strips; arrays in the workspace, all `grid.count` long.
 struct System {
   CollocationGrid grid;
-  double* cell_y =
-      nullptr;  ///< the strip as the grid has it; the outermost ones of a patch are fitted to its border
-  double* cell_width = nullptr;
+  /// The strip as the grid has it; grid.y and grid.width of a patch's outermost strips are fitted to its
+  /// border.
+  double *cell_y = nullptr, *cell_width = nullptr;
   double* height = nullptr;     ///< over the lowest point [m]
   double* curvature = nullptr;  ///< d2h/dx2 [1/m]
   double* gap_centre = nullptr;
@@ -38,13 +38,15 @@ struct System {
   double* inverse_length = nullptr;
   double* centre = nullptr;
   double* peak = nullptr;
-  double* influence =
-      nullptr;  ///< count x count: u at the middle of j by unit peak in i, over the compliance [m]
+  /// count x count, row j column i: displacement at the middle of j by unit peak in i, over the compliance
+  /// [m].
+  double* influence = nullptr;
   double* matrix = nullptr;  ///< of the active strips
   double* by_approach = nullptr;
   double* by_height = nullptr;
   double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
   double* shift = nullptr;  ///< of the centre against the gap's [m]
+  /// Neighbouring active strips joined two by two.
   double *pair_y = nullptr, *pair_centre = nullptr, *pair_inverse_length = nullptr, *pair_strength = nullptr;
   std::int32_t* active = nullptr;  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
@@ -133,6 +135,9 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     }
     if (in_contact) s.active[s.active_count++] = j;
   }
+  // A start that lies elsewhere is no start.
+  for (std::int32_t j = 0; j < s.grid.count && s.active_count == 0; ++j)
+    if (s.height[j] < 0.1 * approach) s.active[s.active_count++] = j;
   if (s.active_count == 0) s.active[s.active_count++] = 0;
 }
 
@@ -143,6 +148,14 @@ inline double width_correction(double w, double l, double r2) {
   return 2.0 * t2 * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 / 42.0)) * l / std::sqrt(l * l + r2);
 }
 
+/// J(tau, xi) for xi mostly near 0: the middle plane's with the leading effect of xi, which is right both
+/// near the line, sqrt(1 - xi^2), and far from it, 1 / sqrt(tau^2 + xi^2).
+inline double seen_from(const StripKernel& kernel, double tau, double xi) {
+  const double xi2 = xi * xi;
+  if (xi2 > 0.09) return kernel.at(tau, std::abs(xi));
+  return kernel.middle_plane(tau) * (1.0 - 0.5 * xi2 / (1.0 + tau * tau));
+}
+
 void build_influence(const StripKernel& kernel, System& s) {
   constexpr std::int32_t near = 8;  // strips away: beyond, the correction is below 2e-3 of an entry
   const std::int32_t n = s.grid.count;
@@ -150,12 +163,8 @@ void build_influence(const StripKernel& kernel, System& s) {
   for (std::int32_t j = 0; j < n; ++j) {
     double* const row = s.influence + static_cast<std::int64_t>(j) * n;
     for (std::int32_t i = 0; i < n; ++i) {
-      double distance = std::abs(s.grid.y[i] - s.grid.y[j]);
-      if (s.skewed) {
-        const double dx = s.centre[i] - s.centre[j];
-        distance = std::sqrt(distance * distance + dx * dx);
-      }
-      row[i] = s.grid.width[i] * kernel.middle_plane(distance * s.inverse_length[i]);
+      const double tau = std::abs(s.grid.y[i] - s.grid.y[j]) * s.inverse_length[i];
+      row[i] = s.grid.width[i] * seen_from(kernel, tau, (s.centre[i] - s.centre[j]) * s.inverse_length[i]);
     }
     for (std::int32_t i = std::max(j - near, 0); i < std::min(j + near + 1, n); ++i) {
       if (i == j) continue;

@@ -32,10 +32,11 @@ double line_potential(double tau, double xi) noexcept {
   const double v_leading = area_sinh((1.0 - xi) / tau);
   const double middle = 0.5 * (v_trailing + v_leading);
   const double half = 0.5 * (v_leading - v_trailing);
-  constexpr int points = 64;
-  // sin and cos of the step pi / 64 by halving the angle pi / 2 five times.
+  const int halvings = tau < 0.05 ? 5 : (tau < 1.0 ? 4 : 3);
+  const int points = 2 << halvings;
+  // sin and cos of the step pi / points by halving the angle pi / 2.
   double cosine_step = 0.0, sine_step = 1.0;
-  for (int n = 0; n < 5; ++n) {
+  for (int n = 0; n < halvings; ++n) {
     sine_step = std::sqrt(0.5 * (1.0 - cosine_step));
     cosine_step = std::sqrt(0.5 * (1.0 + cosine_step));
   }

@@ -94,7 +94,7 @@ struct StripKernel {
   }
 };
 
-/// Fills the tables (some milliseconds; at init, not in a step).
+/// Fills the tables (about ten milliseconds; at init, not in a step). Same bits on every machine.
 void tabulate(StripKernel& kernel) noexcept;
 
 /// J by quadrature, tau > 0: what the tables are made from [-].

@@ -1,6 +1,6 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
-///   wrc_compare sdec|normal|grid FILE.csv [--json]
+///   wrc_compare KIND FILE.csv [--json]
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -20,13 +20,17 @@ constexpr Kind kinds[] = {
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
     {"normal", compare::compare_normal,
      "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
+    {"halfspace-sdec", compare::compare_halfspace_sdec,
+     "those of sdec_cases.csv: the exact solver on each row's grid"},
+    {"halfspace-normal", compare::compare_halfspace_normal,
+     "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
     {"grid", compare::compare_grid,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
 };
 
 int usage() {
   std::fprintf(stderr, "usage: wrc_compare KIND FILE.csv [--json]\n\nKIND and the columns FILE must have:\n");
-  for (const Kind& kind : kinds) std::fprintf(stderr, "  %-8s %s\n", kind.name, kind.columns);
+  for (const Kind& kind : kinds) std::fprintf(stderr, "  %-16s %s\n", kind.name, kind.columns);
   std::fprintf(stderr, "--json: the last line of the output is one JSON object\n");
   return 2;
 }

@@ -1,7 +1,6 @@
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 
@@ -23,40 +22,6 @@ constexpr Variant variants[] = {
     {"strip_halfspace", WRC_NORMAL_STRIP_HALFSPACE},
 };
 
-/// Consecutive lines of the file that belong to one contact: [first, last).
-struct Case {
-  std::size_t first, last;
-};
-
-std::vector<Case> find_cases(const Csv& file) {
-  std::vector<Case> cases;
-  for (std::size_t row = 0; row < file.rows(); ++row) {
-    const bool same = !cases.empty() && [&] {
-      const std::size_t head = cases.back().first;
-      return file(row, "y_ws_mm") == file(head, "y_ws_mm") && file(row, "yaw_rad") == file(head, "yaw_rad") &&
-             file(row, "fz_N") == file(head, "fz_N") && file(row, "patch") == file(head, "patch");
-    }();
-    if (same) {
-      cases.back().last = row + 1;
-    } else {
-      cases.push_back({row, row + 1});
-    }
-  }
-  return cases;
-}
-
-/// Load over y as piecewise constant line load; total over an interval.
-struct LineLoad {
-  std::vector<double> low, high, per_length;  // [m], [m], [N/m]
-  double over(double from, double to) const {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < low.size(); ++j) {
-      sum += per_length[j] * std::max(0.0, std::min(to, high[j]) - std::max(from, low[j]));
-    }
-    return sum;
-  }
-};
-
 wrc_view view_of(const Solver& solver, int32_t patch, int32_t field) {
   wrc_view view = made<wrc_view>(wrc_view_init);
   if (wrc_field(solver.contact(), patch, field, &view) != WRC_OK)
@@ -73,31 +38,11 @@ LineLoad computed_line_load(const Solver& solver, int32_t patches) {
     const wrc_view half = view_of(solver, patch, WRC_FIELD_STRIP_HALF);
     const wrc_view peak = view_of(solver, patch, WRC_FIELD_STRIP_PEAK);
     for (uint64_t j = 0; j < y.count[0]; ++j) {
-      load.low.push_back(y.data[j] - 0.5 * width.data[j]);
-      load.high.push_back(y.data[j] + 0.5 * width.data[j]);
-      load.per_length.push_back(0.5 * pi * half.data[j] * peak.data[j]);
+      load.add(y.data[j] - 0.5 * width.data[j], y.data[j] + 0.5 * width.data[j],
+               0.5 * pi * half.data[j] * peak.data[j]);
     }
   }
   return load;
-}
-
-/// Sum of |difference| over the reference's rows and what lies outside them, by the total load. `shift` moves
-/// the reference's lateral coordinate (origin at its contact reference location) to ours (initial contact
-/// point).
-double line_load_error(const Csv& file, const Case& rows, const LineLoad& ours, double shift) {
-  double difference = 0.0, total = 0.0, covered = 0.0;
-  // Rows lie on the reference's grid; one missing in between would be a separate patch.
-  const double spacing = 1e-3 * 0.2;
-  for (std::size_t row = rows.first; row < rows.last; ++row) {
-    const double y = 1e-3 * file(row, "row_y_mm") + shift;
-    const double load = 1e3 * file(row, "line_load_N_per_mm") * spacing;
-    const double mine = ours.over(y - 0.5 * spacing, y + 0.5 * spacing);
-    difference += std::fabs(mine - load);
-    total += load;
-    covered += mine;
-  }
-  difference += std::fabs(ours.over(-1.0, 1.0) - covered);  // load of ours where the reference has none
-  return difference / total;
 }
 
 }  // namespace
@@ -140,7 +85,7 @@ Report compare_normal(const Csv& file) {
       errors["peak_pressure"].add(i, patch.peak_pressure / (1e6 * file(head, "pmax_MPa")) - 1.0);
       errors["area"].add(i, patch.area / (1e-6 * file(head, "area_mm2")) - 1.0);
       errors["approach"].add(i, patch.approach / (1e-3 * file(head, "pen_mm")) - 1.0);
-      const double shift = (1e-3 * file(head, "ycp_rail_mm") - point.y_rail) / std::cos(point.angle);
+      const double shift = reference_shift(file, cases[i], point);
       errors["line_load"].add(
           i, line_load_error(file, cases[i], computed_line_load(solver, patch.patches), shift));
     }

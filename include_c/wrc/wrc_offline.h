@@ -1,0 +1,184 @@
+/**
+ * @file wrc_offline.h
+ * Kalker's exact half-space theory: the yardstick of the real-time methods. Not for real-time use.
+ *
+ * Everything here allocates, may take milliseconds to minutes and is "@rt init". Frames, signs, units and conventions
+ * are those of wrc.h. Fields are one double per cell of a rectangular grid, x fastest: element (i, j) of nx * ny is at
+ * j * nx + i, its cell's centre at (x0 + i dx, y0 + j dy) in the contact frame; particles enter a row at large i.
+ *
+ * Two elastic half-spaces of shear moduli G1, G2 and Poisson ratios nu1, nu2 are treated through the combined constants
+ * 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2. The coupling of normal and tangential problem through
+ * K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2) is neglected: it vanishes for equal materials, where all is exact.
+ *
+ * Memory: about 500 bytes per cell for the normal problem, 2.5 kB per cell for rolling (10 MB at 64 x 64).
+ */
+#ifndef WRC_OFFLINE_H
+#define WRC_OFFLINE_H
+
+#include "wrc.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What adhesion means. */
+enum wrc_adhesion {
+  WRC_ADHESION_COULOMB = 0, /**< tractions up to friction * pressure, then slip */
+  WRC_ADHESION_FULL = 1     /**< no slip anywhere: linear theory; friction is unused */
+};
+
+/** Where on a cell the discrete equations hold. */
+enum wrc_collocation {
+  WRC_COLLOCATION_QUARTER_POINT = 0, /**< converges fastest with the grid: the choice for answers */
+  WRC_COLLOCATION_REFERENCE = 1      /**< reproduces the program CONTACT on its own grid: the choice for comparisons */
+};
+
+/** Called now and then with the fraction done, 0..1. Return 0 to go on, anything else to cancel. */
+typedef int32_t (*wrc_progress)(double fraction, void* user);
+
+/** A rectangular grid in the contact frame. */
+typedef struct wrc_grid {
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t nx, ny;      /**< cells along x and y, 4..1024 */
+  uint32_t reserved;    /**< 0 */
+  double dx, dy;        /**< size of a cell, 1e-7..0.01 m */
+  double x0, y0;        /**< centre of cell (0, 0) [m] */
+} wrc_grid;
+
+/** The two bodies. */
+typedef struct wrc_materials {
+  uint32_t struct_size;        /**< sizeof this struct */
+  uint32_t reserved;           /**< 0 */
+  double shear_modulus_1;      /**< G of the wheel, 1e8..1e12 Pa [80e9] */
+  double poisson_1;            /**< nu of the wheel, 0..0.5 [0.25] */
+  double shear_modulus_2;      /**< G of the rail [80e9] */
+  double poisson_2;            /**< nu of the rail [0.25] */
+} wrc_materials;
+
+/** The normal problem: an undeformed gap and what presses the bodies together. */
+typedef struct wrc_exact_normal_problem {
+  uint32_t struct_size;            /**< sizeof this struct */
+  int32_t prescribed;              /**< enum wrc_prescribed [load] */
+  int32_t max_iterations;          /**< 1..100000 [1000] */
+  int32_t reserved;                /**< 0 */
+  double normal_force;             /**< with WRC_PRESCRIBE_LOAD, 1e-3..1e7 N */
+  double approach;                 /**< with WRC_PRESCRIBE_APPROACH, beyond the zero of the gap, -1..0.01 m */
+  double tolerance;                /**< of overlap and separation, relative to the largest displacement [1e-6] */
+  const wrc_materials* materials;  /**< NULL: the defaults */
+  const wrc_grid* grid;            /**< required */
+  const double* gap;               /**< nx * ny [m] */
+  wrc_progress progress;           /**< NULL: none */
+  void* user;                      /**< handed to progress */
+} wrc_exact_normal_problem;
+
+/** Solution of the normal problem. */
+typedef struct wrc_exact_normal_solution {
+  uint32_t struct_size; /**< sizeof this struct */
+  int32_t iterations;   /**< of the conjugate gradients */
+  double approach;      /**< beyond the zero of the gap [m] */
+  double normal_force;  /**< [N] */
+  double peak_pressure; /**< [Pa] */
+  double area;          /**< of the cells under pressure [m^2] */
+  double residual;      /**< of the convergence test */
+  double* pressure;     /**< the caller's nx * ny [Pa]; NULL: not wanted; set before the call */
+} wrc_exact_normal_solution;
+
+/** Steady rolling under a given normal pressure. */
+typedef struct wrc_exact_rolling_problem {
+  uint32_t struct_size;           /**< sizeof this struct */
+  int32_t adhesion;               /**< enum wrc_adhesion [Coulomb] */
+  int32_t collocation;            /**< enum wrc_collocation [quarter point] */
+  int32_t max_iterations;         /**< of Newton's method, 1..1000 [60] */
+  double tolerance;               /**< of the traction law, 1e-12..0.1 [1e-4] */
+  const wrc_materials* materials; /**< NULL: the defaults */
+  const wrc_grid* grid;           /**< required */
+  const double* pressure;         /**< nx * ny [Pa]; cells above zero are the contact */
+  const double* friction;         /**< nx * ny, or NULL: `coefficient` everywhere */
+  double coefficient;             /**< Coulomb, 1e-4..2 [0.3] */
+  const wrc_creepage* creepage;   /**< about the origin of the contact frame */
+  wrc_progress progress;          /**< NULL: none; called between grids and iterations */
+  void* user;                     /**< handed to progress */
+} wrc_exact_rolling_problem;
+
+/** Solution of steady rolling: forces and tractions on the wheel. */
+typedef struct wrc_exact_rolling_solution {
+  uint32_t struct_size;       /**< sizeof this struct */
+  int32_t iterations;         /**< of Newton's method on the given grid */
+  double fx, fy;              /**< [N] */
+  double mz;                  /**< about the origin of the contact frame [N m] */
+  double power;               /**< sum of slip times traction over the cells, times the speed [W] */
+  double power_by_balance;    /**< -(Fx nu_x + Fy nu_y + Mz phi) V: the limit of `power` on fine grids [W] */
+  double adhesion_fraction;   /**< share of the contact's area that sticks */
+  double residual;            /**< of the convergence test */
+  double* traction_x;         /**< the caller's nx * ny [Pa]; NULL: not wanted; so are those below */
+  double* traction_y;         /**< [Pa] */
+  double* slip_x;             /**< sliding velocity / rolling speed [-] */
+  double* slip_y;             /**< [-] */
+} wrc_exact_rolling_solution;
+
+/** A real-time result against the exact one. */
+typedef struct wrc_exact_check_result {
+  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t reserved;        /**< 0 */
+  double fx, fy, mz;        /**< exact, on the contact's own pressure and creepages [N], [N m] */
+  double power;             /**< exact, by the energy balance [W] */
+  double adhesion_fraction; /**< exact */
+  double force_error;       /**< |F - F_exact| / (friction * N) [-] */
+  double power_error;       /**< P / P_exact - 1 [-]; 0 when nothing is dissipated */
+} wrc_exact_check_result;
+
+/** @name Defaults
+ * As in wrc.h. @rt hard @thread free
+ * @{ */
+WRC_API int32_t wrc_grid_init(wrc_grid* grid);                                               /**< Defaults of a grid. */
+WRC_API int32_t wrc_materials_init(wrc_materials* materials);                                /**< Defaults of materials. */
+WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem);            /**< Defaults of a problem. */
+WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution);         /**< Defaults of a solution. */
+WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem);          /**< Defaults of a problem. */
+WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution);       /**< Defaults of a solution. */
+WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result);                 /**< Defaults of a result. */
+/** @} */
+
+/** Samples the gap in a contact (of wrc_geometry, yaw included, or of the caller) at the cell centres of a grid, its
+ * minimum at zero. Outside the rows the gap is that of the last row plus its slope's continuation.
+ * @param contact with a gap
+ * @param grid where to sample
+ * @param[out] gap nx * ny [m]
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _SEQUENCE (no gap in the contact).
+ * @rt init @thread contact */
+WRC_API int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap);
+
+/** Pressure and contact area of two half-spaces pressed together. Conjugate gradients with bounds (Polonsky and Keer
+ * 1999) and FFT products. Kalker 1990; Johnson 1985.
+ * @param problem what to solve
+ * @param[in,out] solution results; its `pressure` says where the field goes
+ * @param[out] text what went wrong, as wrc_last_error writes it; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE,
+ * _NOT_FINITE, _UNSUPPORTED, _MEMORY, _CANCELLED. @rt init @thread free */
+WRC_API int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
+                                 char* text, uint64_t size);
+
+/** Tractions of steady rolling under a given pressure. Kalker 1990; Newton's method with a moving adhesion area, GMRES
+ * and FFT products. Parameters and statuses as wrc_exact_normal. @param problem what to solve
+ * @param[in,out] solution results @param[out] text sentence @param size bytes of text
+ * @return as wrc_exact_normal(). @rt init @thread free */
+WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
+                                  char* text, uint64_t size);
+
+/** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
+ * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not changed.
+ * @param contact after wrc_tangential or wrc_step
+ * @param nx cells along x, 8..512 @param ny cells along y, 8..512
+ * @param progress NULL: none @param user handed to progress
+ * @param[out] result exact forces and the errors
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _SEQUENCE, _MEMORY,
+ * _CANCELLED. @rt init @thread contact */
+WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
+                                wrc_exact_check_result* result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* WRC_OFFLINE_H */

@@ -1,0 +1,424 @@
+/// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <vector>
+
+#include "abi/fp_environment.hpp"
+#include "abi/handles.hpp"
+#include "abi/message.hpp"
+#include "abi/structs.hpp"
+#include "halfspace/normal.hpp"
+#include "halfspace/pressure.hpp"
+#include "halfspace/tangential.hpp"
+#include "wrc/wrc_offline.h"
+
+namespace wrc::abi {
+
+#define WRC_STRUCT(type, pinned_size)                   \
+  template <>                                           \
+  struct Version<type> {                                \
+    static constexpr const char* name = #type;          \
+    static constexpr std::size_t first = (pinned_size); \
+  };
+WRC_STRUCT(wrc_grid, 48)
+WRC_STRUCT(wrc_materials, 40)
+WRC_STRUCT(wrc_exact_normal_problem, 80)
+WRC_STRUCT(wrc_exact_normal_solution, 56)
+WRC_STRUCT(wrc_exact_rolling_problem, 88)
+WRC_STRUCT(wrc_exact_rolling_solution, 96)
+WRC_STRUCT(wrc_exact_check_result, 64)
+#undef WRC_STRUCT
+
+#define WRC_ZERO_DEFAULTS(type)       \
+  template <>                         \
+  type defaults<type>() {             \
+    type value{};                     \
+    value.struct_size = sizeof(type); \
+    return value;                     \
+  }
+WRC_ZERO_DEFAULTS(wrc_grid)
+WRC_ZERO_DEFAULTS(wrc_exact_normal_solution)
+WRC_ZERO_DEFAULTS(wrc_exact_rolling_solution)
+WRC_ZERO_DEFAULTS(wrc_exact_check_result)
+#undef WRC_ZERO_DEFAULTS
+
+template <>
+wrc_materials defaults<wrc_materials>() {
+  return {sizeof(wrc_materials), 0, 80e9, 0.25, 80e9, 0.25};
+}
+
+template <>
+wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
+  wrc_exact_normal_problem value{};
+  value.struct_size = sizeof value;
+  value.max_iterations = 1000;
+  value.tolerance = 1e-6;
+  return value;
+}
+
+template <>
+wrc_exact_rolling_problem defaults<wrc_exact_rolling_problem>() {
+  wrc_exact_rolling_problem value{};
+  value.struct_size = sizeof value;
+  value.max_iterations = 60;
+  value.tolerance = 1e-4;
+  value.coefficient = 0.3;
+  return value;
+}
+
+namespace {
+
+/// Everything offline: allocation may fail, and says so.
+template <typename Work>
+Fault guarded(Work&& work) {
+  const FloatingPointScope scope;
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return {.status = WRC_ERROR_MEMORY, .field = "grid", .cause = "the grid needs more memory than there is"};
+  } catch (...) {
+    return {.status = WRC_ERROR_INTERNAL};
+  }
+}
+
+int32_t finish(const Fault& fault, char* text, std::uint64_t size) {
+  if (text != nullptr && size > 0) write_sentence(fault, text, size);
+  return fault.status;
+}
+
+/// The host's callback behind the solver's: 0 goes on.
+struct Reporter {
+  wrc_progress progress = nullptr;
+  void* user = nullptr;
+  static bool report(double fraction, void* self) {
+    const auto* reporter = static_cast<Reporter*>(self);
+    return reporter->progress(fraction, reporter->user) == 0;
+  }
+  halfspace::ProgressCallback callback() {
+    return progress == nullptr ? halfspace::ProgressCallback{} : halfspace::ProgressCallback{report, this};
+  }
+};
+
+Fault first_of(std::initializer_list<Fault> faults) {
+  for (const Fault& each : faults) {
+    if (each.failed()) return each;
+  }
+  return {};
+}
+
+Fault read_grid(const wrc_grid* theirs, halfspace::Grid& grid) {
+  wrc_grid ours;
+  const Fault fault = read(theirs, "grid", ours);
+  if (fault.failed()) return fault;
+  grid = {.nx = static_cast<int>(ours.nx),
+          .ny = static_cast<int>(ours.ny),
+          .dx = ours.dx,
+          .dy = ours.dy,
+          .x0 = ours.x0,
+          .y0 = ours.y0};
+  return first_of({check(ours.nx, "grid.nx", "", 4.0, 1024.0), check(ours.ny, "grid.ny", "", 4.0, 1024.0),
+                   check(ours.dx, "grid.dx", "m", 1e-7, 0.01, nullptr, "did you pass mm?"),
+                   check(ours.dy, "grid.dy", "m", 1e-7, 0.01, nullptr, "did you pass mm?"),
+                   check(ours.x0, "grid.x0", "m", -1.0, 1.0, "did you pass mm?", "did you pass mm?"),
+                   check(ours.y0, "grid.y0", "m", -1.0, 1.0, "did you pass mm?", "did you pass mm?")});
+}
+
+/// Combined constants of two materials: 1/G and nu/G are the means of the bodies'.
+Fault read_materials(const wrc_materials* theirs, Material& material) {
+  wrc_materials ours = defaults<wrc_materials>();
+  if (theirs != nullptr) {
+    const Fault fault = read(theirs, "materials", ours);
+    if (fault.failed()) return fault;
+  }
+  const double inverse = 0.5 * (1.0 / ours.shear_modulus_1 + 1.0 / ours.shear_modulus_2);
+  material.shear_modulus = 1.0 / inverse;
+  material.poisson =
+      0.5 * (ours.poisson_1 / ours.shear_modulus_1 + ours.poisson_2 / ours.shear_modulus_2) / inverse;
+  return first_of(
+      {check(ours.shear_modulus_1, "materials.shear_modulus_1", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
+       check(ours.shear_modulus_2, "materials.shear_modulus_2", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
+       check(ours.poisson_1, "materials.poisson_1", "", 0.0, 0.5),
+       check(ours.poisson_2, "materials.poisson_2", "", 0.0, 0.5)});
+}
+
+/// A required field of one number per cell.
+Fault read_field(const double* theirs, std::size_t cells, const char* name, const char* unit,
+                 halfspace::Field& field) {
+  if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
+  const Fault fault = check_finite(theirs, cells, name, unit);
+  if (fault.failed()) return fault;
+  field.assign(theirs, theirs + cells);
+  return {};
+}
+
+void copy_field(const halfspace::Field& field, double* theirs) {
+  if (theirs != nullptr) std::copy(field.begin(), field.end(), theirs);
+}
+
+/// A field of the caller before the solve: on failure it stays zero.
+void zero_field(double* theirs, std::size_t cells) {
+  if (theirs != nullptr) std::fill_n(theirs, cells, 0.0);
+}
+
+Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_normal_solution& solution) {
+  wrc_exact_normal_problem ours;
+  Fault fault = read(theirs, "problem", ours);
+  if (fault.failed()) return fault;
+  halfspace::Grid grid;
+  Material material;
+  fault = first_of({read_grid(ours.grid, grid), read_materials(ours.materials, material)});
+  if (fault.failed()) return fault;
+  zero_field(solution.pressure, grid.cells());
+
+  halfspace::GapProblem problem;
+  fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", problem.gap);
+  if (fault.failed()) return fault;
+  if (ours.prescribed == WRC_PRESCRIBE_LOAD) {
+    fault = check(ours.normal_force, "problem.normal_force", "N", 1e-3, 1e7, "compressive positive",
+                  "did you pass mN?");
+  } else if (ours.prescribed == WRC_PRESCRIBE_APPROACH) {
+    fault = check(ours.approach, "problem.approach", "m", -1.0, 0.01, nullptr, "did you pass mm?");
+  } else {
+    fault = {
+        .status = WRC_ERROR_UNSUPPORTED, .field = "problem.prescribed", .cause = "see enum wrc_prescribed"};
+  }
+  if (!fault.failed()) {
+    fault = first_of({check(ours.tolerance, "problem.tolerance", "", 1e-14, 0.1),
+                      check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e5)});
+  }
+  if (fault.failed()) return fault;
+  problem.prescribed = ours.prescribed == WRC_PRESCRIBE_LOAD ? Prescribed::load : Prescribed::approach;
+  problem.normal_force = ours.normal_force;
+  problem.approach = ours.approach;
+  problem.tolerance = ours.tolerance;
+  problem.max_iterations = ours.max_iterations;
+  Reporter reporter{ours.progress, ours.user};
+  problem.progress = reporter.callback();
+
+  const halfspace::GapSolution found = halfspace::NormalSolver(grid, material).solve(problem);
+  if (found.fault.failed()) return found.fault;
+  solution.iterations = found.iterations;
+  solution.approach = found.approach;
+  solution.normal_force = found.normal_force;
+  solution.peak_pressure = found.peak_pressure;
+  solution.area = found.area;
+  solution.residual = found.residual;
+  copy_field(found.pressure, solution.pressure);
+  return found.fault;
+}
+
+Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
+  wrc_exact_rolling_problem ours;
+  Fault fault = read(theirs, "problem", ours);
+  if (fault.failed()) return fault;
+  halfspace::Grid grid;
+  Material material;
+  wrc_creepage creepage;
+  fault = first_of({read_grid(ours.grid, grid), read_materials(ours.materials, material),
+                    read(ours.creepage, "creepage", creepage)});
+  if (fault.failed()) return fault;
+  const std::size_t cells = grid.cells();
+  for (double* each : {solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y}) {
+    zero_field(each, cells);
+  }
+
+  halfspace::RollingProblem problem;
+  fault = first_of({read_field(ours.pressure, cells, "problem.pressure", "Pa", problem.pressure),
+                    check(creepage.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
+                          "did you pass per mille?", "did you pass per mille?"),
+                    check(creepage.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
+                          "did you pass per mille?"),
+                    check(creepage.spin, "creepage.spin", "1/m", -1e3, 1e3),
+                    check(creepage.speed, "creepage.speed", "m/s", 0.0, 200.0, nullptr, "did you pass km/h?"),
+                    check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
+                    check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
+                    check(ours.adhesion, "problem.adhesion", "", WRC_ADHESION_COULOMB, WRC_ADHESION_FULL),
+                    check(ours.collocation, "problem.collocation", "", WRC_COLLOCATION_QUARTER_POINT,
+                          WRC_COLLOCATION_REFERENCE)});
+  if (fault.failed()) return fault;
+  if (ours.friction != nullptr) {
+    fault = read_field(ours.friction, cells, "problem.friction", "", problem.friction);
+    for (std::size_t i = 0; i < cells && !fault.failed(); ++i) {
+      fault = check(ours.friction[i], "problem.friction", "", 1e-4, 2.0);
+      fault.index = static_cast<std::int32_t>(i);
+    }
+  } else {
+    fault = check(ours.coefficient, "problem.coefficient", "", 1e-4, 2.0, "friction must be positive",
+                  "did you pass per cent?");
+    problem.friction.assign(1, ours.coefficient);
+  }
+  if (fault.failed()) return fault;
+  problem.creepage = {creepage.longitudinal, creepage.lateral, creepage.spin};
+  problem.adhesion =
+      ours.adhesion == WRC_ADHESION_FULL ? halfspace::Adhesion::full : halfspace::Adhesion::coulomb;
+  problem.collocation = ours.collocation == WRC_COLLOCATION_REFERENCE
+                            ? halfspace::Collocation::reference_program
+                            : halfspace::Collocation::quarter_point;
+  problem.tolerance = ours.tolerance;
+  problem.max_iterations = ours.max_iterations;
+  Reporter reporter{ours.progress, ours.user};
+  problem.progress = reporter.callback();
+
+  const halfspace::RollingSolution found = halfspace::RollingSolver(grid, material).solve(problem);
+  if (found.fault.failed()) return found.fault;
+  solution.iterations = found.iterations;
+  solution.fx = found.forces.fx;
+  solution.fy = found.forces.fy;
+  solution.mz = found.forces.mz;
+  solution.power = found.forces.power_per_speed * creepage.speed;
+  solution.power_by_balance = found.power_by_balance * creepage.speed;
+  solution.adhesion_fraction = found.forces.adhesion_fraction;
+  solution.residual = found.residual;
+  copy_field(found.traction_x, solution.traction_x);
+  copy_field(found.traction_y, solution.traction_y);
+  copy_field(found.slip_x, solution.slip_x);
+  copy_field(found.slip_y, solution.slip_y);
+  return found.fault;
+}
+
+/// The contact's own problem, exactly: all its strips with their pressure on one grid.
+Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Reporter& reporter,
+                    wrc_exact_check_result& result) {
+  Fault fault = first_of({check(nx, "nx", "", 8.0, 512.0), check(ny, "ny", "", 8.0, 512.0)});
+  if (fault.failed()) return fault;
+  if (contact.reached < Stage::tangential) {
+    return {
+        .status = WRC_ERROR_SEQUENCE, .field = "contact", .cause = "call wrc_tangential or wrc_step first"};
+  }
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  const Strips strips = all_strips(contact);
+  const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
+  halfspace::RollingProblem problem;
+  problem.pressure = halfspace::strip_pressure(strips, grid);
+  problem.friction.assign(1, contact.friction);
+  problem.creepage = contact.creepage;
+  problem.progress = reporter.callback();
+  const halfspace::RollingSolution exact =
+      halfspace::RollingSolver(grid, contact.model->options.material).solve(problem);
+  if (exact.fault.failed()) return exact.fault;
+  result.fx = exact.forces.fx;
+  result.fy = exact.forces.fy;
+  result.mz = exact.forces.mz;
+  result.power = exact.power_by_balance * contact.speed;
+  result.adhesion_fraction = exact.forces.adhesion_fraction;
+  result.force_error = std::hypot(contact.forces.fx - result.fx, contact.forces.fy - result.fy) /
+                       (contact.friction * contact.extent.normal_force);
+  result.power_error =
+      exact.power_by_balance > 0.0 ? contact.forces.power_per_speed / exact.power_by_balance - 1.0 : 0.0;
+  return exact.fault;
+}
+
+/// Height of the gap at one point; beyond the rows the end row's slope continues.
+double gap_at(const GapRows& rows, double x, double y) {
+  const double inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
+  const GapRow row = interpolate(rows, inside);
+  return row.height + row.slope * (y - inside) + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
+}
+
+template <typename Struct>
+int32_t init(Struct* theirs) {
+  if (theirs == nullptr) return WRC_ERROR_NULL;
+  const Fault fault = check_size(*theirs);
+  if (fault.failed()) return fault.status;
+  write(defaults<Struct>(), theirs);
+  return WRC_OK;
+}
+
+/// Only where the caller wants the fields; every number zero.
+wrc_exact_normal_solution emptied(const wrc_exact_normal_solution& theirs) {
+  wrc_exact_normal_solution ours = defaults<wrc_exact_normal_solution>();
+  ours.pressure = theirs.pressure;
+  return ours;
+}
+wrc_exact_rolling_solution emptied(const wrc_exact_rolling_solution& theirs) {
+  wrc_exact_rolling_solution ours = defaults<wrc_exact_rolling_solution>();
+  ours.traction_x = theirs.traction_x;
+  ours.traction_y = theirs.traction_y;
+  ours.slip_x = theirs.slip_x;
+  ours.slip_y = theirs.slip_y;
+  return ours;
+}
+
+template <typename Problem, typename Solution, typename Solve>
+int32_t solve_into(const Problem* problem, Solution* solution, char* text, std::uint64_t size,
+                   Solve&& solve) {
+  const Fault fault = guarded([&]() -> Fault {
+    Solution theirs;
+    Fault found = read(solution, "solution", theirs);
+    if (found.failed()) return found;
+    Solution ours = emptied(theirs);
+    write(ours, solution);
+    found = solve(problem, ours);
+    if (!found.failed()) write(ours, solution);
+    return found;
+  });
+  return finish(fault, text, size);
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
+namespace abi = wrc::abi;
+using wrc::Fault;
+
+extern "C" {
+
+int32_t wrc_grid_init(wrc_grid* grid) { return abi::init(grid); }
+int32_t wrc_materials_init(wrc_materials* materials) { return abi::init(materials); }
+int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem) { return abi::init(problem); }
+int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution) { return abi::init(solution); }
+int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem) { return abi::init(problem); }
+int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution) { return abi::init(solution); }
+int32_t wrc_exact_check_result_init(wrc_exact_check_result* result) { return abi::init(result); }
+
+int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
+  if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
+  wrc::Contact& inside = *contact->contact;
+  inside.last = abi::guarded([&]() -> Fault {
+    wrc::halfspace::Grid ours;
+    const Fault fault = abi::read_grid(grid, ours);
+    if (fault.failed()) return fault;
+    if (inside.gap_rows == 0) {
+      return {.status = WRC_ERROR_SEQUENCE,
+              .field = "gap",
+              .cause = "call wrc_geometry first, or hand over a gap"};
+    }
+    const wrc::GapRows rows = wrc::gap_rows(inside);
+    const double lowest = wrc::minimum(rows).height;
+    for (int j = 0; j < ours.ny; ++j) {
+      for (int i = 0; i < ours.nx; ++i)
+        gap[ours.index(i, j)] = abi::gap_at(rows, ours.x(i), ours.y(j)) - lowest;
+    }
+    return fault;
+  });
+  return inside.last.status;
+}
+
+int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
+                         char* text, uint64_t size) {
+  return abi::solve_into(problem, solution, text, size, abi::solve_normal_problem);
+}
+
+int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
+                          char* text, uint64_t size) {
+  return abi::solve_into(problem, solution, text, size, abi::solve_rolling_problem);
+}
+
+int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
+                        wrc_exact_check_result* result) {
+  if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
+  wrc::Contact& inside = *contact->contact;
+  inside.last = abi::guarded([&]() -> Fault {
+    Fault fault = abi::clear(result);
+    if (fault.failed()) return fault;
+    abi::Reporter reporter{progress, user};
+    wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
+    fault = abi::check_contact(inside, nx, ny, reporter, ours);
+    if (!fault.failed()) abi::write(ours, result);
+    return fault;
+  });
+  return inside.last.status;
+}
+
+}  // extern "C"
