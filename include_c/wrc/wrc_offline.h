@@ -39,10 +39,13 @@ typedef int32_t (*wrc_progress)(double fraction, void* user);
 /** A rectangular grid in the contact frame. */
 typedef struct wrc_grid {
   uint32_t struct_size; /**< sizeof this struct */
-  uint32_t nx, ny;      /**< cells along x and y, 4..1024 */
+  uint32_t nx;          /**< cells along x and y, 4..1024 */
+  uint32_t ny;          /**< see nx */
   uint32_t reserved;    /**< 0 */
-  double dx, dy;        /**< size of a cell, 1e-7..0.01 m */
-  double x0, y0;        /**< centre of cell (0, 0) [m] */
+  double dx;            /**< size of a cell, 1e-7..0.01 m */
+  double dy;            /**< see dx */
+  double x0;            /**< centre of cell (0, 0) [m] */
+  double y0;            /**< see x0 */
 } wrc_grid;
 
 /** The two bodies. */
@@ -104,7 +107,8 @@ typedef struct wrc_exact_rolling_problem {
 typedef struct wrc_exact_rolling_solution {
   uint32_t struct_size;       /**< sizeof this struct */
   int32_t iterations;         /**< of Newton's method on the given grid */
-  double fx, fy;              /**< [N] */
+  double fx;                  /**< [N] */
+  double fy;                  /**< see fx */
   double mz;                  /**< about the origin of the contact frame [N m] */
   double power;               /**< sum of slip times traction over the cells, times the speed [W] */
   double power_by_balance;    /**< -(Fx nu_x + Fy nu_y + Mz phi) V: the limit of `power` on fine grids [W] */
@@ -120,7 +124,9 @@ typedef struct wrc_exact_rolling_solution {
 typedef struct wrc_exact_check_result {
   uint32_t struct_size;     /**< sizeof this struct */
   uint32_t reserved;        /**< 0 */
-  double fx, fy, mz;        /**< exact, on the contact's own pressure and creepages [N], [N m] */
+  double fx;                /**< exact, on the contact's own pressure and creepages [N], [N m] */
+  double fy;                /**< see fx */
+  double mz;                /**< see fx */
   double power;             /**< exact, by the energy balance [W] */
   double adhesion_fraction; /**< exact */
   double force_error;       /**< |F - F_exact| / (friction * N) [-] */
