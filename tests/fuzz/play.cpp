@@ -38,14 +38,17 @@ std::vector<double> all_doubles(const Results& results) {
   return all;
 }
 
-/// The values of a field, or nothing when it has not been computed.
+/// The values of a field over all patches, or nothing when it has not been computed.
 std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
-  wrc_view view = made<wrc_view>(wrc_view_init);
+  const std::int32_t patches = id < WRC_FIELD_GAP_Y ? 16 : 1;
   std::vector<double> values;
-  if (wrc_field(contact, 0, id, &view) != WRC_OK) return values;
-  for (std::uint64_t i = 0; i < view.count[0]; ++i)
-    for (std::uint64_t j = 0; j < view.count[1]; ++j)
-      values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
+  for (std::int32_t patch = 0; patch < patches; ++patch) {
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    if (wrc_field(contact, patch, id, &view) != WRC_OK) break;
+    for (std::uint64_t i = 0; i < view.count[0]; ++i)
+      for (std::uint64_t j = 0; j < view.count[1]; ++j)
+        values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
+  }
   return values;
 }
 
@@ -304,6 +307,11 @@ class Case {
              "a loaded patch has a size");
     }
     if (forces.fn > 0.0) ++verdict_.solved;
+    for (std::int32_t each = 0; each < 16; ++each) {
+      Results one;
+      if (wrc_contact_patch(contact_, each, &one.patch, &one.forces) != WRC_OK) break;
+      expect(all_finite(all_doubles(one)), "every number of each patch is finite");
+    }
     for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
       const std::vector<double> values = field(contact_, id);
       expect(all_finite(values), "every field is finite");
