@@ -1,6 +1,7 @@
 #include "contact/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "geometry/gap_rows.hpp"
@@ -214,11 +215,26 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
   return fault;
 }
 
+/// The smallest approach taken for a contact: a hundredth of an atom. Below, down to the smallest number
+/// there is, areas and pressures lose their digits and then vanish.
+constexpr double smallest_approach = 1e-12;  // [m]
+
+/// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
+/// slender than a strip that the strip's own displacement has no digits left.
+bool carries_load(const StripTotals& patch) {
+  return std::isfinite(patch.normal_force) && std::isfinite(patch.area) && std::isfinite(patch.length) &&
+         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max > patch.y_min;
+}
+
 }  // namespace
 
 Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0) return sequence("gap", "call wrc_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
+  if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
+    contact.reached = Stage::patch;
+    return {.status = WRC_FLAG_NO_CONTACT, .field = "approach"};
+  }
   const ModelOptions& options = contact.model->options;
   NormalProblem problem;
   problem.gap = gap_rows(contact);
@@ -254,6 +270,12 @@ Fault solve_normal(Contact& contact, const Load& load) {
       fault = solve_from_start(contact, problem, strips);
       break;
   }
+  if (!fault.failed() && strips.count > 0 && !carries_load(totals(strips)))
+    fault = {.status = WRC_ERROR_LOAD,
+             .field = "gap",
+             .cause =
+                 "no patch of finite size and pressure: is the gap flat, or far more slender than "
+                 "config.strips can resolve?"};
   if (fault.failed()) {
     back_to(contact, Stage::gap);
     return fault;

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace wrc {
+namespace {
+
+/// What an index falls to where next to nothing presses: finite, and below any index of a contact.
+constexpr double unloaded = -1e30;
+
+}  // namespace
 
 ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_force, double peak_pressure,
                                double shear_yield) {
@@ -13,7 +19,8 @@ ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_for
 }
 
 double fatigue_index(const ShakedownPoint& point) {
-  return point.load_factor > 0.0 ? point.utilised_friction - 1.0 / point.load_factor : -1e30;
+  return point.load_factor > 0.0 ? std::max(unloaded, point.utilised_friction - 1.0 / point.load_factor)
+                                 : unloaded;
 }
 
 void local_fatigue_index(const TangentialFields& fields, const Strips& strips, std::int32_t cells,
@@ -25,7 +32,8 @@ void local_fatigue_index(const TangentialFields& fields, const Strips& strips, s
       const std::int32_t at = i * strips.count + j;
       const double px = fields.traction_x[at], py = fields.traction_y[at];
       const double pressure = strips.peak[j] * shape;
-      index[at] = pressure > 0.0 ? (std::sqrt(px * px + py * py) - shear_yield) / pressure : -1e30;
+      index[at] = pressure > 0.0 ? std::max(unloaded, (std::sqrt(px * px + py * py) - shear_yield) / pressure)
+                                 : unloaded;
     }
   }
 }

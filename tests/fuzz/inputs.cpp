@@ -131,13 +131,15 @@ wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_pro
   };
   wrc_config config = made<wrc_config>(wrc_config_init);
   config.side = static_cast<std::int32_t>(choices.below(2));
-  config.normal_method = static_cast<std::int32_t>(choices.below(3));
+  config.normal_method = static_cast<std::int32_t>(choices.below(7));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
   config.tangential_method = static_cast<std::int32_t>(choices.below(4));
   config.traction_bound = static_cast<std::int32_t>(choices.below(2));
   config.strips = count(4.0, 512.0);
   config.cells = count(4.0, 512.0);
   config.gap_rows = count(8.0, 4096.0);
+  config.max_patches = count(1.0, 16.0);
+  config.warm_start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2)) config.max_iterations = count(4.0, 1000.0);
   if (choices.one_in(4)) config.shear_modulus = choices.magnitude(1e8, 1e12);
   if (choices.one_in(4)) config.poisson = choices.between(0.0, 0.5);

@@ -38,14 +38,17 @@ std::vector<double> all_doubles(const Results& results) {
   return all;
 }
 
-/// The values of a field, or nothing when it has not been computed.
+/// The values of a field over all patches, or nothing when it has not been computed.
 std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
-  wrc_view view = made<wrc_view>(wrc_view_init);
+  const std::int32_t patches = id < WRC_FIELD_GAP_Y ? 16 : 1;
   std::vector<double> values;
-  if (wrc_field(contact, 0, id, &view) != WRC_OK) return values;
-  for (std::uint64_t i = 0; i < view.count[0]; ++i)
-    for (std::uint64_t j = 0; j < view.count[1]; ++j)
-      values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
+  for (std::int32_t patch = 0; patch < patches; ++patch) {
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    if (wrc_field(contact, patch, id, &view) != WRC_OK) break;
+    for (std::uint64_t i = 0; i < view.count[0]; ++i)
+      for (std::uint64_t j = 0; j < view.count[1]; ++j)
+        values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
+  }
   return values;
 }
 
@@ -64,6 +67,7 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_NO_CONTACT:
     case WRC_FLAG_ITERATION_CAP:
     case WRC_FLAG_PATCH_AT_EDGE:
+    case WRC_FLAG_MORE_PATCHES:
     case WRC_FLAG_TABLE_RANGE:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
@@ -106,7 +110,9 @@ class Case {
     const std::vector<double> good = good_step();
     const std::uint32_t calls = 1 + choices_.below(5);
     for (std::uint32_t i = 0; i < calls; ++i) call();
-    expect(same_bits(good, good_step()), "a later good step gives the same bits");
+    const std::vector<double> again = good_step();
+    // A warm start may come from another patch: then the last digits depend on the past.
+    if (config_.warm_start == 0) expect(same_bits(good, again), "a later good step gives the same bits");
     return verdict_;
   }
 
@@ -286,8 +292,9 @@ class Case {
     }
     const wrc_forces& forces = results.forces;
     expect(forces.fn >= 0.0, "the normal force is compressive");
-    expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + 1e-9) || forces.fn == 0.0,
-           "creep forces stay within friction");
+    expect(
+        std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + onset_excess()) || forces.fn == 0.0,
+        "creep forces stay within friction");
     expect(forces.power >= 0.0, "frictional power is not negative");
     expect(forces.adhesion_fraction >= 0.0 && forces.adhesion_fraction <= 1.0 + 1e-12, "adhesion is a share");
     expect(results.damage.power >= 0.0 && results.damage.peak_power_density >= 0.0, "power is not negative");
@@ -300,6 +307,11 @@ class Case {
              "a loaded patch has a size");
     }
     if (forces.fn > 0.0) ++verdict_.solved;
+    for (std::int32_t each = 0; each < 16; ++each) {
+      Results one;
+      if (wrc_contact_patch(contact_, each, &one.patch, &one.forces) != WRC_OK) break;
+      expect(all_finite(all_doubles(one)), "every number of each patch is finite");
+    }
     for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
       const std::vector<double> values = field(contact_, id);
       expect(all_finite(values), "every field is finite");
@@ -308,6 +320,15 @@ class Case {
                "pressure and power are nowhere negative");
       }
     }
+  }
+
+  /// Share of the friction by which the forces may exceed it: where slip sets in just behind a cell's middle,
+  /// the traction there is within the bound at the middle, which is above its mean over the cell. In the
+  /// first of n cells that is h^2 / 12 of a parabola, or (sqrt(1/2) - 2/3) of the root an ellipse rises with.
+  double onset_excess() const {
+    const double n = config_.cells;
+    return config_.traction_bound == WRC_BOUND_PARABOLIC ? 1e-9 + 0.51 / (n * n * n)
+                                                         : 1e-9 + 0.105 / (n * std::sqrt(n));
   }
 
   Choices& choices_;
