@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "patch/material.hpp"
 #include "tangential/dual.hpp"
@@ -27,19 +28,23 @@ struct Model {
   double bound_per_width;  ///< 4 / (3 a): B = bound_per_width mu p / l
 };
 
-/// The calibration; u = (a - b) / (a + b), share = s^2 / (1 + s^2) of spin.
+/// The calibration. u = (a - b) / (a + b); spin = s^2 / (1 + s^2) and pull = e s / (1 + s^2 + x^2 + e^2),
+/// where x, e, s are the forces of linear theory due to nu_x, nu_y, phi over mu N: how far spin saturates the
+/// patch, and whether lateral creepage pulls with it (> 0) or against it.
 template <class T>
-void calibrate(double u, const T& share, const Flexibility& linear, Model<T>& m) {
-  m.stick_form = 0.057 + 0.071 * u;
-  m.turning = (1.206 + 0.101 * u + 0.089 * u * u) * (1.0 - 0.408 * share);
-  // Linear forces per strip, relative to FASTSIM's: creepages 3 pi^2 / 16 / (8/3), the part of spin that acts
-  // across the patch pi / 4; the stick form q = (1 - stick_form) / 2 + stick_form of t at small t.
-  const double form = 1.0 + m.stick_form;
+void calibrate(double u, const T& spin, const T& pull, const Flexibility& linear, Model<T>& m) {
+  m.stick_form = 0.049 + 0.034 * u;
+  m.turning = (1.264 + 0.070 * u) * (1.0 - 0.427 * spin) * (1.0 - 0.25 * pull);
+  // Linear forces of the tractions sqrt(v/u), sqrt(uv) relative to those of v, uv, integrated over an SDEC:
+  // 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part. The
+  // stick zone takes (1 + stick_form) / 2 of t for small t.
   constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
-  m.l11 = linear.l11 * creepage_area * form * (1.0 + (0.284 + 0.363 * u) * share);
-  m.l22 = linear.l22 * creepage_area * form * (1.0 + (-0.038 + 0.337 * u) * share);
-  m.l13 = linear.l13 * spin_area * form * (1.0 + (-0.049 - 0.164 * u) * share);
-  m.l23 = linear.l23 * (1.0 + (-0.165 + 0.131 * u) * share);
+  const double form = 1.0 + m.stick_form;
+  m.l11 = linear.l11 * creepage_area * form * (1.0 + (0.232 + 0.200 * u) * spin) * (1.0 + 0.070 * pull);
+  m.l22 = linear.l22 * creepage_area * form * (1.0 + (0.071 + 0.271 * u) * spin) *
+          (1.0 + (0.096 - 0.148 * u) * pull);
+  m.l13 = linear.l13 * spin_area * form * (1.0 - 0.111 * u * spin);
+  m.l23 = linear.l23 * (1.0 + (-0.081 + 0.151 * u) * spin);
 }
 
 template <class T>
@@ -49,11 +54,15 @@ Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& p
   Fault reported;
   const Flexibility linear =
       sdec_flexibility(c.a, c.b, c.shape_number, c.shear_modulus, *c.linear_theory, reported);
-  const double area = c.a * c.b;
-  // s^2 / (1 + s^2) with s = k / (mu N); without friction all of it is spin's
-  const T k = c.shear_modulus * area * std::sqrt(area) * s.c23 * phi;
+  // x, e, s times mu N
+  const double stiffness = c.shear_modulus * c.a * c.b;
+  const T x = stiffness * s.c11 * nu_x, e = stiffness * s.c22 * nu_y;
+  const T k = stiffness * std::sqrt(c.a * c.b) * s.c23 * phi;
   const T limit = friction * totals(c.region).normal_force;
-  const T share = k * k / (k * k + limit * limit + 1e-30);
+  constexpr double least_force2 = 1e-30;  // [N^2]: neither friction nor creepages
+  const T with_spin = limit * limit + k * k + least_force2;
+  const T spin = k * k / with_spin;
+  const T pull = e * k / (with_spin + x * x + e * e);
   Model<T> m;
   m.nu_x = nu_x;
   m.nu_y = nu_y;
@@ -62,7 +71,7 @@ Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& p
   m.t11 = linear.l11;
   m.t22 = linear.l22;
   m.bound_per_width = 4.0 / (3.0 * c.a);
-  calibrate(slenderness(c.a / c.b), share, linear, m);
+  calibrate(slenderness(c.a / c.b), spin, pull, linear, m);
   return m;
 }
 

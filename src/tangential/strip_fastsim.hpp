@@ -13,19 +13,20 @@
 /// the second line: |p| <= mu p_n, the leading edge has the square-root rise of the exact theory, and the
 /// force is Coulomb's for large creepages.
 ///
-///  - Flexibilities: the adhesion tractions integrate to sqrt(v/u) and sqrt(u v) instead of v and u v; the
-///  four
-///    SDEC flexibilities times 3 pi^2 / 16 * 3/8 (2 / ...) below restore the forces of linear theory exactly.
+///  - Flexibilities: the adhesion tractions go like sqrt(v/u) for creepages and sqrt(u v) for spin instead of
+///  v
+///    and u v; factors from integrating both over an SDEC restore the forces of linear theory.
 ///  - Slip opposes the true rigid slip w plus the elastic slip, not the creepages each over its own
 ///  flexibility:
 ///    with those the force of large creepages points up to 7 degrees the wrong way. Under the semi-elliptic
 ///    traction of a slipping strip du/dx is linear, 2 B L x; its part that differs between x and y is kept.
 ///  - Calibration: deviations of a patch of finite width from strip theory, smooth functions of the
 ///  slenderness
-///    (a - b) / (a + b) and of the share of spin s^2 / (1 + s^2), s = G c^3 C23 phi / (mu N); they vanish
-///    with the creepages, except for the form of the stick zone, which linear theory leaves free. Fitted to
-///    about a thousand random SDEC patches (a/b 0.25 to 3, |psi| <= 0.7, Poisson ratio 0.25 to 0.30) solved
-///    with the exact half-space solver of src/halfspace.
+///    (a - b) / (a + b), of the saturation by spin and of lateral creepage pulling with or against spin. They
+///    vanish with the creepages, except for the form of the stick zone, which linear theory leaves free, and
+///    the turning of slip. Fitted to 1400 random SDEC patches (a/b 0.25 to 3, |psi| <= 0.7, Poisson ratio
+///    0.25 to 0.30, creepages up to six times what saturates the patch in linear theory) solved on 32 x 32
+///    and 64 x 64 cells, extrapolated, with the exact half-space solver of src/halfspace.
 ///
 /// Power is the balance -(Fx nu_x + Fy nu_y + Mz phi), an identity of the exact theory; the local slip
 /// follows Carter's distribution and is scaled by one factor so that the fields dissipate exactly that.
