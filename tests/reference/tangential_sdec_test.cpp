@@ -14,6 +14,7 @@
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
 #include "tangential/fastsim_sdec.hpp"
+#include "tangential/strip_fastsim.hpp"
 #include "unit/tangential_patches.hpp"
 
 namespace wrc {
@@ -22,7 +23,13 @@ namespace {
 struct Row {
   double a, b, psi, poisson, shear_modulus, friction, normal_force;
   Creepage creepage;
-  double fx, fy, power, adhesion;
+  double fx, fy, mz, power, adhesion;
+
+  /// The power column falls with the reference program's cell size (by 3 to 30 %); the balance of its forces
+  /// hardly does and is what the column converges to.
+  double balance() const {
+    return -(fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin);
+  }
 };
 
 std::vector<Row> read_rows() {
@@ -36,9 +43,9 @@ std::vector<Row> read_rows() {
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream in(line);
     Row r;
-    double p0, mz;
+    double p0;
     in >> r.a >> r.b >> r.psi >> r.poisson >> r.shear_modulus >> r.friction >> r.normal_force >> p0 >>
-        r.creepage.longitudinal >> r.creepage.lateral >> r.creepage.spin >> r.fx >> r.fy >> mz >> r.power >>
+        r.creepage.longitudinal >> r.creepage.lateral >> r.creepage.spin >> r.fx >> r.fy >> r.mz >> r.power >>
         r.adhesion;
     r.a *= 1e-3;
     r.b *= 1e-3;
@@ -67,7 +74,7 @@ Spread spread(std::vector<double> signed_errors) {
 using Method = std::function<TangentialForces(const RollingContact&, const TangentialFields&, Fault&)>;
 
 struct Errors {
-  Spread force, power;
+  Spread force, power, balance;
 };
 
 /// Force error |F - F_exact| / (mu N) over all rows, relative power error over rows with adhesion below 0.9.
@@ -75,7 +82,7 @@ Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, 
            const Method& method) {
   constexpr int n = 32;
   const test::OwnedGrid grid(n);
-  std::vector<double> force, power;
+  std::vector<double> force, power, balance;
   for (const Row& r : rows) {
     const SdecTable table(r.poisson);
     const test::OwnedStrips strips = test::sdec_strips(r.a, r.b, on_ellipse ? 0.0 : r.psi, r.normal_force, n);
@@ -84,12 +91,19 @@ Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, 
                                  &table,       &grid.get(), r.creepage, r.friction, bound};
     const TangentialForces f = method(contact, {}, fault);
     force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
-    if (r.adhesion < 0.9) power.push_back(f.power_per_speed / r.power - 1.0);
+    if (r.adhesion < 0.9) {
+      power.push_back(f.power_per_speed / r.power - 1.0);
+      balance.push_back(f.power_per_speed / r.balance() - 1.0);
+    }
   }
-  const Errors e{spread(force), spread(power)};
-  std::printf("%-24s force %5.2f %% / %5.2f %% / %5.2f %%   power %5.2f %% / %5.1f %% / bias %+5.2f %%\n",
-              name, 100 * e.force.median, 100 * e.force.p95, 100 * e.force.max, 100 * e.power.median,
-              100 * e.power.p95, 100 * e.power.bias);
+  const Errors e{spread(force), spread(power), spread(balance)};
+  std::printf(
+      "%-24s force %5.2f / %5.2f / %5.2f   power, column %5.2f / %5.1f / bias %+6.2f   balance %5.2f / %5.1f "
+      "/ "
+      "bias %+6.2f\n",
+      name, 100 * e.force.median, 100 * e.force.p95, 100 * e.force.max, 100 * e.power.median,
+      100 * e.power.p95, 100 * e.power.bias, 100 * e.balance.median, 100 * e.balance.p95,
+      100 * e.balance.bias);
   return e;
 }
 
@@ -97,12 +111,16 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
   const std::vector<Row> rows = read_rows();
   if (rows.empty()) GTEST_SKIP() << "WRC_SHARED is not set";
   ASSERT_EQ(rows.size(), 150u);
-  std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst\n");
+  std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst, in %% of mu N or of the power\n");
   using enum TractionBound;
   const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false, fastsim_sdec);
   const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false, fastsim_eql);
   const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true, fastsim_eqe);
   const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false, fastsim_sdec);
+  const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false,
+                           [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
+                             return strip_fastsim(c, f, fault);
+                           });
   EXPECT_LT(sdec.force.median, 0.014);
   EXPECT_LT(sdec.force.p95, 0.115);
   EXPECT_LT(sdec.force.max, 0.128);
