@@ -3,7 +3,7 @@
  *
  *   ./paper_cases [output directory]
  *
- * Prints patch, forces and frictional power of five variants beside CONTACT (Kalker's exact half-space
+ * Prints patch, forces and frictional power of six variants beside CONTACT (Kalker's exact half-space
  * theory), beside the library's own exact solver, and beside the deviations the paper reports; writes the
  * fields as CSV for draw_paper_figures.py.
  *
@@ -30,19 +30,22 @@ typedef struct variant {
   int32_t normal_method, tangential_method, traction_bound;
 } variant;
 
-/* The paper's three variants with its parabolic traction bound; then FASTSIM-SDEC with friction * pressure as
- * the bound, and the same on the pressure of the strip half-space solver. HZ+FASTSIM-EQ.E in the paper is not
- * Hertz's patch: it is the ellipse equivalent to the EKP patch, with its semi-axes a and b and the
- * semi-elliptic pressure of the same load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP. */
-enum { VARIANTS = 5 };
+/* The paper's three variants with its parabolic traction bound; FASTSIM-SDEC with friction * pressure as the
+ * bound; then the library's calibrated tangential method, on EKP's pressure and on that of the strip
+ * half-space solver (the library's defaults). HZ+FASTSIM-EQ.E in the paper is not Hertz's patch: it is the
+ * ellipse equivalent to the EKP patch, with its semi-axes a and b and the semi-elliptic pressure of the same
+ * load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP.
+ */
+enum { VARIANTS = 6 };
 static const variant variants[VARIANTS] = {
     {"EKP+FASTSIM-SDEC", "", "sdec", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
     {"EKP+FASTSIM-EQ.L", "", "eql", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
     {"HZ+FASTSIM-EQ.E", "", "eqe", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_PARABOLIC},
     {"EKP+FASTSIM-SDEC", ", elliptic", "sdec_elliptic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC,
      WRC_BOUND_ELLIPTIC},
-    {"strips+FASTSIM-SDEC", ", elliptic", "strips", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
-     WRC_BOUND_ELLIPTIC},
+    {"EKP+strip FASTSIM", "", "ekp_strip", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC},
+    {"half-space strips+strip FASTSIM", "", "strips", WRC_NORMAL_STRIP_HALFSPACE,
+     WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC},
 };
 
 typedef struct rolling_case {
@@ -63,7 +66,7 @@ static const rolling_case profile_cases[] = {
      8752.0,
      10160.0,
      NAN,
-     {3.64, 11.5, -8.89, NAN, NAN}},
+     {3.64, 11.5, -8.89, NAN, NAN, NAN}},
     {"Case 2 (combined)",
      "case2",
      -0.49e-3,
@@ -73,7 +76,7 @@ static const rolling_case profile_cases[] = {
      -4281.0,
      -5537.0,
      NAN,
-     {6.91, 33.2, -12.5, NAN, NAN}},
+     {6.91, 33.2, -12.5, NAN, NAN, NAN}},
 };
 
 /* The paper prints phi = 1.0 1/m for its Case 1 and 10.3 W for CONTACT. CONTACT gives 19.1 W there; 10.3 W
@@ -89,7 +92,7 @@ static const rolling_case ellipse_cases[] = {
      2129.0,
      -1933.0,
      -19.3,
-     {NAN, NAN, NAN, NAN, NAN}},
+     {NAN, NAN, NAN, NAN, NAN, NAN}},
     {"Case 1 (phi = 0.585: the printed 10.3 W)",
      "case1",
      0.0,
@@ -99,7 +102,7 @@ static const rolling_case ellipse_cases[] = {
      2095.0,
      -2611.0,
      -17.9,
-     {11.4, 40.2, 49.8, NAN, NAN}},
+     {11.4, 40.2, 49.8, NAN, NAN, NAN}},
     {"Case 2 (combined)",
      "case2",
      -0.49e-3,
@@ -109,7 +112,7 @@ static const rolling_case ellipse_cases[] = {
      3644.0,
      -1582.0,
      -16.3,
-     {11.0, 22.5, 26.0, NAN, NAN}},
+     {11.0, 22.5, 26.0, NAN, NAN, NAN}},
 };
 
 static const double friction_coefficient = 0.35;
@@ -190,9 +193,9 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
 
 static void print_heading(const char* title) {
   printf("\n%s\n", title);
-  printf("%-42s %-29s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi",
+  printf("%-42s %-31s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "case", "model", "a", "b", "psi",
          "area", "approach", "p_max", "Fx", "Fy", "Mz", "power", "dev.", "paper's");
-  printf("%-42s %-29s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um",
+  printf("%-42s %-31s %5s %6s %6s %7s %8s %6s %8s %8s %7s %7s %8s %8s\n", "", "", "mm", "mm", "", "mm2", "um",
          "MPa", "N", "N", "N m", "W", "%", "dev. %");
 }
 
@@ -206,7 +209,7 @@ static void print_number(const char* format, double value, int width) {
 
 static void print_result(const char* case_name, const char* model, const wrc_patch* patch,
                          const wrc_forces* forces, double reference_power, double paper_deviation) {
-  printf("%-42s %-29s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
+  printf("%-42s %-31s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
          1e3 * patch->a, 1e3 * patch->b, patch->psi, 1e6 * patch->area, 1e6 * patch->approach,
          1e-6 * patch->peak_pressure, forces->fx, forces->fy, forces->mz, forces->power);
   print_number(" %+8.2f", 100.0 * (forces->power / reference_power - 1.0), 8);
@@ -222,7 +225,7 @@ static const char* model_name(const variant* which, const char* name) {
 }
 
 static void print_reference(const rolling_case* rolling, const char* patch_columns) {
-  printf("%-42s %-29s %s %8.0f %8.0f", "", "CONTACT", patch_columns, rolling->fx, rolling->fy);
+  printf("%-42s %-31s %s %8.0f %8.0f", "", "CONTACT", patch_columns, rolling->fx, rolling->fy);
   print_number(" %7.1f", rolling->mz, 7);
   printf(" %7.2f\n", rolling->power);
 }
@@ -298,8 +301,8 @@ static void write_exact_fields(const wrc_grid* grid, double yield, const char* d
  * that the line compares with its line cell by cell; the power by the energy balance is the limit on fine
  * grids. */
 static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage, const rolling_case* rolling,
-                              const wrc_patch* patch, double yield, const char* directory, const char* part,
-                              FILE* summary) {
+                              const wrc_patch* patch, const char* name, double yield, const char* directory,
+                              const char* part, FILE* summary) {
   wrc_exact_rolling_problem problem;
   wrc_exact_rolling_solution solution;
   problem.struct_size = sizeof problem;
@@ -322,9 +325,10 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
   }
   wrc_forces forces = {sizeof forces,       0,           solution.fx,    solution.fy,
                        patch->normal_force, solution.mz, solution.power, solution.adhesion_fraction};
-  print_result("", "wrc, exact", patch, &forces, rolling->power, NAN);
-  printf("%-42s %-29s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
+  print_result("", name, patch, &forces, rolling->power, NAN);
+  printf("%-42s %-31s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
          solution.power_by_balance);
+  if (summary == NULL) return; /* only a line for the table */
   write_exact_fields(grid, yield, directory, part, rolling->file_name);
 
   wrc_damage damage;
@@ -435,8 +439,14 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       if (v == VARIANTS - 1) {
         wrc_grid grid;
         const wrc_patch exact = solve_exact_normal(contact, load.normal_force, &grid);
-        run_exact_rolling(&grid, &creepage, rolling, &exact, config.shear_yield, directory, "profiles",
-                          summary);
+        run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", config.shear_yield, directory,
+                          "profiles", summary);
+        /* The reference put the initial contact point where the paper's psi b has it, 3.1 mm from mid-width;
+         * by the profiles it lies 2.9 mm from there. Creepages of the reference, moved to our origin: */
+        wrc_creepage moved = creepage;
+        moved.longitudinal += creepage.spin * (exact.psi * exact.b + 3.1e-3);
+        run_exact_rolling(&grid, &moved, rolling, &exact, "wrc, exact, origin of CONTACT", config.shear_yield,
+                          directory, "profiles", NULL);
       }
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
@@ -504,7 +514,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
         exact_pressure[j * grid.nx + i] = peak_pressure * sqrt(fmax(0.0, 1.0 - xi * xi - eta * eta));
       }
     }
-    run_exact_rolling(&grid, &creepage, rolling, &exact, base->shear_yield, directory, "ellipse", summary);
+    run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", base->shear_yield, directory,
+                      "ellipse", summary);
     print_reference(rolling, " 4.25   6.38  0.400    85.1        -    300");
   }
   printf(

@@ -116,7 +116,9 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_FASTSIM = 0,      /**< Kalker 1982, equivalent ellipse centred at the contact point: no psi */
   WRC_TANGENTIAL_FASTSIM_EQE = 1,  /**< ellipse centred at mid-width, creepage corrected for the shift */
   WRC_TANGENTIAL_FASTSIM_EQL = 2,  /**< actual patch, flexibilities of the equivalent ellipse */
-  WRC_TANGENTIAL_FASTSIM_SDEC = 3  /**< actual patch, four flexibilities of the equivalent double ellipse */
+  WRC_TANGENTIAL_FASTSIM_SDEC = 3, /**< actual patch, four flexibilities of the equivalent double ellipse */
+  WRC_TANGENTIAL_STRIP_FASTSIM = 4 /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; its bound
+                                        is friction * pressure, config.traction_bound is not used */
 };
 
 /** Form of the traction bound along a strip. Both integrate to friction * load over the patch. */
@@ -175,9 +177,9 @@ typedef struct wrc_profile {
 typedef struct wrc_config {
   uint32_t struct_size;        /**< sizeof this struct */
   int32_t side;                /**< enum wrc_side [right] */
-  int32_t normal_method;       /**< enum wrc_normal_method [EKP] */
+  int32_t normal_method;       /**< enum wrc_normal_method [strip half-space] */
   int32_t regularisation;      /**< enum wrc_regularisation [keep width] */
-  int32_t tangential_method;   /**< enum wrc_tangential_method [FASTSIM-SDEC] */
+  int32_t tangential_method;   /**< enum wrc_tangential_method [strip FASTSIM] */
   int32_t traction_bound;      /**< enum wrc_traction_bound [parabolic] */
   int32_t strips;              /**< strips across the patch, 4..512 [60] */
   int32_t cells;               /**< cells along each strip, 4..512 [32] */

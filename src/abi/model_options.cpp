@@ -114,6 +114,9 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     case WRC_TANGENTIAL_FASTSIM_SDEC:
       options.tangential_method = TangentialMethod::fastsim_sdec;
       break;
+    case WRC_TANGENTIAL_STRIP_FASTSIM:
+      options.tangential_method = TangentialMethod::strip_fastsim;
+      break;
     default:
       return unsupported("config.tangential_method", config.tangential_method,
                          "see enum wrc_tangential_method");

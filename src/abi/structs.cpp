@@ -48,9 +48,9 @@ wrc_config defaults<wrc_config>() {
   wrc_config value{};
   value.struct_size = sizeof value;
   value.side = WRC_SIDE_RIGHT;
-  value.normal_method = WRC_NORMAL_EKP;
+  value.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
   value.regularisation = WRC_REGULARISE_KEEP_WIDTH;
-  value.tangential_method = WRC_TANGENTIAL_FASTSIM_SDEC;
+  value.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
   value.traction_bound = WRC_BOUND_PARABOLIC;
   value.strips = 60;
   value.cells = 32;

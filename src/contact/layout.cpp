@@ -7,7 +7,9 @@ std::size_t length(Array which, const ArraySizes& sizes) {
   const auto strips = static_cast<std::size_t>(sizes.strips);
   const auto cells = static_cast<std::size_t>(sizes.cells);
   if (which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
-  if (which == Array::normal_workspace) return static_cast<std::size_t>(sizes.normal_workspace);
+  if (which == Array::normal_workspace) {
+    return (static_cast<std::size_t>(sizes.normal_workspace_bytes) + sizeof(double) - 1) / sizeof(double);
+  }
   if (which <= Array::region_peak || which >= Array::strip_power) return strips;
   return strips * cells;
 }

@@ -50,7 +50,7 @@ inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count
 
 struct ArraySizes {
   std::int32_t strips = 0, cells = 0, gap_rows = 0;
-  std::int64_t normal_workspace = 0;  ///< doubles
+  std::int64_t normal_workspace_bytes = 0;
 };
 
 struct ArrayLayout {

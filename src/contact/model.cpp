@@ -81,7 +81,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.wheel = {};
   model->options.rail = {};
   if (kernel_bytes(options) > 0) {
-    model->options.sizes.normal_workspace = strip_halfspace_workspace(options.sizes.strips);
+    model->options.sizes.normal_workspace_bytes = strip_halfspace_workspace(options.sizes.strips);
   }
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);

@@ -9,6 +9,7 @@
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
 #include "tangential/fastsim_sdec.hpp"
+#include "tangential/strip_fastsim.hpp"
 
 namespace wrc {
 namespace {
@@ -94,6 +95,9 @@ Fault roll(Contact& contact, Patch& patch) {
     case TangentialMethod::fastsim_sdec:
       patch.forces = fastsim_sdec(rolling, fields, fault);
       break;
+    case TangentialMethod::strip_fastsim:
+      patch.forces = strip_fastsim(rolling, fields, fault);
+      break;
   }
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
 
@@ -169,8 +173,9 @@ Fault assess_damage(Contact& contact) {
 
     // Variants that spread the load over the equivalent ellipse have that ellipse's peak pressure.
     const bool on_ellipse = works_on_ellipse(options.tangential_method);
-    const double peak = on_ellipse ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
-                                   : patch.extent.peak_pressure;
+    const double peak = on_ellipse
+                            ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
+                            : patch.extent.peak_pressure;
     const ShakedownPoint point =
         shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
     const double index = fatigue_index(point);

@@ -111,7 +111,8 @@ constexpr Choice normals[] = {{"hertz", WRC_NORMAL_HERTZ},
 constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
                                   {"fastsim_eqe", WRC_TANGENTIAL_FASTSIM_EQE},
                                   {"fastsim_eql", WRC_TANGENTIAL_FASTSIM_EQL},
-                                  {"fastsim_sdec", WRC_TANGENTIAL_FASTSIM_SDEC}};
+                                  {"fastsim_sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
+                                  {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM}};
 
 }  // namespace
 

@@ -121,6 +121,7 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
                            [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
                              return strip_fastsim(c, f, fault);
                            });
+  EXPECT_LT(strip.force.median, 0.012);
   EXPECT_LT(sdec.force.median, 0.014);
   EXPECT_LT(sdec.force.p95, 0.115);
   EXPECT_LT(sdec.force.max, 0.128);
