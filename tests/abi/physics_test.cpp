@@ -148,7 +148,8 @@ class Physics : public testing::TestWithParam<Methods> {
 std::vector<Methods> all_methods() {
   std::vector<Methods> all;
   for (int32_t normal = WRC_NORMAL_HERTZ; normal <= WRC_NORMAL_STRIP_HALFSPACE; ++normal)
-    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_FASTSIM_SDEC; ++tangential)
+    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_STRIP_FASTSIM;
+         ++tangential)
       all.push_back({normal, tangential});
   return all;
 }
@@ -172,16 +173,18 @@ TEST_P(Physics, LeftWheelIsTheMirrorImageOfTheRight) {
     ASSERT_EQ(status, left.roll(mirrored));
     ASSERT_GE(status, 0);
     if (status == WRC_FLAG_ITERATION_CAP) continue;  // the last iterate is not promised to be symmetric
-    // The half-space method ends when its strips move little; how far is left depends on its path.
+    // The half-space method ends when its strips move little, and joins far strips in pairs from one side:
+    // how far is left depends on its path, 5e-4 of the peak at most.
     const bool iterated = GetParam().normal == WRC_NORMAL_STRIP_HALFSPACE;
-    const double share = iterated ? 1e-4 : 1e-7;
+    const double share = iterated ? 5e-4 : 1e-7;
     const double force = share * right.forces.fn, moment = force * right.patch.length;
     EXPECT_NEAR(right.forces.fx, left.forces.fx, force);
     EXPECT_NEAR(right.forces.fy, -left.forces.fy, force);
     EXPECT_NEAR(right.forces.mz, -left.forces.mz, moment);
-    EXPECT_NEAR(right.forces.power, left.forces.power, share * right.forces.power + 1e-9);
+    // Strong spin multiplies what is left of the borders' asymmetry.
+    EXPECT_NEAR(right.forces.power, left.forces.power, 4.0 * share * right.forces.power + 1e-9);
     EXPECT_NEAR(right.patch.y_min, -left.patch.y_max, iterated ? 1e-6 : 1e-9);
-    EXPECT_NEAR(right.patch.psi, -left.patch.psi, iterated ? 1e-4 : 1e-6);
+    EXPECT_NEAR(right.patch.psi, -left.patch.psi, iterated ? 5e-4 : 1e-6);
     EXPECT_NEAR(right.patch.peak_pressure, left.patch.peak_pressure, 10.0 * share * left.patch.peak_pressure);
     EXPECT_NEAR(right.point.y, -left.point.y, 1e-9);
     EXPECT_NEAR(right.point.angle, -left.point.angle, 1e-9);
@@ -329,6 +332,7 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
 
 TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
   Wheel wheel;
+  wheel.config.tangential_method = WRC_TANGENTIAL_FASTSIM_SDEC;
   wheel.config.strips = 200;
   wheel.config.cells = 200;
   wheel.friction = 2.0;
