@@ -236,9 +236,9 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
   const wrc::Model* model = contact->contact->model;
   const std::size_t needed = wrc::contact_bytes(*model);
   if (bytes < needed) return WRC_ERROR_BUFFER;
-  const wrc::Model* saved = nullptr;  // the state begins with its model
-  std::memcpy(&saved, buffer, sizeof saved);
-  if (saved != model) return WRC_ERROR_SEQUENCE;
+  // The state begins with the pointer to its model.
+  if (std::memcmp(buffer, static_cast<const void*>(contact->contact), sizeof(void*)) != 0)
+    return WRC_ERROR_SEQUENCE;
   std::memcpy(static_cast<void*>(contact->contact), buffer, needed);
   return WRC_OK;
 }

@@ -119,8 +119,8 @@ void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, doubl
   double density_left = density(0);
   bool inside = false;
   for (int i = 0; i < samples; ++i) {
-    const double left = level - height[static_cast<std::size_t>(i + curvature_reach)];
-    const double right = level - height[static_cast<std::size_t>(i + curvature_reach + 1)];
+    const double left = level - height[i + curvature_reach];
+    const double right = level - height[i + curvature_reach + 1];
     const double density_right = density(i + 1);
     const double y = y_from + i * step;
     double start = 0.0;  // where in this step the stretch begins and ends

@@ -82,7 +82,7 @@ double recut_strips(const SolvedStrips& solved, std::int32_t count, Strips& stri
     const Run run = run_from(solved, first);
     width_so_far += run.y_to - run.y_from;
     const auto up_to =
-        static_cast<std::int32_t>(spare * (width_so_far / total_width) + 0.5) + fewest * (n + 1);
+        static_cast<std::int32_t>(std::floor(spare * (width_so_far / total_width) + 0.5)) + fewest * (n + 1);
     const std::int32_t end = std::min(up_to, count);
     load += cut(solved, run, strips.count, end - strips.count, strips);
     strips.count = end;

@@ -74,7 +74,7 @@ void tabulate(StripKernel& kernel) noexcept {
       const double v = static_cast<double>(j) / StripKernel::eta_intervals;
       const double eta = 1.0 - v * v;
       const double tau = std::sqrt(x * (x + 2.0) * v * v * (1.0 + eta));
-      kernel.anywhere[static_cast<std::size_t>(i * (StripKernel::eta_intervals + 1) + j)] =
+      kernel.anywhere[i * (StripKernel::eta_intervals + 1) + j] =
           line_potential(std::max(tau, 1e-6), (1.0 + x) * eta);
     }
 }
