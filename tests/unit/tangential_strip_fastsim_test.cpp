@@ -62,8 +62,8 @@ TEST(StripFastsim, LargeCreepagesGiveCoulombsForceAgainstThem) {
 }
 
 TEST(StripFastsim, CarterIsReproducedInEveryStripWithoutSpin) {
-  // Pure longitudinal creepage: force (pi/2) E [l^2 - (l - d)^2] per strip, d the same in all strips, up to
-  // the calibrated 5 % of FASTSIM's stick form.
+  // Pure longitudinal creepage: force (pi/2) E [l^2 - (l - d)^2] per strip, d the same in all strips, less
+  // up to 2 % of mu N, which the calibration takes off for patches of finite width.
   const double a = 5e-3, b = 5e-3, N = 80e3, mu = 0.3, G = 80e9;
   const OwnedStrips strips = sdec_strips(a, b, 0.0, N, 64);
   const OwnedGrid grid(64);
