@@ -1,21 +1,17 @@
 #include "tangential/strip_fastsim.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "patch/material.hpp"
 #include "tangential/dual.hpp"
+#include "tangential/lanes.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::int32_t lanes = 8;     // as in march.cpp: strips in flight
 constexpr double tiny_stress = 1e-6;  // [Pa]
-
-template <class T>
-using Lane = std::array<T, lanes>;
 
 /// What the patch, its load and the creepages make of the model; T carries derivatives or not.
 template <class T>
