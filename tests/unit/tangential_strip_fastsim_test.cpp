@@ -90,7 +90,7 @@ TEST(StripFastsim, FieldsStayWithinFrictionAndDissipateThePower) {
   std::mt19937 random(5);
   constexpr int strips_count = 21, cells = 30;
   const OwnedGrid grid(cells);
-  std::vector<double> px(strips_count * cells), py(px), sx(px), sy(px);
+  std::vector<double> px(static_cast<std::size_t>(strips_count * cells)), py(px), sx(px), sy(px);
   for (int n = 0; n < 40; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = sdec_strips(c.a, c.b, c.psi, c.normal_force, strips_count);
@@ -105,7 +105,7 @@ TEST(StripFastsim, FieldsStayWithinFrictionAndDissipateThePower) {
     TangentialForces sum;
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < strips_count; ++j) {
-        const int at = i * strips_count + j;
+        const auto at = static_cast<std::size_t>(i * strips_count + j);
         const double t = 1.0 - (2.0 * i + 1.0) / cells;
         const double cell = 2.0 * s.half_length[j] / cells * s.width[j];
         EXPECT_LE(std::hypot(px[at], py[at]), c.friction * s.peak[j] * std::sqrt(1.0 - t * t) * 1.0000001);
