@@ -1,40 +1,34 @@
 #include "tangential/march.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "patch/material.hpp"
+#include "tangential/lanes.hpp"
 #include "tangential/stick_zone.hpp"
 
 namespace wrc {
 namespace {
 
-/// Strips are marched in groups, so that a group's state stays in registers and a compiler (or a later build
-/// for wider vectors) works on several strips at once. Sums run per strip, then over the strips in order:
-/// their bits do not depend on the grouping.
-constexpr std::int32_t lanes = 8;
-using Lane = std::array<double, lanes>;
-
 /// What does not change along the strips of a group.
 struct Group {
-  Lane lead{}, half_length{}, y{}, width{};
-  Lane gx{}, gy{}, gy_rate{};  ///< growth of adhesion tractions: (gx, gy - gy_rate v)
-  Lane bound{};                ///< traction bound at the strip's middle [Pa]
-  Lane onset{};                ///< v at which the first stick zone ends [m]
+  Lane<double> lead{}, half_length{}, y{}, width{};
+  Lane<double> gx{}, gy{}, gy_rate{};  ///< growth of adhesion tractions: (gx, gy - gy_rate v)
+  Lane<double> bound{};                ///< traction bound at the strip's middle [Pa]
+  Lane<double> onset{};                ///< v at which the first stick zone ends [m]
 };
 
 /// What the march carries from cell to cell: the traction and the bound where the last step ended.
 struct State {
-  Lane px{}, py{}, bound{};
+  Lane<double> px{}, py{}, bound{};
 };
 
 struct Sums {
-  Lane px{}, py{}, x_py{}, power{}, slid{};
+  Lane<double> px{}, py{}, x_py{}, power{}, slid{};
 };
 
 struct CellRow {
-  Lane px{}, py{}, sx{}, sy{};
+  Lane<double> px{}, py{}, sx{}, sy{};
 };
 
 /// Bound at the middle of each strip, as the factors of a common part and of what differs between strips.

@@ -1,21 +1,17 @@
 #include "tangential/strip_fastsim.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "patch/material.hpp"
 #include "tangential/dual.hpp"
+#include "tangential/lanes.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::int32_t lanes = 8;     // as in march.cpp: strips in flight
 constexpr double tiny_stress = 1e-6;  // [Pa]
-
-template <class T>
-using Lane = std::array<T, lanes>;
 
 /// What the patch, its load and the creepages make of the model; T carries derivatives or not.
 template <class T>
@@ -28,23 +24,34 @@ struct Model {
   double bound_per_width;  ///< 4 / (3 a): B = bound_per_width mu p / l
 };
 
-/// The calibration. u = (a - b) / (a + b); spin = s^2 / (1 + s^2) and pull = e s / (1 + s^2 + x^2 + e^2),
-/// where x, e, s are the forces of linear theory due to nu_x, nu_y, phi over mu N: how far spin saturates the
-/// patch, and whether lateral creepage pulls with it (> 0) or against it.
+/// How far the creepages are from those of linear theory, from x, e, s: the forces of linear theory due to
+/// nu_x, nu_y, phi over mu N.
 template <class T>
-void calibrate(double u, const T& spin, const T& pull, const Flexibility& linear, Model<T>& m) {
-  m.stick_form = 0.049 + 0.034 * u;
-  m.turning = (1.264 + 0.070 * u) * (1.0 - 0.427 * spin) * (1.0 - 0.25 * pull);
+struct Saturation {
+  T spin;    ///< s^2 / (1 + s^2): saturation by spin, 0 to 1
+  T pull;    ///< e s / (1 + s^2 + x^2 + e^2): lateral creepage pulls with spin (> 0) or against it
+  T unison;  ///< (4 spin (1 - spin))^4: near s = 1, where strip theory lets all strips slip at once
+};
+
+/// The calibration; u = (a - b) / (a + b).
+template <class T>
+void calibrate(double u, const Saturation<T>& at, const Flexibility& linear, Model<T>& m) {
+  const T spin = at.spin, pull = at.pull, pull2 = at.pull * at.pull, unison = at.unison;
+  m.stick_form = 0.060 + 0.035 * u;
+  m.turning = (1.460 + 0.082 * u) * (1.0 - 0.539 * spin) * (1.0 + 0.739 * pull2) *
+              (1.0 + (-0.316 + 0.186 * u) * pull + (-0.082 + 0.066 * u) * unison);
   // Linear forces of the tractions sqrt(v/u), sqrt(uv) relative to those of v, uv, integrated over an SDEC:
   // 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part. The
   // stick zone takes (1 + stick_form) / 2 of t for small t.
   constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
   const double form = 1.0 + m.stick_form;
-  m.l11 = linear.l11 * creepage_area * form * (1.0 + (0.232 + 0.200 * u) * spin) * (1.0 + 0.070 * pull);
-  m.l22 = linear.l22 * creepage_area * form * (1.0 + (0.071 + 0.271 * u) * spin) *
-          (1.0 + (0.096 - 0.148 * u) * pull);
-  m.l13 = linear.l13 * spin_area * form * (1.0 - 0.111 * u * spin);
-  m.l23 = linear.l23 * (1.0 + (-0.081 + 0.151 * u) * spin);
+  m.l11 = linear.l11 * creepage_area * form * (1.0 + (0.328 + 0.311 * u) * spin) *
+          (1.0 + 0.066 * pull - 0.060 * unison) * (1.0 - 0.303 * pull2);
+  m.l22 = linear.l22 * creepage_area * form * (1.0 + (0.088 + 0.217 * u) * spin) *
+          (1.0 + (0.170 - 0.112 * u) * pull) * (1.0 - 0.070 * pull2);
+  m.l13 = linear.l13 * spin_area * form * (1.0 - 0.077 * u * spin) * (1.0 + (-0.016 + 0.095 * u) * unison);
+  m.l23 = linear.l23 * (1.0 + (-0.075 + 0.107 * u) * spin) *
+          (1.0 + (-0.005 + 0.024 * u + 0.069 * u * u) * unison - 0.063 * pull);
 }
 
 template <class T>
@@ -61,8 +68,11 @@ Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& p
   const T limit = friction * totals(c.region).normal_force;
   constexpr double least_force2 = 1e-30;  // [N^2]: neither friction nor creepages
   const T with_spin = limit * limit + k * k + least_force2;
-  const T spin = k * k / with_spin;
-  const T pull = e * k / (with_spin + x * x + e * e);
+  Saturation<T> saturation;
+  saturation.spin = k * k / with_spin;
+  saturation.pull = e * k / (with_spin + x * x + e * e);
+  const T even = 4.0 * saturation.spin * (1.0 - saturation.spin);
+  saturation.unison = even * even * even * even;
   Model<T> m;
   m.nu_x = nu_x;
   m.nu_y = nu_y;
@@ -71,7 +81,7 @@ Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& p
   m.t11 = linear.l11;
   m.t22 = linear.l22;
   m.bound_per_width = 4.0 / (3.0 * c.a);
-  calibrate(slenderness(c.a / c.b), spin, pull, linear, m);
+  calibrate(slenderness(c.a / c.b), saturation, linear, m);
   return m;
 }
 
@@ -163,14 +173,22 @@ template <class T>
 inline void step(const Group<T>& g, const Model<T>& m, std::int32_t i, std::int32_t cells, double shape_mean,
                  State<T>& state, Row<T>& row) {
   const double stick_form = m.stick_form;
+  const double ahead_of_cell = cells - i, behind_cell = cells - i - 1;  // u at the cell's borders / h
+  const double inverse_weight =
+      1.0 / (ahead_of_cell * std::sqrt(ahead_of_cell) - behind_cell * std::sqrt(behind_cell));
   for (std::int32_t k = 0; k < lanes; ++k) {
     const double l = g.half_length[k], h = 2.0 * l / cells;
     const double v = (i + 0.5) * h, u = 2.0 * l - v, x = l - v;
     const T us = g.onset_u[k];
     const bool first_stick = us <= T(u);
 
-    const T t = smaller(us / u, T(1.0));
-    const T s = (1.0 - stick_form) * root(1.0 - t) + stick_form * (1.0 - t);
+    // The mean of sqrt(1 - t) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
+    // creepages leave a traction 1 / sqrt(u) at the trailing edge, of which the middle of a cell sees too
+    // little.
+    const T us_cells = us * (1.0 / h);
+    const T near = larger(T(0.0), ahead_of_cell - us_cells), far = larger(T(0.0), behind_cell - us_cells);
+    const T whole = (near * root(near) - far * root(far)) * inverse_weight;
+    const T s = whole * (1.0 - stick_form + stick_form * whole);
     const T stick_x = g.kappa[k] * (1.0 - s);
     const T stick_y = g.lambda[k] + (g.psi[k] - g.lambda[k]) * s;
 

@@ -24,7 +24,7 @@
 ///  slenderness
 ///    (a - b) / (a + b), of the saturation by spin and of lateral creepage pulling with or against spin. They
 ///    vanish with the creepages, except for the form of the stick zone, which linear theory leaves free, and
-///    the turning of slip. Fitted to 1400 random SDEC patches (a/b 0.25 to 3, |psi| <= 0.7, Poisson ratio
+///    the turning of slip. Fitted to 1900 random SDEC patches (a/b 0.25 to 3, |psi| <= 0.7, Poisson ratio
 ///    0.25 to 0.30, creepages up to six times what saturates the patch in linear theory) solved on 32 x 32
 ///    and 64 x 64 cells, extrapolated, with the exact half-space solver of src/halfspace.
 ///

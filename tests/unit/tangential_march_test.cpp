@@ -154,7 +154,7 @@ TEST(March, FieldsStayWithinTheBoundAndAddUpToTheForces) {
   std::mt19937 random(5);
   constexpr int strips_count = 21, cells = 30;  // a count that does not fill the kernel's groups
   const OwnedGrid grid(cells);
-  std::vector<double> px(strips_count * cells), py(px), sx(px), sy(px);
+  std::vector<double> px(static_cast<std::size_t>(strips_count * cells)), py(px), sx(px), sy(px);
   for (int n = 0; n < 20; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = sdec_strips(c.a, c.b, c.psi, c.normal_force, strips_count);
@@ -166,7 +166,7 @@ TEST(March, FieldsStayWithinTheBoundAndAddUpToTheForces) {
     TangentialForces sum;
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < strips_count; ++j) {
-        const int at = i * strips_count + j;
+        const auto at = static_cast<std::size_t>(i * strips_count + j);
         const double t = 1.0 - (2.0 * i + 1.0) / cells;
         const double cell = 2.0 * s.half_length[j] / cells * s.width[j];
         EXPECT_LE(std::hypot(px[at], py[at]), c.friction * s.peak[j] * std::sqrt(1.0 - t * t) * 1.0000001);
@@ -204,7 +204,8 @@ TEST(March, SticksAgainNearTheSpinPole) {
   for (int j = 0; j < count; ++j) {
     bool slid = false, again = false;
     for (int i = 0; i < cells; ++i) {
-      const bool slips = sx[i * count + j] != 0.0 || sy[i * count + j] != 0.0;
+      const auto at = static_cast<std::size_t>(i * count + j);
+      const bool slips = sx[at] != 0.0 || sy[at] != 0.0;
       again = again || (slid && !slips);
       slid = slid || slips;
     }
