@@ -72,8 +72,9 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
     const double normal_force = force(approach);
     ++solution.iterations;
     const double x = straightened(normal_force);
-    double slope = (x - x_previous) / (approach - previous);
-    if (!(slope > 0.0)) slope = x / approach;  // a step across a merging patch may have misled the secant
+    double slope = approach != previous ? (x - x_previous) / (approach - previous) : 0.0;
+    // A step across a merging patch may have misled the secant, or none may be left to take.
+    if (!(slope > 0.0)) slope = x / approach;
     if (std::abs(normal_force - target) <= problem.force_tolerance * target) {
       const bool slope_usable = i > 0 && std::abs(approach - previous) > 1e-6 * approach;
       solution.approach = approach;

@@ -260,6 +260,14 @@ void join_pairs(System& s) {
       centre += part * s.centre[i];
       length += part * s.half_length[i];
     }
+    if (!(load > 0.0)) {  // strips that are about to leave: nothing to see from afar
+      const std::int32_t i = s.active[2 * k];
+      s.pair_y[k] = s.grid.y[i];
+      s.pair_centre[k] = s.centre[i];
+      s.pair_inverse_length[k] = 1.0 / s.half_length[i];
+      s.pair_strength[k] = 0.0;
+      continue;
+    }
     s.pair_y[k] = y / load;
     s.pair_centre[k] = centre / load;
     s.pair_inverse_length[k] = load / length;
