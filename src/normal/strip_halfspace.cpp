@@ -251,18 +251,24 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
 /// afar.
 void join_pairs(System& s) {
   for (std::int32_t k = 0; 2 * k < s.active_count; ++k) {
-    double load = 0.0, y = 0.0, centre = 0.0, length = 0.0;
-    for (std::int32_t a = 2 * k; a < std::min(2 * k + 2, s.active_count); ++a) {
+    const std::int32_t end = std::min(2 * k + 2, s.active_count);
+    const auto area = [&](std::int32_t i) { return s.half_length[i] * s.grid.width[i]; };
+    double load = 0.0;
+    for (std::int32_t a = 2 * k; a < end; ++a) load += s.peak[s.active[a]] * area(s.active[a]);
+    // A pair that carries nothing yet, or pulls and is about to leave, has no centroid of load: then of area.
+    const bool presses = load > 0.0;
+    double sum = 0.0, y = 0.0, centre = 0.0, length = 0.0;
+    for (std::int32_t a = 2 * k; a < end; ++a) {
       const std::int32_t i = s.active[a];
-      const double part = s.peak[i] * s.half_length[i] * s.grid.width[i];
-      load += part;
+      const double part = presses ? s.peak[i] * area(i) : area(i);
+      sum += part;
       y += part * s.grid.y[i];
       centre += part * s.centre[i];
       length += part * s.half_length[i];
     }
-    s.pair_y[k] = y / load;
-    s.pair_centre[k] = centre / load;
-    s.pair_inverse_length[k] = load / length;
+    s.pair_y[k] = y / sum;
+    s.pair_centre[k] = centre / sum;
+    s.pair_inverse_length[k] = sum / length;
     s.pair_strength[k] = load * s.pair_inverse_length[k];
   }
 }
