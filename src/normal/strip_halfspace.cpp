@@ -361,7 +361,9 @@ double move_edges(const NormalProblem& problem, const StripKernel& kernel, doubl
   double moved = 0.0, area = 0.0;
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
-    const double wanted = s.peak[j] * s.inverse_length[j] / s.level[a];  // l_new^2 / l^2
+    const double level = s.peak[j] * s.inverse_length[j];
+    const double wanted =
+        s.level[a] > 0.0 ? level / s.level[a] : 1.0;  // l_new^2 / l^2; as it is without load
     const double stretch = std::sqrt(std::clamp(wanted, 0.1, 10.0));
     moved += std::abs(stretch - 1.0) * s.half_length[j] * s.grid.width[j];
     area += s.half_length[j] * s.grid.width[j];
