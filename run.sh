@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The main job. Without arguments: the source paper's cases, printed and drawn into out/.
 set -euo pipefail
+called_from=$PWD
 cd "$(dirname "$0")"
 
 if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
@@ -45,7 +46,9 @@ cmake -S . -B build/run -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWR
 cmake --build build/run >>build/run.log 2>&1 || { cat build/run.log; exit 1; }
 
 if [ $# -gt 0 ]; then
-  exec build/run/examples_c/own_case "$@"
+  own_case=$PWD/build/run/examples_c/own_case
+  cd "$called_from" # file names are the caller's
+  exec "$own_case" "$@"
 fi
 
 mkdir -p out

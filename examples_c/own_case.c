@@ -21,12 +21,24 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
   }
   char line[256];
   uint32_t count = 0;
+  unsigned number_of_line = 0;
   while (fgets(line, sizeof line, file) != NULL) {
+    ++number_of_line;
+    if (strchr(line, '\n') ==
+        NULL) { /* too long for a point: a comment; the rest of it is not a line of its own */
+      for (int c = fgetc(file); c != '\n' && c != EOF;) c = fgetc(file);
+    }
     for (char* c = line; *c != '\0'; ++c) {
       if (*c == ',' || *c == ';' || *c == '\t') *c = ' ';
     }
-    double a = 0.0, b = 0.0;
-    if (sscanf(line, "%lf %lf", &a, &b) != 2) continue; /* a heading or a comment */
+    double a = 0.0, b = 0.0, more = 0.0;
+    const int found = sscanf(line, "%lf %lf %lf", &a, &b, &more);
+    if (found > 2) {
+      fprintf(stderr, "%s, line %u: more than two numbers; give y and z, with decimal points, not commas\n",
+              path, number_of_line);
+      exit(EXIT_FAILURE);
+    }
+    if (found != 2) continue; /* a heading or a comment */
     if (count == MOST_POINTS) {
       fprintf(stderr, "%s has more than %d points\n", path, MOST_POINTS);
       exit(EXIT_FAILURE);

@@ -193,10 +193,10 @@ typedef struct wrc_config {
   double load_tolerance;       /**< relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
   double gap_limit;            /**< rows reach to where the gap exceeds this, 1e-5..0.02 m [1e-3] */
   double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
-  double wheel_radius;         /**< nominal rolling radius, 0.05..2 m [0.46] */
-  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..3 m [1.360] */
-  double track_gauge;          /**< 0.3..3 m [1.435] */
-  double gauge_depth;          /**< gauge is measured this far below the rail top, 1e-3..0.05 m [0.014] */
+  double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46] */
+  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m [1.360] */
+  double track_gauge;          /**< 0.3..2.5 m [1.435] */
+  double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
   double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */

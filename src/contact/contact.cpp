@@ -290,6 +290,14 @@ Fault solve_normal(Contact& contact, const Load& load) {
     back_to(contact, Stage::gap);
     return fault;
   }
+  // An unfinished search may have ended beside the load: its patch is kept, but carries what was asked for,
+  // so that a host's equilibrium does not see the search. The flag tells.
+  if (fault.status == WRC_FLAG_ITERATION_CAP && load.prescribed == Prescribed::load) {
+    const double share = load.value / contact.normal.normal_force;
+    for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
+    contact.normal.normal_force *= share;
+    contact.normal.peak_pressure *= share;
+  }
   contact.reached = Stage::patch;
   contact.strips = strips.count;
   contact.touching = strips.count > 0;

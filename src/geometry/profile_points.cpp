@@ -43,12 +43,21 @@ Fault check_rail_orientation(std::int32_t count, const double* y, const double* 
                     "the highest point of the head is at an end of the points: the profile is cut too short",
                     static_cast<std::int32_t>(top - z));
   }
+  constexpr double datum_most = 0.020;  // a head wears down by this much before it is scrapped
+  if (std::abs(*top) > datum_most) {
+    Fault fault = unusable("rail profile z", *top, "z must be 0 at the top of the head: shift z",
+                           static_cast<std::int32_t>(top - z));
+    fault.low = -datum_most;
+    fault.high = datum_most;
+    return fault;
+  }
   return {};
 }
 
 /// A wheel is lowest (largest z) at its flange, on the inner side. A tread without flange cannot be told.
 Fault check_wheel_orientation(std::int32_t count, const double* y, const double* z) {
   constexpr double flange_least = 0.015;  // flanges are 26..36 mm high, treads fall by 4 mm
+  constexpr double datum_most = 0.010;    // treads wear hollow by a few millimetres
   const auto [least, most] = std::minmax_element(z, z + count);
   if (*most - *least < flange_least) return {};
   const double mean = mean_height(count, y, z);
@@ -64,6 +73,15 @@ Fault check_wheel_orientation(std::int32_t count, const double* y, const double*
         "the flange is on the field side: the profile is mirrored, turn the sign of y and the order "
         "of the points",
         flange);
+  }
+  const double* after = std::lower_bound(y, y + count, 0.0);
+  if (after == y + count || y[0] > 0.0 || std::abs(z[after - y]) > datum_most) {
+    const auto at = std::min(static_cast<std::int32_t>(after - y), count - 1);
+    Fault fault = unusable("wheel profile z", z[at],
+                           "y = 0 must be at the running circle and z = 0 there: shift the profile", at);
+    fault.low = -datum_most;
+    fault.high = datum_most;
+    return fault;
   }
   return {};
 }

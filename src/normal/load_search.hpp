@@ -73,8 +73,7 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
     ++solution.iterations;
     const double x = straightened(normal_force);
     double slope = approach != previous ? (x - x_previous) / (approach - previous) : 0.0;
-    // A step across a merging patch may have misled the secant, or none may be left to take.
-    if (!(slope > 0.0)) slope = x / approach;
+    if (!(slope > 0.0)) slope = x / approach;  // a step across a merging patch may have misled the secant
     if (std::abs(normal_force - target) <= problem.force_tolerance * target) {
       const bool slope_usable = i > 0 && std::abs(approach - previous) > 1e-6 * approach;
       solution.approach = approach;
@@ -106,7 +105,9 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
     x_previous = x;
     approach = next;
   }
-  settle(approach);
+  // Where a second region joins the patch, the load jumps past the target: then the larger patch is the
+  // answer.
+  settle(bracketed ? high : approach);
   return {.status = WRC_FLAG_ITERATION_CAP,
           .field = "max_iterations",
           .value = static_cast<double>(problem.max_iterations)};

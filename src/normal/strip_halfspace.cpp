@@ -251,26 +251,24 @@ double solve_pressures(const NormalProblem& problem, System& s, double& stiffnes
 /// afar.
 void join_pairs(System& s) {
   for (std::int32_t k = 0; 2 * k < s.active_count; ++k) {
-    double load = 0.0, y = 0.0, centre = 0.0, length = 0.0;
-    for (std::int32_t a = 2 * k; a < std::min(2 * k + 2, s.active_count); ++a) {
+    const std::int32_t end = std::min(2 * k + 2, s.active_count);
+    const auto area = [&](std::int32_t i) { return s.half_length[i] * s.grid.width[i]; };
+    double load = 0.0;
+    for (std::int32_t a = 2 * k; a < end; ++a) load += s.peak[s.active[a]] * area(s.active[a]);
+    // A pair that carries nothing yet, or pulls and is about to leave, has no centroid of load: then of area.
+    const bool presses = load > 0.0;
+    double sum = 0.0, y = 0.0, centre = 0.0, length = 0.0;
+    for (std::int32_t a = 2 * k; a < end; ++a) {
       const std::int32_t i = s.active[a];
-      const double part = s.peak[i] * s.half_length[i] * s.grid.width[i];
-      load += part;
+      const double part = presses ? s.peak[i] * area(i) : area(i);
+      sum += part;
       y += part * s.grid.y[i];
       centre += part * s.centre[i];
       length += part * s.half_length[i];
     }
-    if (!(load > 0.0)) {  // strips that are about to leave: nothing to see from afar
-      const std::int32_t i = s.active[2 * k];
-      s.pair_y[k] = s.grid.y[i];
-      s.pair_centre[k] = s.centre[i];
-      s.pair_inverse_length[k] = 1.0 / s.half_length[i];
-      s.pair_strength[k] = 0.0;
-      continue;
-    }
-    s.pair_y[k] = y / load;
-    s.pair_centre[k] = centre / load;
-    s.pair_inverse_length[k] = load / length;
+    s.pair_y[k] = y / sum;
+    s.pair_centre[k] = centre / sum;
+    s.pair_inverse_length[k] = sum / length;
     s.pair_strength[k] = load * s.pair_inverse_length[k];
   }
 }
@@ -363,7 +361,9 @@ double move_edges(const NormalProblem& problem, const StripKernel& kernel, doubl
   double moved = 0.0, area = 0.0;
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
-    const double wanted = s.peak[j] * s.inverse_length[j] / s.level[a];  // l_new^2 / l^2
+    const double level = s.peak[j] * s.inverse_length[j];
+    const double wanted =
+        s.level[a] > 0.0 ? level / s.level[a] : 1.0;  // l_new^2 / l^2; as it is without load
     const double stretch = std::sqrt(std::clamp(wanted, 0.1, 10.0));
     moved += std::abs(stretch - 1.0) * s.half_length[j] * s.grid.width[j];
     area += s.half_length[j] * s.grid.width[j];

@@ -370,17 +370,12 @@ TEST(Continuity, NoStepOfALateralScanFails) {
       double area_before = 0.0, fy_before = 0.0, largest_area = 0.0, largest_fy = 0.0, at_area = 0.0,
              at_fy = 0.0;
       int capped = 0;
-      double worst_load = 0.0;
       for (int i = -120; i <= 140; ++i) {
         const double lateral = 0.05e-3 * i;
         const int32_t status = wheel.roll({lateral, 0.0, 0.0, 5e-4, -1e-3, 0.2});
         ASSERT_GE(status, 0) << "method " << method << " side " << side << " at " << 1e3 * lateral << " mm";
-        if (status == WRC_FLAG_ITERATION_CAP) {
-          ++capped;
-          worst_load = std::max(worst_load, std::fabs(wheel.forces.fn / 80e3 - 1.0));
-        } else {
-          EXPECT_NEAR(wheel.forces.fn, 80e3, 1e-3) << "method " << method << " at " << 1e3 * lateral << " mm";
-        }
+        capped += status == WRC_FLAG_ITERATION_CAP;
+        EXPECT_NEAR(wheel.forces.fn, 80e3, 1e-3) << "method " << method << " at " << 1e3 * lateral << " mm";
         if (i > -120) {
           const double area = std::fabs(wheel.patch.area - area_before) / area_before;
           const double fy = std::fabs(wheel.forces.fy - fy_before) / (wheel.friction * wheel.forces.fn);
@@ -392,9 +387,9 @@ TEST(Continuity, NoStepOfALateralScanFails) {
       }
       std::printf(
           "normal method %d, %s wheel: largest jumps over 0.05 mm: area %.0f %% at %.2f mm, Fy %.0f %% of "
-          "mu N at %.2f mm; %d capped, load off by up to %.1f %%\n",
+          "mu N at %.2f mm; %d flagged\n",
           method, side == WRC_SIDE_RIGHT ? "right" : "left", 100.0 * largest_area, 1e3 * at_area,
-          100.0 * largest_fy, 1e3 * at_fy, capped, 100.0 * worst_load);
+          100.0 * largest_fy, 1e3 * at_fy, capped);
     }
   }
 }

@@ -146,10 +146,10 @@ wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_pro
   if (choices.one_in(2)) config.load_tolerance = choices.magnitude(1e-14, 1e-2);
   if (choices.one_in(2)) config.gap_limit = choices.magnitude(1e-5, 0.02);
   if (choices.one_in(4)) config.shear_yield = choices.magnitude(1e6, 1e11);
-  if (choices.one_in(4)) config.wheel_radius = choices.magnitude(0.05, 2.0);
+  if (choices.one_in(4)) config.wheel_radius = choices.magnitude(0.1, 1.5);
   if (choices.one_in(8)) config.track_gauge = choices.between(1.0, 1.7);
   if (choices.one_in(8)) config.flange_back_distance = config.track_gauge - choices.between(0.0, 0.2);
-  if (choices.one_in(8)) config.gauge_depth = choices.magnitude(1e-3, 0.05);
+  if (choices.one_in(8)) config.gauge_depth = choices.magnitude(5e-3, 0.04);
   if (choices.one_in(2)) config.rail_inclination = 0.025;
   if (choices.one_in(8)) config.rail_inclination = choices.between(-0.2, 0.2);
   if (!choices.one_in(8)) {

@@ -151,6 +151,17 @@ TEST(ProfilePoints, UpsideDownAndMirroredBodiesAreTold) {
   expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "mirrored");
 }
 
+TEST(ProfilePoints, APointOfReferenceElsewhereIsTold) {
+  Points rail = rail_points(), wheel = wheel_points();
+  for (double& z : rail.z) z += 0.172;  // from the foot instead of the head
+  expect_fault(check(ProfileBody::rail, rail), WRC_ERROR_PROFILE, "0 at the top");
+  for (double& y : wheel.y) y += 0.070;  // from the inner face instead of the running circle
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
+  wheel = wheel_points();
+  for (double& z : wheel.z) z += 0.46;  // from the axle
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
+}
+
 TEST(ProfilePoints, TooFewTooShortAndMissingPointsAreTold) {
   Points points = rail_points();
   Points three{{points.y.begin(), points.y.begin() + 3}, {points.z.begin(), points.z.begin() + 3}};
