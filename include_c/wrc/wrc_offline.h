@@ -33,7 +33,7 @@ enum wrc_collocation {
   WRC_COLLOCATION_REFERENCE = 1      /**< reproduces the program CONTACT on its own grid: the choice for comparisons */
 };
 
-/** Called now and then with the fraction done, 0..1. Return 0 to go on, anything else to cancel. */
+/** Called now and then with the fraction done, 0..1, never falling. Return 0 to go on, anything else to cancel. */
 typedef int32_t (*wrc_progress)(double fraction, void* user);
 
 /** A rectangular grid in the contact frame. */
