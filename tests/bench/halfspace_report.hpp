@@ -17,18 +17,20 @@ class Json {
     std::snprintf(digits, sizeof digits, "%.8g", value);
     append(key, std::isfinite(value) ? digits : "null");
   }
-  void add(const std::string& key, const char* value) { append(key, "\"" + std::string(value) + "\""); }
+  void add(const std::string& key, const char* value) {
+    append(key, std::string("\"").append(value).append("\""));
+  }
   void add(const std::string& key, const Json& value) { append(key, value.text()); }
   void add(const std::string& key, const std::vector<Json>& values) {
     std::string list;
-    for (const Json& each : values) list += (list.empty() ? "" : ", ") + each.text();
-    append(key, "[" + list + "]");
+    for (const Json& each : values) list.append(list.empty() ? "" : ", ").append(each.text());
+    append(key, std::string("[").append(list).append("]"));
   }
-  std::string text() const { return "{" + members_ + "}"; }
+  std::string text() const { return std::string("{").append(members_).append("}"); }
 
  private:
   void append(const std::string& key, const std::string& value) {
-    members_ += (members_.empty() ? "\"" : ", \"") + key + "\": " + value;
+    members_.append(members_.empty() ? "\"" : ", \"").append(key).append("\": ").append(value);
   }
   std::string members_;
 };

@@ -2,8 +2,10 @@
 //     a_mm,b_mm,psi,nu,G_MPa,mu,N_kN,p0_MPa,cx,cy,phi_per_m,Fx_N,Fy_N,Mz_Nm,P_W_at_1mps,adh_frac,nx,ny
 #include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "bench/halfspace_report.hpp"
 #include "halfspace/pressure.hpp"
@@ -94,7 +96,7 @@ Json sdec(const char* path) {
     // Converged: first-order terms of grids h and h/2 removed.
     const RollingSolution one = solve(row, 1, CellPressure::mean, Collocation::quarter_point);
     const RollingSolution two = solve(row, 2, CellPressure::mean, Collocation::quarter_point);
-    for (const RollingSolution* each : {&same, &one, &two}) {
+    for (const RollingSolution* each : {&std::as_const(same), &one, &two}) {
       if (each->fault.status == WRC_OK) continue;
       ++unconverged;
       std::printf("row %3d: residual %.1e after %d iterations\n", row.number, each->residual,
