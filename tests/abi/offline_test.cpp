@@ -735,6 +735,43 @@ TEST_F(ExactCheck, GapRefusesWhatItCannotSample) {
   EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK);
 }
 
+// A gap of the caller with two hollows 24 mm apart: the exact solution is that of both patches together.
+TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
+  std::vector<double> y, height, curvature;
+  for (int j = 0; j < 161; ++j) {
+    y.push_back(0.25e-3 * (j - 80));
+    const double from_hollow = std::abs(y.back()) - 12e-3;
+    height.push_back(0.5 * 3.0 * from_hollow * from_hollow);
+    curvature.push_back(1.0 / 0.46);
+  }
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = 161;
+  gap.y = y.data();
+  gap.height = height.data();
+  gap.curvature = curvature.data();
+  creepage = made<wrc_creepage>(wrc_creepage_init);
+  creepage.longitudinal = 0.05;  // all slips
+  const wrc_input input = {sizeof input, 0, nullptr, &gap, &load, &creepage, &friction};
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
+  ASSERT_EQ(wrc_step(contact, &input, &output), WRC_OK) << error();
+  ASSERT_EQ(patch.patches, 2);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  EXPECT_NEAR(result.fx / (-0.35 * 80e3), 1.0, 5e-3);
+  EXPECT_NEAR(result.mz, 0.0, 5e-3 * 0.35 * 80e3 * 12e-3);  // the patches' moments cancel
+  EXPECT_LT(result.force_error, 5e-3);
+
+  const wrc_grid grid = grid_over(8e-3, 20e-3, 32);
+  std::vector<double> sampled(std::size_t{32} * 32);
+  ASSERT_EQ(wrc_exact_gap(contact, &grid, sampled.data()), WRC_OK) << error();
+  for (uint32_t j = 0; j < 32; ++j) {
+    const double here = grid.y0 + j * grid.dy, from_hollow = std::abs(here) - 12e-3, x = grid.x0;
+    if (std::abs(here) < 0.5e-3) continue;  // between the hollows the rows cut the ridge's corner
+    EXPECT_NEAR(sampled[std::size_t{j} * 32], 1.5 * from_hollow * from_hollow + 0.5 * x * x / 0.46, 1e-7)
+        << here;
+  }
+}
+
 // The whole way: profiles, exact normal contact, exact rolling; beside the contact's own strips.
 TEST_F(ExactCheck, ExactNormalOfTheProfilesCarriesTheLoad) {
   ASSERT_EQ(step(), WRC_OK);
