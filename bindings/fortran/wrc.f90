@@ -79,6 +79,20 @@ module wrc
     real(c_double) :: shakedown_limit, fatigue_index, local_fatigue_index
   end type
 
+  type, bind(C) :: wrc_wear_laws
+    integer(c_int32_t) :: struct_size, reserved
+    real(c_double) :: t_gamma_mild_end, t_gamma_severe_start, t_gamma_mild_slope, t_gamma_plateau
+    real(c_double) :: t_gamma_severe_slope, t_gamma_severe_offset, sheffield_mild_end, sheffield_severe_end
+    real(c_double) :: sheffield_mild_slope, sheffield_catastrophic_slope, density, hardness
+    real(c_double) :: archard_slow, archard_severe, archard_fast, archard_seizure
+    real(c_double) :: archard_severe_start, archard_severe_end, seizure_pressure
+  end type
+
+  type, bind(C) :: wrc_wear
+    integer(c_int32_t) :: struct_size, reserved
+    real(c_double) :: worn_area_rate, largest_depth_rate, largest_depth_velocity
+  end type
+
   interface
     function wrc_version() bind(C) result(version)
       import
@@ -127,6 +141,18 @@ module wrc
       type(wrc_creepage), intent(in) :: creepage
       type(wrc_friction), intent(in) :: friction
       type(wrc_forces), intent(inout) :: forces
+      integer(c_int32_t) :: status
+    end function
+    function wrc_wear_laws_init(laws) bind(C) result(status)
+      import
+      type(wrc_wear_laws), intent(inout) :: laws
+      integer(c_int32_t) :: status
+    end function
+    ! laws: c_null_ptr for the published ones, or c_loc of a wrc_wear_laws
+    function wrc_wear_numbers(contact, laws, wear) bind(C) result(status)
+      import
+      type(c_ptr), value :: contact, laws
+      type(wrc_wear), intent(inout) :: wear
       integer(c_int32_t) :: status
     end function
     function wrc_damage_numbers(contact, damage) bind(C) result(status)

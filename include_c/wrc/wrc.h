@@ -155,7 +155,9 @@ enum wrc_field_id {
   WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_geometry or a gap of your own) */
   WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
   WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
-  WRC_FIELD_GAP_CURVATURE = 17   /**< gap rows: d2h/dx2 [1/m] */
+  WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
+  WRC_FIELD_STRIP_WEAR = 18      /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
+                                    needs wrc_wear_numbers */
 };
 
 /* ------------------------------------------------------------------------------------------------------ structs */
@@ -340,6 +342,45 @@ typedef struct wrc_damage {
   double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-] */
 } wrc_damage;
 
+/** Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
+ * unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels. Theory manual,
+ * section 6.
+ *  - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144 (1991)), over the wheel's diameter.
+ *  - Sheffield: depth per metre rolled from T-gamma per area (R8T wheel on UIC60 900A; Braghin et al. 2006).
+ *  - Archard: depth per second, k p v / hardness with the map of Jendel (Wear 253 (2002)). */
+typedef struct wrc_wear_laws {
+  uint32_t struct_size;                /**< sizeof this struct */
+  uint32_t reserved;                   /**< 0 */
+  double t_gamma_mild_end; /**< T-gamma up to which wear is mild [N] [100] */
+  double t_gamma_severe_start; /**< T-gamma from which it is severe [N] [200]; not below t_gamma_mild_end */
+  double t_gamma_mild_slope; /**< area * diameter per T-gamma, mild [mm^3/(km N)] [0.25] */
+  double t_gamma_plateau; /**< area * diameter between the two [mm^3/km] [25] */
+  double t_gamma_severe_slope; /**< as t_gamma_mild_slope, severe [mm^3/(km N)] [1.19] */
+  double t_gamma_severe_offset; /**< subtracted in the severe regime [mm^3/km] [154]; 0 or more, and the law must not turn negative */
+  double sheffield_mild_end; /**< T-gamma per area up to which wear is mild [N/mm^2] [10.4] */
+  double sheffield_severe_end; /**< T-gamma per area from which it is catastrophic [N/mm^2] [77.2]; not below sheffield_mild_end */
+  double sheffield_mild_slope; /**< rate per T-gamma per area, mild [microgram/(m N)] [5.3] */
+  double sheffield_catastrophic_slope; /**< the same, catastrophic [microgram/(m N)] [61.9] */
+  double density; /**< of the worn material [kg/m^3] [7850] */
+  double hardness; /**< of the softer body [Pa] [3e9] */
+  double archard_slow; /**< coefficient below archard_severe_start [-] [5e-4] */
+  double archard_severe; /**< coefficient between the two speeds [-] [35e-4] */
+  double archard_fast; /**< coefficient above archard_severe_end [-] [5e-4] */
+  double archard_seizure; /**< coefficient where pressure exceeds seizure_pressure * hardness [-] [350e-4] */
+  double archard_severe_start; /**< sliding velocity from which wear is severe [m/s] [0.2] */
+  double archard_severe_end; /**< sliding velocity up to which it is severe [m/s] [0.7] */
+  double seizure_pressure; /**< share of the hardness [-] [0.8] */
+} wrc_wear_laws;
+
+/** Wear of the last wrc_tangential. */
+typedef struct wrc_wear {
+  uint32_t struct_size;          /**< sizeof this struct */
+  uint32_t reserved;             /**< 0 */
+  double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
+  double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
+  double largest_depth_velocity; /**< Archard: depth per second in contact of the worst cell [m/s] */
+} wrc_wear;
+
 /** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
 typedef struct wrc_coefficients {
   uint32_t struct_size;          /**< sizeof this struct */
@@ -427,6 +468,8 @@ WRC_API int32_t wrc_strips_init(wrc_strips* strips);                     /**< De
 WRC_API int32_t wrc_forces_init(wrc_forces* forces);                     /**< Defaults of forces. */
 WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a wheelset's motion. */
 WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< Defaults of damage numbers. */
+WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws);                 /**< Defaults of the wear laws. */
+WRC_API int32_t wrc_wear_init(wrc_wear* wear);                           /**< Defaults of wear numbers. */
 WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
 WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
 WRC_API int32_t wrc_output_init(wrc_output* output);                     /**< Defaults of the output of a step. */
@@ -582,6 +625,15 @@ WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, con
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE. @rt hard @thread contact */
 WRC_API int32_t wrc_damage_numbers(wrc_contact* contact, wrc_damage* damage);
 
+/** Wear of the last wrc_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
+ * Theory manual, section 6.
+ * @param contact the contact
+ * @param laws parameters; NULL: the published ones
+ * @param[out] wear the numbers; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential before),
+ * _NOT_FINITE, _RANGE. @rt hard @thread contact */
+WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
+
 /** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
  * @param contact the contact
  * @param input what to solve
@@ -706,6 +758,9 @@ typedef struct wrc_api {
   int32_t (*field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_field() */
   int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
   int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
+  int32_t (*wear_laws_init)(wrc_wear_laws*); /**< wrc_wear_laws_init() */
+  int32_t (*wear_init)(wrc_wear*); /**< wrc_wear_init() */
+  int32_t (*wear_numbers)(wrc_contact*, const wrc_wear_laws*, wrc_wear*); /**< wrc_wear_numbers() */
 } wrc_api;
 
 /** The function table of this library.

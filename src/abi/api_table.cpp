@@ -52,6 +52,9 @@ extern "C" const wrc_api* wrc_get_api(uint32_t abi_version) {
       wrc_field,
       wrc_linear_coefficients,
       wrc_shakedown_limit,
+      wrc_wear_laws_init,
+      wrc_wear_init,
+      wrc_wear_numbers,
   };
   return abi_version == WRC_ABI_VERSION ? &table : nullptr;
 }

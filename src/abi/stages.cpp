@@ -375,7 +375,7 @@ Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
   static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre,
                                          Array::gap_curvature};
 
-  if (id >= WRC_FIELD_GAP_Y) {
+  if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE) {
     if (contact.gap_rows == 0) return {};
     return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0, contact.gap_rows};
   }
@@ -385,6 +385,10 @@ Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
   if (id == WRC_FIELD_STRIP_POWER) {
     if (!assessed) return {};
     return {array(contact, Array::strip_power) + patch->region_first, 0, patch->region_count};
+  }
+  if (id == WRC_FIELD_STRIP_WEAR) {
+    if (!contact.worn) return {};
+    return {array(contact, Array::strip_wear) + patch->region_first, 0, patch->region_count};
   }
   if (id >= WRC_FIELD_STRIP_Y) {
     const std::int32_t k = id - WRC_FIELD_STRIP_Y;
@@ -576,9 +580,10 @@ int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_v
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
   const Fault sized = abi::clear(view);
   if (sized.failed()) return sized.status;
-  if (field < 0 || field > WRC_FIELD_GAP_CURVATURE) return WRC_ERROR_UNSUPPORTED;
+  if (field < 0 || field > WRC_FIELD_STRIP_WEAR) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
-  const bool of_patch = field < WRC_FIELD_GAP_Y && contact.patches > 0;
+  const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;
+  const bool of_patch = !of_gap && contact.patches > 0;
   if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
   const abi::Field found = abi::find_field(contact, of_patch ? &contact.patch[patch] : nullptr, field);
   if (found.data == nullptr) return WRC_ERROR_SEQUENCE;

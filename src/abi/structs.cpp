@@ -1,5 +1,7 @@
 #include "abi/structs.hpp"
 
+#include "damage/wear.hpp"
+
 namespace wrc::abi {
 
 // Structs whose default is all zero.
@@ -20,6 +22,7 @@ WRC_ZERO_DEFAULTS(wrc_strips)
 WRC_ZERO_DEFAULTS(wrc_forces)
 WRC_ZERO_DEFAULTS(wrc_motion)
 WRC_ZERO_DEFAULTS(wrc_damage)
+WRC_ZERO_DEFAULTS(wrc_wear)
 WRC_ZERO_DEFAULTS(wrc_coefficients)
 WRC_ZERO_DEFAULTS(wrc_input)
 WRC_ZERO_DEFAULTS(wrc_output)
@@ -40,6 +43,35 @@ wrc_friction defaults<wrc_friction>() {
   wrc_friction value{};
   value.struct_size = sizeof value;
   value.coefficient = 0.3;
+  return value;
+}
+
+template <>
+wrc_wear_laws defaults<wrc_wear_laws>() {
+  const TGammaWearLaw t_gamma;
+  const SheffieldWearLaw sheffield;
+  const ArchardWearLaw archard;
+  wrc_wear_laws value{};
+  value.struct_size = sizeof value;
+  value.t_gamma_mild_end = t_gamma.t1;
+  value.t_gamma_severe_start = t_gamma.t2;
+  value.t_gamma_mild_slope = t_gamma.slope_mild;
+  value.t_gamma_plateau = t_gamma.plateau;
+  value.t_gamma_severe_slope = t_gamma.slope_severe;
+  value.t_gamma_severe_offset = t_gamma.offset_severe;
+  value.sheffield_mild_end = sheffield.x1;
+  value.sheffield_severe_end = sheffield.x2;
+  value.sheffield_mild_slope = sheffield.slope_mild;
+  value.sheffield_catastrophic_slope = sheffield.slope_catastrophic;
+  value.density = sheffield.density;
+  value.hardness = archard.hardness;
+  value.archard_slow = archard.mild_low_speed;
+  value.archard_severe = archard.severe;
+  value.archard_fast = archard.mild_high_speed;
+  value.archard_seizure = archard.seizure;
+  value.archard_severe_start = archard.v1;
+  value.archard_severe_end = archard.v2;
+  value.seizure_pressure = archard.seizure_pressure;
   return value;
 }
 
@@ -101,6 +133,8 @@ int32_t wrc_strips_init(wrc_strips* strips) { return init(strips); }
 int32_t wrc_forces_init(wrc_forces* forces) { return init(forces); }
 int32_t wrc_motion_init(wrc_motion* motion) { return init(motion); }
 int32_t wrc_damage_init(wrc_damage* damage) { return init(damage); }
+int32_t wrc_wear_laws_init(wrc_wear_laws* laws) { return init(laws); }
+int32_t wrc_wear_init(wrc_wear* wear) { return init(wear); }
 int32_t wrc_coefficients_init(wrc_coefficients* coefficients) { return init(coefficients); }
 int32_t wrc_input_init(wrc_input* input) { return init(input); }
 int32_t wrc_output_init(wrc_output* output) { return init(output); }

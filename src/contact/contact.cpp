@@ -46,6 +46,7 @@ void back_to(Contact& contact, Stage stage) {
   contact.extent = {};
   contact.forces = {};
   contact.damage = {};
+  contact.worn = false;
 }
 
 /// Where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which come

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "contact/model.hpp"
+#include "damage/wear.hpp"
 #include "fault.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/creepages.hpp"
@@ -33,6 +34,20 @@ struct DamageNumbers {
   double shakedown_limit = 0.0;      ///< of p0 / k at mu_a [-]
   double fatigue_index = 0.0;        ///< [-]
   double local_fatigue_index = 0.0;  ///< largest of the cells [-]
+};
+
+/// The wear laws in one place, each with its own parameters.
+struct WearLaws {
+  TGammaWearLaw t_gamma;
+  SheffieldWearLaw sheffield;
+  ArchardWearLaw archard;
+};
+
+/// Wear of one contact by three laws.
+struct WearNumbers {
+  double worn_area_rate = 0.0;          ///< by T-gamma [m^2/m]
+  double largest_depth_rate = 0.0;      ///< Sheffield [m/m]
+  double largest_depth_velocity = 0.0;  ///< Archard [m/s]
 };
 
 /// The furthest stage whose result the contact holds.
@@ -74,6 +89,7 @@ struct Contact {
   double speed = 0.0;       ///< V [m/s]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
+  bool worn = false;  ///< strip_wear belongs to the present tractions
 };
 
 /// What presses the bodies together.
@@ -108,6 +124,9 @@ Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);
 Fault assess_damage(Contact& contact);
+
+/// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.
+Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
 
 /// Entry with data of the host: a gap, a pressure distribution, an exact double ellipse under load.
 void take_gap(Contact& contact, const GapRows& rows);

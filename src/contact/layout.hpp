@@ -38,6 +38,7 @@ enum class Array : std::size_t {
   power_density,
   fatigue_index,
   strip_power,
+  strip_wear,
   start_y,
   start_width,
   start_length_squared,

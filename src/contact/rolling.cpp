@@ -139,6 +139,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
   contact.speed = speed;
   contact.forces = {};
   contact.damage = {};
+  contact.worn = false;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
   for (std::int32_t k = 0; k < contact.patches; ++k) worsen(fault, roll(contact, contact.patch[k]));
@@ -189,6 +190,44 @@ Fault assess_damage(Contact& contact) {
   }
   damage.t_gamma = t_gamma(contact.forces);
   damage.t_gamma_no_spin = t_gamma_without_spin(contact.forces, contact.creepage);
+  return {};
+}
+
+Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
+  wear = {};
+  if (contact.reached < Stage::tangential) {
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+  }
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  const ModelOptions& options = contact.model->options;
+  wear.worn_area_rate =
+      worn_area_rate(laws.t_gamma, t_gamma(contact.forces), 2.0 * options.wheelset.nominal_radius);
+  const std::int32_t cells = options.sizes.cells;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    const Strips region = region_strips(contact, patch);
+    const TangentialFields fields = cell_fields(contact, patch);
+    const double* pressure = cell_block(contact, Array::pressure, patch);
+    double* per_width = array(contact, Array::strip_wear) + patch.region_first;
+    for (std::int32_t j = 0; j < region.count; ++j) {
+      double sum = 0.0;
+      for (std::int32_t i = 0; i < cells; ++i) {
+        const std::int32_t at = i * region.count + j;
+        const double sx = fields.slip_x[at], sy = fields.slip_y[at];
+        // What friction takes is not negative; the march may leave a trace of the other sign beside a stick
+        // zone.
+        const double work = std::max(0.0, -(sx * fields.traction_x[at] + sy * fields.traction_y[at]));
+        const double depth_rate = wear_depth_rate(laws.sheffield, work);
+        sum += depth_rate;
+        wear.largest_depth_rate = std::max(wear.largest_depth_rate, depth_rate);
+        wear.largest_depth_velocity = std::max(
+            wear.largest_depth_velocity,
+            wear_depth_velocity(laws.archard, pressure[at], contact.speed * std::sqrt(sx * sx + sy * sy)));
+      }
+      per_width[j] = sum * 2.0 * region.half_length[j] / cells;
+    }
+  }
+  contact.worn = true;
   return {};
 }
 

@@ -283,6 +283,43 @@ TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
   EXPECT_EQ(std::memcmp(&whole_damage, &damage, sizeof damage), 0);
 }
 
+TEST_F(Interface, WearFollowsItsLaws) {
+  wrc_wear wear = made<wrc_wear>(wrc_wear_init), other = made<wrc_wear>(wrc_wear_init);
+  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  EXPECT_EQ(wrc_wear_numbers(contact, nullptr, &wear), WRC_ERROR_SEQUENCE);
+  expect_works();
+  ASSERT_EQ(wrc_wear_numbers(contact, nullptr, &wear), WRC_OK) << error();
+  // Mild up to 100 N: 0.25 mm^3/(km N) over a diameter of 920 mm.
+  ASSERT_LT(damage.t_gamma, 100.0);
+  EXPECT_NEAR(wear.worn_area_rate, 0.25e-12 * damage.t_gamma / 0.92, 1e-9 * wear.worn_area_rate);
+  EXPECT_GT(wear.largest_depth_rate, 0.0);
+  EXPECT_GT(wear.largest_depth_velocity, 0.0);
+
+  // With a mild regime that never ends Sheffield's law is proportional to the frictional power: what the
+  // strips lose adds up to slope * T-gamma / density.
+  wrc_wear_laws laws = made<wrc_wear_laws>(wrc_wear_laws_init);
+  laws.sheffield_mild_end = laws.sheffield_severe_end = 1e8;
+  laws.hardness *= 2.0;
+  laws.seizure_pressure = 1e3;
+  ASSERT_EQ(wrc_wear_numbers(contact, &laws, &other), WRC_OK) << error();
+  double lost = 0.0;
+  for (int32_t k = 0; k < patch.patches; ++k) {
+    wrc_view worn = made<wrc_view>(wrc_view_init), width = made<wrc_view>(wrc_view_init);
+    ASSERT_EQ(wrc_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
+    ASSERT_EQ(wrc_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
+    for (uint64_t j = 0; j < worn.count[0]; ++j) lost += worn.data[j] * width.data[j];
+  }
+  EXPECT_NEAR(lost, 5.3e-9 * damage.power / creepage.speed / 7850.0, 1e-3 * lost);
+  EXPECT_LE(other.largest_depth_velocity, 0.5 * wear.largest_depth_velocity * (1.0 + 1e-12));
+
+  laws.hardness = 3.0;
+  EXPECT_EQ(wrc_wear_numbers(contact, &laws, &other), WRC_ERROR_RANGE);
+  EXPECT_EQ(other.worn_area_rate, 0.0);
+  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  wrc_view stale = made<wrc_view>(wrc_view_init);
+  EXPECT_EQ(wrc_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
+}
+
 TEST_F(Interface, StripsOfTheCallerGoThrough) {
   // Two strips of 40 kN each.
   const double y[] = {-2e-3, 2e-3}, width[] = {4e-3, 4e-3}, half[] = {5e-3, 5e-3};

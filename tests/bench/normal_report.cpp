@@ -1,0 +1,288 @@
+/// Continuity and speed of the normal methods through the C interface, printed:
+///     normal_report sweep [--rows FILE.csv]    lateral shift -6..+7 mm by 0.02 mm, yaw -20..20 mrad, 80 kN
+///     normal_report speed                      microseconds per solve of every method, 60 strips
+///     normal_report solves METHOD cold|warm N  N solves of one method and nothing else, for a profiler
+/// S1002 on the benchmark UIC60. The first two end with one line of JSON when --json is given.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wrc/wrc.h"
+
+namespace {
+
+template <typename Struct>
+Struct made(int32_t (*init)(Struct*)) {
+  Struct value{};
+  value.struct_size = sizeof value;
+  init(&value);
+  return value;
+}
+
+const char* const method_names[] = {"hertz",   "kik_piotrowski", "ekp", "ekp_ellipse", "analyn",
+                                    "stripes", "strip_halfspace"};
+constexpr int32_t methods = 7;
+constexpr double load_of_all = 80e3;  // [N]
+
+/// A right wheel on its rail with one method.
+class Wheel {
+ public:
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+
+  Wheel(int32_t method, bool warm) {
+    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
+    wheel.kind = WRC_PROFILE_S1002;
+    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    wrc_config config = made<wrc_config>(wrc_config_init);
+    config.normal_method = method;
+    config.warm_start = warm ? 1 : 0;
+    config.wheel = &wheel;
+    config.rail = &rail;
+    load_.normal_force = load_of_all;
+    if (wrc_model_create(&config, nullptr, &model_) < 0 ||
+        wrc_contact_create(model_, nullptr, &contact_) < 0) {
+      std::fprintf(stderr, "no model\n");
+      std::exit(2);
+    }
+    uint64_t bytes = 0, alignment = 0;
+    wrc_contact_size(model_, &bytes, &alignment);
+    state_.resize(bytes);
+  }
+  ~Wheel() {
+    wrc_contact_destroy(contact_);
+    wrc_model_destroy(model_);
+  }
+  Wheel(const Wheel&) = delete;
+  Wheel& operator=(const Wheel&) = delete;
+
+  int32_t place(double lateral, double yaw) {
+    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    pose.lateral = lateral;
+    pose.yaw = yaw;
+    return wrc_geometry(contact_, &pose, &point);
+  }
+  int32_t solve() { return wrc_normal(contact_, nullptr, &load_, &patch); }
+
+  /// The shortest of three identical solves [us]: what the code takes, not what else the machine does.
+  double time_of_solve() {
+    double best = 1e9;
+    wrc_contact_save(contact_, state_.data(), state_.size());
+    for (int i = 0; i < 3; ++i) {
+      wrc_contact_restore(contact_, state_.data(), state_.size());
+      const auto start = std::chrono::steady_clock::now();
+      solve();
+      const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+      best = std::min(best, time.count());
+    }
+    return best;
+  }
+
+  /// Lateral centre of pressure, track frame: the contact frame jumps with the point of first touch [m].
+  double centre() const {
+    double moment = 0.0, load = 0.0;
+    for (int32_t k = 0; k < patch.patches; ++k) {
+      const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+                     half = field(WRC_FIELD_STRIP_HALF, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
+      for (uint64_t j = 0; j < y.count[0]; ++j) {
+        const double part = width.data[j] * half.data[j] * peak.data[j];
+        moment += part * y.data[j];
+        load += part;
+      }
+    }
+    return point.y + std::cos(point.angle) * moment / load;
+  }
+
+ private:
+  wrc_view field(int32_t id, int32_t of_patch) const {
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_field(contact_, of_patch, id, &view);
+    return view;
+  }
+  wrc_model* model_ = nullptr;
+  wrc_contact* contact_ = nullptr;
+  wrc_load load_ = made<wrc_load>(wrc_load_init);
+  std::vector<unsigned char> state_;
+};
+
+// ------------------------------------------------------------------------------------------------- sweep
+
+/// A contact angle that changes by more than this in one step belongs to another contact [rad].
+constexpr double turned = 0.05;
+
+/// What must move smoothly while the wheelset does.
+struct Solved {
+  double lateral = 0.0, load = 0.0, centre = 0.0, area = 0.0, approach = 0.0, peak = 0.0, angle = 0.0;
+  int32_t patches = 0;
+};
+
+/// The largest second difference |f(i + 1) - 2 f(i) + f(i - 1)| of one quantity, and where.
+struct Jump {
+  double size = 0.0, lateral = 0.0, yaw = 0.0;
+};
+struct Quantity {
+  const char* name;
+  const char* unit;
+  double Solved::*value;
+  double scale;  ///< to the unit printed
+  Jump steady, changing, turning;
+};
+
+int sweep(bool json, const char* rows_path) {
+  FILE* rows = rows_path != nullptr ? std::fopen(rows_path, "w") : nullptr;
+  if (rows != nullptr)
+    std::fprintf(rows, "yaw_mrad,lateral_mm,patches,area_mm2,approach_um,peak_MPa,centre_mm\n");
+  Quantity quantities[] = {{"normal force", "N", &Solved::load, 1.0, {}, {}, {}},
+                           {"patch centre", "mm", &Solved::centre, 1e3, {}, {}, {}},
+                           {"total area", "mm2", &Solved::area, 1e6, {}, {}, {}},
+                           {"approach", "um", &Solved::approach, 1e6, {}, {}, {}},
+                           {"peak pressure", "MPa", &Solved::peak, 1e-6, {}, {}, {}}};
+  std::map<int32_t, int> flags;
+  int solves = 0, failed = 0, changes = 0;
+  Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false);
+  for (int mrad = -20; mrad <= 20; mrad += 5) {
+    std::vector<Solved> path;
+    for (int i = -300; i <= 350; ++i) {
+      const double lateral = 0.02e-3 * i;
+      int32_t status = wheel.place(lateral, 1e-3 * mrad);
+      if (status >= 0) status = std::max(status, wheel.solve());
+      ++solves;
+      if (status < 0) {
+        ++failed;
+        continue;
+      }
+      if (status > 0) ++flags[status];
+      const wrc_patch& p = wheel.patch;
+      path.push_back({lateral, p.normal_force, wheel.centre(), p.area, p.approach, p.peak_pressure,
+                      wheel.point.angle, p.patches});
+      if (rows != nullptr)
+        std::fprintf(rows, "%d,%.3f,%d,%.6f,%.6f,%.6f,%.6f\n", mrad, 1e3 * lateral, p.patches, 1e6 * p.area,
+                     1e6 * p.approach, 1e-6 * p.peak_pressure, 1e3 * path.back().centre);
+    }
+    for (std::size_t i = 1; i < path.size(); ++i) changes += path[i].patches != path[i - 1].patches;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const bool same = path[i - 1].patches == path[i].patches && path[i + 1].patches == path[i].patches;
+      // First touch leaps to the flange: the contact plane turns, and a load along its normal is another
+      // load.
+      const bool turns = std::max(std::fabs(path[i].angle - path[i - 1].angle),
+                                  std::fabs(path[i + 1].angle - path[i].angle)) > turned;
+      for (Quantity& q : quantities) {
+        const double jump =
+            std::fabs(path[i + 1].*q.value - 2.0 * (path[i].*q.value) + path[i - 1].*q.value) * q.scale;
+        Jump& largest = turns ? q.turning : same ? q.steady : q.changing;
+        if (jump > largest.size) largest = {jump, path[i].lateral, 1e-3 * mrad};
+      }
+    }
+  }
+  if (rows != nullptr) std::fclose(rows);
+
+  std::printf("strip_halfspace, %.0f kN, lateral -6..+7 mm by 0.02 mm, yaw -20..20 mrad by 5 mrad\n",
+              1e-3 * load_of_all);
+  std::printf("%d solves, %d failed, %d changes of the number of patches\n", solves, failed, changes);
+  for (const auto& [status, count] : flags) std::printf("  %-28s %d\n", wrc_status_name(status), count);
+  std::printf("largest second difference |f(i+1) - 2 f(i) + f(i-1)| over 0.02 mm, and where\n");
+  std::printf("%-14s %-4s  %-30s  %-30s  %-30s\n", "", "", "patches stay", "patches change",
+              "contact angle leaps");
+  for (const Quantity& q : quantities) {
+    std::printf("%-14s %-4s", q.name, q.unit);
+    for (const Jump* jump : {&q.steady, &q.changing, &q.turning})
+      std::printf("  %9.3g (%+5.2f mm %+3.0f mrad)", jump->size, 1e3 * jump->lateral, 1e3 * jump->yaw);
+    std::printf("\n");
+  }
+  if (json) {
+    std::printf("{\"solves\": %d, \"failed\": %d, \"changes\": %d", solves, failed, changes);
+    for (const auto& [status, count] : flags) std::printf(", \"%s\": %d", wrc_status_name(status), count);
+    for (const Quantity& q : quantities)
+      std::printf(", \"%s [%s]\": {\"patches_stay\": %.6g, \"patches_change\": %.6g, \"angle_leaps\": %.6g}",
+                  q.name, q.unit, q.steady.size, q.changing.size, q.turning.size);
+    std::printf("}\n");
+  }
+  return failed == 0 ? 0 : 1;
+}
+
+// ------------------------------------------------------------------------------------------------- speed
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+}
+
+/// Times along the sweep, straight and under 10 mrad of yaw, 20 um per step [us].
+std::vector<double> times(int32_t method, bool warm) {
+  std::vector<double> found;
+  Wheel wheel(method, warm);
+  for (double yaw : {0.0, 0.010}) {
+    for (int i = -300; i <= 350; ++i) {
+      if (wheel.place(0.02e-3 * i, yaw) >= 0) found.push_back(wheel.time_of_solve());
+    }
+  }
+  return found;
+}
+
+int speed(bool json) {
+  std::printf(
+      "microseconds per solve, load prescribed, 60 strips, gap given (the shortest of three runs each;\n"
+      "lateral -6..+7 mm by 20 um, yaw 0 and 10 mrad)\n");
+  std::printf("%-16s %5s %8s %8s %8s %12s\n", "method", "start", "p50", "p99", "max", "p50 / EKP");
+  const double ekp = quantile(times(WRC_NORMAL_EKP, false), 0.5);
+  std::string line;
+  for (int32_t method = 0; method < methods; ++method) {
+    for (bool warm : {false, true}) {
+      if (warm && method != WRC_NORMAL_STRIP_HALFSPACE)
+        continue;  // only this one starts from the last solution
+      const std::vector<double> t = times(method, warm);
+      const char* const start = warm ? "warm" : "cold";
+      const double p50 = quantile(t, 0.5), p99 = quantile(t, 0.99), most = quantile(t, 1.0);
+      std::printf("%-16s %5s %8.1f %8.1f %8.1f %12.2f\n", method_names[method], start, p50, p99, most,
+                  p50 / ekp);
+      char entry[256];
+      std::snprintf(entry, sizeof entry,
+                    "%s\"%s %s\": {\"p50\": %.2f, \"p99\": %.2f, \"max\": %.2f, \"to_ekp\": %.3f}",
+                    line.empty() ? "" : ", ", method_names[method], start, p50, p99, most, p50 / ekp);
+      line += entry;
+    }
+  }
+  if (json) std::printf("{%s}\n", line.c_str());
+  return 0;
+}
+
+int solves(const char* name, bool warm, int count) {
+  const auto found = std::find_if(method_names, method_names + methods,
+                                  [&](const char* each) { return std::strcmp(each, name) == 0; });
+  if (found == method_names + methods) return 2;
+  Wheel wheel(static_cast<int32_t>(found - method_names), warm);
+  long iterations = 0;
+  for (int i = 0; i < count; ++i) {
+    wheel.place(0.02e-3 * (i % 650 - 300), 0.0);
+    wheel.solve();
+    iterations += wheel.patch.iterations;
+  }
+  std::printf("%d solves, %.2f iterations each\n", count, static_cast<double>(iterations) / count);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  bool json = false;
+  const char* rows = nullptr;
+  for (int i = 2; i < argc; ++i) {
+    json = json || std::strcmp(argv[i], "--json") == 0;
+    if (std::strcmp(argv[i], "--rows") == 0 && i + 1 < argc) rows = argv[i + 1];
+  }
+  if (what == "sweep") return sweep(json, rows);
+  if (what == "speed") return speed(json);
+  if (what == "solves" && argc > 4)
+    return solves(argv[2], std::strcmp(argv[3], "warm") == 0, std::atoi(argv[4]));
+  std::fprintf(
+      stderr,
+      "usage: normal_report sweep [--rows FILE] [--json] | speed [--json] | solves METHOD cold|warm N\n");
+  return 2;
+}
