@@ -181,7 +181,7 @@ typedef struct wrc_profile {
   const double* z;      /**< [m] */
   double smoothing;     /**< of points: waves of this length [m] keep half their height, shorter ones next to nothing
                              (a sixteenth at half the length), longer ones nearly all; 0..0.05 m, 0: the points are
-                             interpolated. 3e-3 suits points every 0.5 mm with a few um of noise. See
+                             interpolated. Tested: 5e-3 on points every 0.5 mm with 5 um of noise. See
                              wrc_model_profile() [0] */
 } wrc_profile;
 
