@@ -393,8 +393,8 @@ static wrc_patch solve_exact_normal(wrc_contact* contact, double normal_force, w
 }
 
 static void run_profile_cases(const wrc_config* base, const char* directory, FILE* summary) {
-  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL};
-  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL};
+  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
+  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
   wrc_pose pose;
   wrc_load load;
   wrc_friction friction;

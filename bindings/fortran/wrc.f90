@@ -28,6 +28,7 @@ module wrc
   type, bind(C) :: wrc_profile
     integer(c_int32_t) :: struct_size, kind, count, reserved
     type(c_ptr) :: y, z
+    real(c_double) :: smoothing
   end type
 
   type, bind(C) :: wrc_config

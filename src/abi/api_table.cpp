@@ -55,6 +55,7 @@ extern "C" const wrc_api* wrc_get_api(uint32_t abi_version) {
       wrc_wear_laws_init,
       wrc_wear_init,
       wrc_wear_numbers,
+      wrc_model_profile,
   };
   return abi_version == WRC_ABI_VERSION ? &table : nullptr;
 }

@@ -168,6 +168,30 @@ int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocato
       .status;
 }
 
+int32_t wrc_model_profile(const wrc_model* model, int32_t body, wrc_view* y, wrc_view* z, double* deviation) {
+  if (deviation != nullptr) *deviation = 0.0;
+  for (wrc_view* view : {y, z}) {
+    const Fault fault = abi::clear(view);
+    if (fault.failed()) return fault.status;
+  }
+  if (!abi::valid(model)) return WRC_ERROR_NULL;
+  const wrc::Model& ours = *model->model;
+  if (body != WRC_BODY_WHEEL && body != WRC_BODY_RAIL) return WRC_ERROR_UNSUPPORTED;
+  if (!ours.has_geometry) return WRC_ERROR_SEQUENCE;
+  const bool wheel = body == WRC_BODY_WHEEL;
+  const wrc::Profile& profile = wheel ? ours.wheel.profile : ours.rail.profile;
+  wrc_view view = abi::defaults<wrc_view>();
+  view.rank = 1;
+  view.count[0] = static_cast<uint64_t>(profile.count);
+  view.count[1] = view.stride[0] = view.stride[1] = 1;
+  view.data = profile.y;
+  abi::write(view, y);
+  view.data = profile.z;
+  abi::write(view, z);
+  if (deviation != nullptr) *deviation = wheel ? ours.wheel_deviation : ours.rail_deviation;
+  return WRC_OK;
+}
+
 void wrc_model_destroy(wrc_model* model) {
   if (!abi::valid(model)) return;
   model->tag = 0;

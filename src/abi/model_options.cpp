@@ -48,7 +48,10 @@ Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& s
             .high = 20000.0,
             .cause = "a spline needs at least four points"};
   }
-  source = {ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y, profile.z};
+  fault = check(profile.smoothing, "profile.smoothing", "m", 0.0, 0.05, nullptr, "did you pass mm?");
+  if (fault.failed()) return fault;
+  source = {ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y, profile.z,
+            profile.smoothing};
   return {};
 }
 

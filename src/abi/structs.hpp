@@ -23,7 +23,7 @@ struct Version;
     static constexpr const char* name = #type;          \
     static constexpr std::size_t first = (pinned_size); \
   };
-WRC_STRUCT(wrc_profile, 32)
+WRC_STRUCT(wrc_profile, 40)
 WRC_STRUCT(wrc_config, 144)
 WRC_STRUCT(wrc_pose, 32)
 WRC_STRUCT(wrc_contact_point, 72)

@@ -1,9 +1,11 @@
 #include "contact/model.hpp"
 
+#include <algorithm>
 #include <new>
 
 #include "contact/contact.hpp"
 #include "geometry/profile_points.hpp"
+#include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
 
 namespace wrc {
@@ -26,6 +28,12 @@ std::int32_t node_count(const ProfileSource& source) {
   return 0;
 }
 
+/// Doubles of scratch to load this source.
+std::size_t scratch_size(const ProfileSource& source) {
+  return static_cast<std::size_t>(source.smoothing > 0.0 ? smoothing_scratch + 1 : 1) *
+         static_cast<std::size_t>(node_count(source));
+}
+
 std::size_t doubles(const ProfileSource& source) { return 3 * static_cast<std::size_t>(node_count(source)); }
 
 /// Cuts the nodes of one profile from the arrays behind the model.
@@ -36,9 +44,21 @@ ProfileMemory cut(double*& arrays, std::int32_t nodes) {
   return memory;
 }
 
-/// The profile in its own coordinates. `scratch`: source.count doubles, for points.
+/// Points of the caller, smoothed if wanted.
+Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch, const ProfileMemory& memory,
+                  Profile& profile, double& deviation) {
+  if (!(source.smoothing > 0.0))
+    return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
+  const Fault fault = check_points(body, source.count, source.y, source.z);
+  if (fault.failed()) return fault;
+  double* const z = scratch + smoothing_scratch * source.count;
+  deviation = smooth_points(source.count, source.y, source.z, source.smoothing, scratch, z);
+  return spline_through(body, source.count, source.y, z, scratch, memory, profile);
+}
+
+/// The profile in its own coordinates. `scratch`: scratch_size(source) doubles.
 Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratch,
-                   const ProfileMemory& memory, Profile& profile) {
+                   const ProfileMemory& memory, Profile& profile, double& deviation) {
   switch (source.kind) {
     case ProfileSource::Kind::s1002:
       return sample_s1002(memory, profile);
@@ -47,7 +67,7 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
     case ProfileSource::Kind::rail_uic60_benchmark:
       return sample_uic60_benchmark(memory, profile);
     case ProfileSource::Kind::points:
-      return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
+      return load_points(source, body, scratch, memory, profile, deviation);
     case ProfileSource::Kind::none:
       break;
   }
@@ -70,7 +90,7 @@ Fault named(Fault fault, const char* name) {
 std::size_t model_bytes(const ModelOptions& options) {
   // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
   const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
-  const std::size_t given = (wheel > rail ? wheel : rail) / 3 * 4;
+  const std::size_t given = std::max(wheel + scratch_size(options.wheel), rail + scratch_size(options.rail));
   return sizeof(Model) + kernel_bytes(options) +
          sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
 }
@@ -103,13 +123,15 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     Profile given;
     double* scratch = arrays;
     ProfileMemory given_memory = cut(scratch, node_count(options.wheel));
-    Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given);
+    Fault fault =
+        load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given, model->wheel_deviation);
     if (!fault.failed())
       fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
     if (fault.failed()) return named(fault, "config.wheel");
     scratch = arrays;
     given_memory = cut(scratch, node_count(options.rail));
-    fault = load_profile(options.rail, ProfileBody::rail, scratch, given_memory, given);
+    fault =
+        load_profile(options.rail, ProfileBody::rail, scratch, given_memory, given, model->rail_deviation);
     if (!fault.failed()) fault = place_rail(given, options.track, options.side, rail_memory, model->rail);
     if (fault.failed()) return named(fault, "config.rail");
   }

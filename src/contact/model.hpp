@@ -28,6 +28,7 @@ struct ProfileSource {
   std::int32_t count = 0;
   const double* y = nullptr;  ///< [m]
   const double* z = nullptr;  ///< [m]
+  double smoothing = 0.0;     ///< wavelength below which waves of the points are damped; 0: kept [m]
 };
 
 struct ModelOptions {
@@ -55,6 +56,8 @@ struct Model {
   bool has_geometry = false;
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
+  double wheel_deviation = 0.0;  ///< largest distance of a given point from the smoothed curve [m]
+  double rail_deviation = 0.0;   ///< see wheel_deviation
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
   SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
   MarchGrid march_grid;                       ///< along each strip
