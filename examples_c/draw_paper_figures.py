@@ -61,6 +61,7 @@ VARIANTS = (
     Variant("sdec", "EKP+FASTSIM-SDEC", "FASTSIM-SDEC", "#0072B2", "-"),
     Variant("eql", "EKP+FASTSIM-EQ.L", "FASTSIM-EQ.L", "#D55E00", "--"),
     Variant("eqe", "HZ+FASTSIM-EQ.E", "FASTSIM-EQ.E", "#009E73", "-."),
+    Variant("strips", "half-space strips+strip FASTSIM", "strip FASTSIM", "#CC79A7", ":"),
 )
 COMBINED = r"Case 2, combined: $\nu_x = -0.49\cdot10^{-3}$, $\nu_y = -0.22\cdot10^{-3}$, $\phi = 0.29$ 1/m"
 PROFILES = Part(
@@ -306,7 +307,7 @@ def draw_maps(directory, part, results, name, title, note, bar_label, values_of,
 
 def draw_power_density(directory, part, results):
     def values(fields):
-        return MEGA * np.ma.masked_less_equal(fields.power_density, 1e-9 * fields.power_density.max())
+        return MEGA * np.ma.masked_less_equal(fields.power_density, 1e-3 * fields.power_density.max())
 
     def limits(fields_of_case):
         return (0.0, MEGA * max(fields.power_density.max() for fields in fields_of_case)), "neither"

@@ -87,13 +87,16 @@ int32_t finish(const Fault& fault, char* text, std::uint64_t size) {
   return fault.status;
 }
 
-/// The host's callback behind the solver's: 0 goes on.
+/// The host's callback behind the solver's: 0 goes on. A residual may rise on its way down; the fraction does
+/// not fall.
 struct Reporter {
   wrc_progress progress = nullptr;
   void* user = nullptr;
+  double largest = 0.0;
   static bool report(double fraction, void* self) {
-    const auto* reporter = static_cast<Reporter*>(self);
-    return reporter->progress(fraction, reporter->user) == 0;
+    auto* reporter = static_cast<Reporter*>(self);
+    reporter->largest = std::max(reporter->largest, fraction);
+    return reporter->progress(reporter->largest, reporter->user) == 0;
   }
   halfspace::ProgressCallback callback() {
     return progress == nullptr ? halfspace::ProgressCallback{} : halfspace::ProgressCallback{report, this};
@@ -142,6 +145,17 @@ Fault read_materials(const wrc_materials* theirs, Material& material) {
        check(ours.poisson_2, "materials.poisson_2", "", 0.0, 0.5)});
 }
 
+/// One of the values 0..last of an enumeration.
+Fault known(std::int32_t value, const char* field, const char* cause, std::int32_t last) {
+  if (value >= 0 && value <= last) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = field,
+          .value = static_cast<double>(value),
+          .low = 0.0,
+          .high = static_cast<double>(last),
+          .cause = cause};
+}
+
 /// A required field of one number per cell.
 Fault read_field(const double* theirs, std::size_t cells, const char* name, const char* unit,
                  halfspace::Field& field) {
@@ -174,15 +188,12 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   halfspace::GapProblem problem;
   fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", problem.gap);
   if (fault.failed()) return fault;
-  if (ours.prescribed == WRC_PRESCRIBE_LOAD) {
-    fault = check(ours.normal_force, "problem.normal_force", "N", 1e-3, 1e7, "compressive positive",
-                  "did you pass mN?");
-  } else if (ours.prescribed == WRC_PRESCRIBE_APPROACH) {
-    fault = check(ours.approach, "problem.approach", "m", -1.0, 0.01, nullptr, "did you pass mm?");
-  } else {
-    fault = {
-        .status = WRC_ERROR_UNSUPPORTED, .field = "problem.prescribed", .cause = "see enum wrc_prescribed"};
-  }
+  fault = known(ours.prescribed, "problem.prescribed", "see enum wrc_prescribed", WRC_PRESCRIBE_APPROACH);
+  if (fault.failed()) return fault;
+  fault = ours.prescribed == WRC_PRESCRIBE_LOAD
+              ? check(ours.normal_force, "problem.normal_force", "N", 1e-3, 1e7, "compressive positive",
+                      "did you pass mN?")
+              : check(ours.approach, "problem.approach", "m", -1.0, 0.01, nullptr, "did you pass mm?");
   if (!fault.failed()) {
     fault = first_of({check(ours.tolerance, "problem.tolerance", "", 1e-14, 0.1),
                       check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e5)});
@@ -193,7 +204,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   problem.approach = ours.approach;
   problem.tolerance = ours.tolerance;
   problem.max_iterations = ours.max_iterations;
-  Reporter reporter{ours.progress, ours.user};
+  Reporter reporter{.progress = ours.progress, .user = ours.user};
   problem.progress = reporter.callback();
 
   const halfspace::GapSolution found = halfspace::NormalSolver(grid, material).solve(problem);
@@ -233,11 +244,13 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
                     check(creepage.speed, "creepage.speed", "m/s", 0.0, 200.0, nullptr, "did you pass km/h?"),
                     check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
                     check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
-                    check(ours.adhesion, "problem.adhesion", "", WRC_ADHESION_COULOMB, WRC_ADHESION_FULL),
-                    check(ours.collocation, "problem.collocation", "", WRC_COLLOCATION_QUARTER_POINT,
+                    known(ours.adhesion, "problem.adhesion", "see enum wrc_adhesion", WRC_ADHESION_FULL),
+                    known(ours.collocation, "problem.collocation", "see enum wrc_collocation",
                           WRC_COLLOCATION_REFERENCE)});
   if (fault.failed()) return fault;
-  if (ours.friction != nullptr) {
+  if (ours.adhesion == WRC_ADHESION_FULL) {
+    problem.friction.assign(1, 0.0);  // unused: no traction bound
+  } else if (ours.friction != nullptr) {
     fault = read_field(ours.friction, cells, "problem.friction", "", problem.friction);
     for (std::size_t i = 0; i < cells && !fault.failed(); ++i) {
       fault = check(ours.friction[i], "problem.friction", "", 1e-4, 2.0);
@@ -257,8 +270,11 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
                             : halfspace::Collocation::quarter_point;
   problem.tolerance = ours.tolerance;
   problem.max_iterations = ours.max_iterations;
-  Reporter reporter{ours.progress, ours.user};
+  Reporter reporter{.progress = ours.progress, .user = ours.user};
   problem.progress = reporter.callback();
+  const bool touching =
+      std::any_of(problem.pressure.begin(), problem.pressure.end(), [](double p) { return p > 0.0; });
+  if (!touching) return {.status = WRC_FLAG_NO_CONTACT};
 
   const halfspace::RollingSolution found = halfspace::RollingSolver(grid, material).solve(problem);
   if (found.fault.failed()) return found.fault;
@@ -379,6 +395,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     wrc::halfspace::Grid ours;
     const Fault fault = abi::read_grid(grid, ours);
     if (fault.failed()) return fault;
+    abi::zero_field(gap, ours.cells());
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",
@@ -412,7 +429,7 @@ int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_prog
   inside.last = abi::guarded([&]() -> Fault {
     Fault fault = abi::clear(result);
     if (fault.failed()) return fault;
-    abi::Reporter reporter{progress, user};
+    abi::Reporter reporter{.progress = progress, .user = user};
     wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
     fault = abi::check_contact(inside, nx, ny, reporter, ours);
     if (!fault.failed()) abi::write(ours, result);

@@ -37,8 +37,9 @@ class Newton {
   Newton(const Grid& grid, Convolution& convolution, const RollingProblem& problem,
          RollingSolution& solution);
 
-  // Iterates until the convergence test holds; false if cancelled.
-  bool run(double tolerance);
+  // Iterates until the convergence test holds; false if cancelled. Its share of the whole work lies between
+  // `begun` and `done`.
+  bool run(double tolerance, double begun, double done);
 
  private:
   bool full() const { return problem_.adhesion == Adhesion::full; }
@@ -224,7 +225,7 @@ void Newton::step() {
   }
 }
 
-bool Newton::run(double tolerance) {
+bool Newton::run(double tolerance, double begun, double done) {
   RollingSolution& s = solution_;
   update_slip();
   for (s.iterations = 0;; ++s.iterations) {
@@ -232,7 +233,7 @@ bool Newton::run(double tolerance) {
     if (s.residual <= tolerance) return true;
     if (s.iterations == problem_.max_iterations) break;
     const double decades = std::log(std::max(s.residual, tolerance)) / std::log(tolerance);
-    if (!problem_.progress.goes_on(std::clamp(decades, 0.0, 1.0))) return false;
+    if (!problem_.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0))) return false;
     step();
     update_slip();
   }
@@ -365,7 +366,12 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     }
     constexpr double coarse_tolerance = 1e-2;
     Newton newton(level.grid, level.convolution, problems[l], solution);
-    if (!newton.run(l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance))) {
+    // Work goes with the cells: a quarter of it on each coarser grid.
+    const bool coarsest = l + 1 == problems.size();
+    const double begun = coarsest ? 0.0 : std::pow(0.25, static_cast<double>(l) + 1.0);
+    const double done = std::pow(0.25, static_cast<double>(l));
+    if (!newton.run(l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance), begun,
+                    done)) {
       clear(level.grid, solution);
       solution.fault = {.status = WRC_ERROR_CANCELLED};
       return solution;

@@ -75,8 +75,8 @@ struct RollingSolution {
 };
 
 /// Solves any number of problems on one grid; the spectra and coarser grids are prepared once. Not to be
-/// shared by threads. Memory: four thirds of Convolution's plus at most 160 doubles and (2 nx) floats per
-/// cell.
+/// shared by threads. Memory: four thirds of Convolution's plus at most 240 doubles and 4 nx floats (the
+/// rows' factors) per cell.
 class RollingSolver {
  public:
   RollingSolver(const Grid& grid, const Material& material);

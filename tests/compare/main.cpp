@@ -20,6 +20,7 @@ constexpr Kind kinds[] = {
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
     {"normal", compare::compare_normal,
      "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
+    {"wheelrail", compare::compare_wheelrail, "those of wheelrail_cases.csv: S1002 on UIC60 end to end"},
     {"halfspace-sdec", compare::compare_halfspace_sdec,
      "those of sdec_cases.csv: the exact solver on each row's grid"},
     {"halfspace-normal", compare::compare_halfspace_normal,

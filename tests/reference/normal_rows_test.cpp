@@ -153,7 +153,7 @@ TEST(NormalReference, RowsOfTheExactTheory) {
       problem.max_iterations = 40;
       problem.force_tolerance = 1e-6;
 
-      test::OwnedStrips owned(count);
+      test::StripMemory owned(count);
       NormalSolution solution;
       const Fault fault = method.solve(problem, owned.strips, solution);
       ASSERT_FALSE(fault.failed()) << method.name << " " << fault.field;

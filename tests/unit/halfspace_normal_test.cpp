@@ -4,50 +4,16 @@
 #include <cstdio>
 
 #include "halfspace/normal.hpp"
+#include "unit/halfspace_closed_forms.hpp"
 
 namespace wrc::halfspace {
 namespace {
 
+using closed_forms::Hertz;
 constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 
-// Complete elliptic integrals by the arithmetic-geometric mean (Abramowitz & Stegun 17.6), m = k^2.
-struct EllipticIntegrals {
-  double k, e;
-};
-EllipticIntegrals elliptic(double m) {
-  double a = 1.0, b = std::sqrt(1.0 - m), c = std::sqrt(m), sum = 0.5 * c * c, power = 1.0;
-  while (std::abs(c) > 1e-15) {
-    c = 0.5 * (a - b);
-    const double next = 0.5 * (a + b);
-    b = std::sqrt(a * b);
-    a = next;
-    sum += power * c * c;
-    power *= 2.0;
-  }
-  const double k = pi / (2.0 * a);
-  return {k, k * (1.0 - sum)};
-}
-
-// Hertz for given semi-axes a <= b and peak pressure (Johnson 3.36 to 3.41 for two bodies): under the ellipse
-//     u_z = p0 (1-nu)/G [a K - a (K-E)/(m b^2) y^2 - a (b^2/a^2 E - K)/(m b^2) x^2],  m = 1 - a^2/b^2.
-struct Hertz {
-  double curvature_x, curvature_y;  // h = (curvature_x x^2 + curvature_y y^2) / 2
-  double approach, load;
-};
-Hertz hertz(double a, double b, double p0) {
-  const double m = 1.0 - a * a / (b * b);
-  const auto [k, e] = elliptic(m);
-  const double flexibility = p0 * (1.0 - steel.poisson) / steel.shear_modulus;
-  const double along_long = m > 0.0 ? a / (b * b) * (k - e) / m : 0.25 * pi / a;
-  const double along_short = m > 0.0 ? (e * b * b / (a * a) - k) * a / (b * b) / m : 0.25 * pi / a;
-  return {.curvature_x = 2.0 * flexibility * along_short,
-          .curvature_y = 2.0 * flexibility * along_long,
-          .approach = flexibility * a * k,
-          .load = 2.0 / 3.0 * pi * a * b * p0};
-}
-
 GapSolution solve(double a, double b, double p0, int cells, Prescribed prescribed) {
-  const Hertz exact = hertz(a, b, p0);
+  const Hertz exact = closed_forms::hertz(steel, a, b, p0);
   const Grid grid = grid_over_box(-1.25 * a, 1.25 * a, -1.25 * b, 1.25 * b, cells, cells);
   GapProblem problem{.gap = Field(grid.cells()), .prescribed = prescribed, .progress = {}};
   problem.normal_force = exact.load;
@@ -67,7 +33,7 @@ class HalfspaceHertz : public testing::TestWithParam<double> {};
 // from load and peak, which are inside 0.5 %).
 TEST_P(HalfspaceHertz, PeakApproachAndLoadAtSixtyFourCells) {
   const double a = 4e-3, b = a * GetParam(), p0 = 1e9;
-  const Hertz exact = hertz(a, b, p0);
+  const Hertz exact = closed_forms::hertz(steel, a, b, p0);
   for (const Prescribed prescribed : {Prescribed::load, Prescribed::approach}) {
     const GapSolution s = solve(a, b, p0, 64, prescribed);
     EXPECT_EQ(s.fault.status, WRC_OK);
@@ -81,7 +47,7 @@ TEST_P(HalfspaceHertz, PeakApproachAndLoadAtSixtyFourCells) {
 INSTANTIATE_TEST_SUITE_P(AxisRatio, HalfspaceHertz, testing::Values(1.0, 2.0, 5.0));
 
 TEST(HalfspaceNormal, ApproachConvergesFasterThanFirstOrder) {
-  const Hertz exact = hertz(4e-3, 8e-3, 1e9);
+  const Hertz exact = closed_forms::hertz(steel, 4e-3, 8e-3, 1e9);
   double before = 0.0;
   for (const int cells : {24, 48, 96}) {
     const GapSolution s = solve(4e-3, 8e-3, 1e9, cells, Prescribed::load);

@@ -63,8 +63,8 @@ inline OwnedGap s1002_on_uic60() {
 }
 
 /// Strips with the memory under them.
-struct OwnedStrips {
-  explicit OwnedStrips(std::int32_t capacity) : memory(static_cast<std::size_t>(5 * capacity)) {
+struct StripMemory {
+  explicit StripMemory(std::int32_t capacity) : memory(static_cast<std::size_t>(5 * capacity)) {
     strips.capacity = capacity;
     double* block = memory.data();
     for (double** field : {&strips.y, &strips.width, &strips.centre, &strips.half_length, &strips.peak}) {
@@ -72,8 +72,8 @@ struct OwnedStrips {
       block += capacity;
     }
   }
-  OwnedStrips(const OwnedStrips&) = delete;
-  OwnedStrips& operator=(const OwnedStrips&) = delete;
+  StripMemory(const StripMemory&) = delete;
+  StripMemory& operator=(const StripMemory&) = delete;
   std::vector<double> memory;
   Strips strips;
 };

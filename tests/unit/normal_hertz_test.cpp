@@ -55,7 +55,7 @@ TEST(HertzTheory, SphereIsTheTextbookOne) {
 
 TEST(Hertz, FindsTheApproachOfALoadAndBack) {
   const test::OwnedGap gap = test::elliptic_gap(1.1, 0.4, 25e-3);
-  test::OwnedStrips owned(60);
+  test::StripMemory owned(60);
   NormalSolution loaded, pressed;
   ASSERT_EQ(solve_hertz(test::under_load(gap, 80e3), owned.strips, loaded).status, WRC_OK);
   EXPECT_NEAR(loaded.normal_force, 80e3, 80e3 * 1e-9);
@@ -72,7 +72,7 @@ TEST(Hertz, FindsTheApproachOfALoadAndBack) {
 TEST(Hertz, DoesNotFlickerOnCurvatureSteps) {
   // Load rising in steps of 0.1 %: area must rise with it, by about (2/3) 0.1 % each time.
   const test::OwnedGap gap = test::s1002_on_uic60();
-  test::OwnedStrips owned(60);
+  test::StripMemory owned(60);
   double previous = 0.0;
   for (double load = 60e3; load < 100e3; load *= 1.001) {
     NormalSolution solution;

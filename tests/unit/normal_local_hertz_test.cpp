@@ -18,7 +18,7 @@ TEST(LocalHertz, IsHertzOnEllipticGaps) {
       SCOPED_TRACE(ratio);
       const HertzEllipse hertz = hertz_ellipse(1.0, 1.0 / ratio, 60e-6, test::steel.normal_compliance());
       const test::OwnedGap gap = test::elliptic_gap(1.0, 1.0 / ratio, 3.0 * hertz.b, 201);
-      test::OwnedStrips owned(240);
+      test::StripMemory owned(240);
       NormalSolution solution;
       ASSERT_EQ(solve(test::under_approach(gap, 60e-6, 240), owned.strips, solution).status, WRC_OK);
       EXPECT_NEAR(solution.normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
@@ -29,7 +29,7 @@ TEST(LocalHertz, IsHertzOnEllipticGaps) {
 
 TEST(LocalHertz, CarriesAPrescribedLoad) {
   const test::OwnedGap gap = test::s1002_on_uic60();
-  test::OwnedStrips owned(60);
+  test::StripMemory owned(60);
   for (const Solve solve : methods)
     for (const double load : {20e3, 80e3}) {
       NormalSolution solution;

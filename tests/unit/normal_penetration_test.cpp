@@ -17,7 +17,7 @@ namespace wrc {
 namespace {
 
 using test::OwnedGap;
-using test::OwnedStrips;
+using test::StripMemory;
 
 struct Method {
   const char* name;
@@ -68,7 +68,7 @@ TEST(Ekp, WithTheEllipseScaleIsHertzOnEllipticGaps) {
     const HertzEllipse hertz =
         hertz_ellipse(coefficient_x, coefficient_y, approach, test::steel.normal_compliance());
     const OwnedGap gap = test::elliptic_gap(coefficient_x, coefficient_y, 3.0 * hertz.b);
-    OwnedStrips owned(240);
+    StripMemory owned(240);
     NormalSolution solution;
     ASSERT_EQ(solve_ekp(test::under_approach(gap, approach, 240), {EkpScale::ellipse}, owned.strips, solution)
                   .status,
@@ -88,7 +88,7 @@ TEST(Ekp, WithTheAreaScaleKeepsHertzsAreaOnEllipticGaps) {
     const double approach = 60e-6;
     const HertzEllipse hertz = hertz_ellipse(1.0, 1.0 / ratio, approach, test::steel.normal_compliance());
     const OwnedGap gap = test::elliptic_gap(1.0, 1.0 / ratio, 3.0 * hertz.b);
-    OwnedStrips owned(240);
+    StripMemory owned(240);
     NormalSolution solution;
     ASSERT_EQ(solve_ekp(test::under_approach(gap, approach, 240), {}, owned.strips, solution).status, WRC_OK);
     EXPECT_NEAR(solution.area, pi * hertz.a * hertz.b, 1e-3 * pi * hertz.a * hertz.b);
@@ -99,7 +99,7 @@ TEST(KikPiotrowski, OnASphereWithHalfPenetrationIsHertz) {
   const double approach = 60e-6;
   const HertzEllipse hertz = hertz_ellipse(1.0, 1.0, approach, test::steel.normal_compliance());
   const OwnedGap gap = test::elliptic_gap(1.0, 1.0, 3.0 * hertz.b);
-  OwnedStrips owned(240);
+  StripMemory owned(240);
   NormalSolution solution;
   ASSERT_EQ(solve_kik_piotrowski(test::under_approach(gap, approach, 240), {.penetration_scale = 0.5},
                                  owned.strips, solution)
@@ -113,7 +113,7 @@ TEST(KikPiotrowski, ShapeCorrectionMakesTheOutlineHertzs) {
   const double approach = 60e-6;
   const HertzShape shape = hertz_shape(4.0);
   const OwnedGap gap = test::elliptic_gap(1.0, 0.25, 40e-3);
-  OwnedStrips plain(240), corrected(240);
+  StripMemory plain(240), corrected(240);
   NormalSolution solution, corrected_solution;
   const NormalProblem problem = test::under_approach(gap, approach, 240);
   ASSERT_EQ(solve_kik_piotrowski(problem, {}, plain.strips, solution).status, WRC_OK);
@@ -128,7 +128,7 @@ TEST(PenetrationMethods, GoFromLoadToApproachAndBack) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
     for (const double load : {5e3, 40e3, 80e3, 150e3}) {
-      OwnedStrips owned(60);
+      StripMemory owned(60);
       NormalSolution loaded, pressed;
       ASSERT_EQ(method.solve(test::under_load(gap, load), owned.strips, loaded).status, WRC_OK);
       EXPECT_NEAR(loaded.normal_force, load, 1e-9 * load);
@@ -156,7 +156,7 @@ TEST(PenetrationMethods, ScaleWithLengthAndStiffness) {
     small.add(s * gap.y[j], s * gap.height[j], gap.curvature[j] / s, s * gap.centre[j]);
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    OwnedStrips owned(60);
+    StripMemory owned(60);
     NormalSolution full, scaled;
     ASSERT_EQ(method.solve(test::under_approach(gap, 65e-6), owned.strips, full).status, WRC_OK);
     NormalProblem problem = test::under_approach(small, s * 65e-6);
@@ -173,7 +173,7 @@ TEST(PenetrationMethods, MirrorWithTheGap) {
   const OwnedGap mirror = test::mirrored(gap);
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    OwnedStrips right(60), left(60);
+    StripMemory right(60), left(60);
     NormalSolution here, there;
     ASSERT_EQ(method.solve(test::under_load(gap, 80e3), right.strips, here).status, WRC_OK);
     ASSERT_EQ(method.solve(test::under_load(mirror, 80e3), left.strips, there).status, WRC_OK);
@@ -190,7 +190,7 @@ TEST(PenetrationMethods, ConvergeWithTheNumberOfStrips) {
   const OwnedGap gap = test::s1002_on_uic60();
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    OwnedStrips owned(960);
+    StripMemory owned(960);
     NormalSolution limit;
     ASSERT_EQ(method.solve(test::under_load(gap, 80e3, 960), owned.strips, limit).status, WRC_OK);
     struct {
@@ -212,7 +212,7 @@ TEST(PenetrationMethods, MoveSmoothlyWithTheLoad) {
   const OwnedGap gap = test::s1002_on_uic60();
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    OwnedStrips owned(40);
+    StripMemory owned(40);
     double area = 0.0, border = 0.0;
     for (double load = 70e3; load < 90e3; load *= 1.001) {
       NormalSolution solution;
@@ -232,7 +232,7 @@ TEST(PenetrationMethods, MoveSmoothlyWithTheLoad) {
 TEST(Ekp, GivesThePatchPublishedForS1002OnUic60) {
   // Source paper: 80 kN gives a = 5.8 mm, b = 10.3 mm, psi = -0.3 (criteria (1), (2b) and (3)).
   const OwnedGap gap = test::s1002_on_uic60();
-  OwnedStrips owned(60);
+  StripMemory owned(60);
   NormalSolution solution;
   ASSERT_EQ(solve_ekp(test::under_load(gap, 80e3), {}, owned.strips, solution).status, WRC_OK);
   Sdec sdec;
@@ -246,7 +246,7 @@ TEST(Ekp, GivesThePatchPublishedForS1002OnUic60) {
 TEST(Ekp, FollowsTheLocusOfYaw) {
   OwnedGap gap = test::s1002_on_uic60();
   for (std::size_t j = 0; j < gap.y.size(); ++j) gap.centre[j] = -0.05 * gap.y[j];
-  OwnedStrips owned(60);
+  StripMemory owned(60);
   NormalSolution solution;
   ASSERT_EQ(solve_ekp(test::under_load(gap, 80e3), {}, owned.strips, solution).status, WRC_OK);
   for (int j = 0; j < 60; ++j) EXPECT_NEAR(owned.strips.centre[j], -0.05 * owned.strips.y[j], 1e-12);
@@ -262,7 +262,7 @@ TEST(PenetrationMethods, NameWhatIsWrong) {
   const OwnedGap good = test::s1002_on_uic60();
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    OwnedStrips owned(60);
+    StripMemory owned(60);
     NormalSolution solution;
     const auto status = [&](const NormalProblem& problem) {
       return method.solve(problem, owned.strips, solution).status;
@@ -307,7 +307,7 @@ TEST(PenetrationMethods, TakeAnOffsetGapForWhatItIs) {
   OwnedGap raised = test::s1002_on_uic60();
   for (double& height : raised.height) height += 1e-3;
   const OwnedGap gap = test::s1002_on_uic60();
-  OwnedStrips owned(60);
+  StripMemory owned(60);
   NormalSolution here, there;
   ASSERT_EQ(solve_ekp(test::under_load(gap, 80e3), {}, owned.strips, here).status, WRC_OK);
   ASSERT_EQ(solve_ekp(test::under_load(raised, 80e3), {}, owned.strips, there).status, WRC_OK);

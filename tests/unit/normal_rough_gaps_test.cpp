@@ -83,7 +83,7 @@ class RoughGaps : public testing::Test {
   std::vector<double> start_memory;
   NormalWorkspace workspace;
   StripHalfspaceStart start;
-  test::OwnedStrips owned;
+  test::StripMemory owned;
 };
 
 TEST_F(RoughGaps, Noise) {

@@ -15,7 +15,7 @@ namespace wrc {
 namespace {
 
 using test::OwnedGap;
-using test::OwnedStrips;
+using test::StripMemory;
 
 const StripKernel& kernel() {
   static const std::unique_ptr<StripKernel> tables = [] {
@@ -45,7 +45,7 @@ struct Solver {
   }
   const Strips& strips() const { return owned.strips; }
 
-  OwnedStrips owned;
+  StripMemory owned;
   std::vector<std::byte> scratch;
   std::vector<double> start_memory;
   NormalWorkspace workspace;

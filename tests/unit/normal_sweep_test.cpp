@@ -84,7 +84,7 @@ class LoadedWheel {
   std::unique_ptr<StripKernel> kernel_;
   std::vector<std::byte> scratch_;
   std::vector<double> start_memory_, rows_memory_;
-  test::OwnedStrips owned_;
+  test::StripMemory owned_;
   StripHalfspaceStart start_;
 };
 

@@ -10,12 +10,12 @@
 namespace wrc {
 namespace {
 
-using test::OwnedStrips;
+using test::StripMemory;
 
 TEST(SdecStrips, CarryTheLoadToRoundingForAnyCount) {
   for (const double psi : {-0.7, 0.0, 0.4})
     for (const int count : {4, 5, 20, 64}) {
-      OwnedStrips owned(64);
+      StripMemory owned(64);
       sdec_strips({4e-3, 6e-3, psi}, 0.0, 0.0, 17e3, count, owned.strips);
       EXPECT_NEAR(totals(owned.strips).normal_force, 17e3, 1e-9) << psi << " " << count;
     }
@@ -24,7 +24,7 @@ TEST(SdecStrips, CarryTheLoadToRoundingForAnyCount) {
 TEST(SdecStrips, ConvergeToTheRegion) {
   const Sdec sdec{4.25e-3, 6.375e-3, 0.4};
   const double area = pi * sdec.a * sdec.b;
-  OwnedStrips owned(256);
+  StripMemory owned(256);
   double previous = 1.0;
   for (const int count : {16, 32, 64, 128, 256}) {
     sdec_strips(sdec, 0.0, 0.0, 17e3, count, owned.strips);
@@ -42,7 +42,7 @@ TEST(SdecStrips, ConvergeToTheRegion) {
 }
 
 TEST(SdecStrips, MirrorWithTheShapeNumber) {
-  OwnedStrips right(20), left(20);
+  StripMemory right(20), left(20);
   sdec_strips({4e-3, 6e-3, 0.3}, 0.0, 0.0, 17e3, 20, right.strips);
   sdec_strips({4e-3, 6e-3, -0.3}, 0.0, 0.0, 17e3, 20, left.strips);
   for (int j = 0; j < 20; ++j) {
@@ -54,7 +54,7 @@ TEST(SdecStrips, MirrorWithTheShapeNumber) {
 
 TEST(Regularise, AnExactRegionIsItsOwnRegularisation) {
   const Sdec exact{4.25e-3, 6.375e-3, -0.4};
-  OwnedStrips owned(256);
+  StripMemory owned(256);
   sdec_strips(exact, 0.0, 1e-3, 17e3, 256, owned.strips);
   for (const SecondCriterion criterion : {SecondCriterion::aspect_ratio, SecondCriterion::width}) {
     Sdec sdec;

@@ -1,0 +1,248 @@
+/// A contact of the real-time side against the exact solver: wrc_exact_check and wrc_exact_gap, through the
+/// shared library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "offline_helpers.hpp"
+
+namespace {
+
+using namespace offline_helpers;
+
+class ExactCheck : public testing::Test {
+ protected:
+  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
+  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  wrc_exact_check_result result = made<wrc_exact_check_result>(wrc_exact_check_result_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  void SetUp() override {
+    wheel.kind = WRC_PROFILE_S1002;
+    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.wheel = &wheel;
+    config.rail = &rail;
+    load.normal_force = 80e3;
+    creepage.longitudinal = -0.49e-3;
+    creepage.lateral = -0.22e-3;
+    creepage.spin = 0.29;
+    creepage.speed = 20.0;
+    friction.coefficient = 0.35;
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
+  void TearDown() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  int32_t step() {
+    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+    wrc_output output = {sizeof output, 0, nullptr, nullptr, &forces, nullptr};
+    return wrc_step(contact, &input, &output);
+  }
+  int32_t check(Listener* listener = nullptr) {
+    return wrc_exact_check(contact, 32, 48, listener == nullptr ? nullptr : Listener::hear, listener,
+                           &result);
+  }
+  std::string error() const {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return text;
+  }
+};
+
+TEST_F(ExactCheck, ErrorsAreWhatTheForcesSay) {
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  EXPECT_NEAR(result.force_error,
+              std::hypot(forces.fx - result.fx, forces.fy - result.fy) / (0.35 * forces.fn), 1e-12);
+  EXPECT_NEAR(result.power_error, forces.power / result.power - 1.0, 1e-12);
+  EXPECT_NEAR(
+      result.power,
+      -20.0 * (result.fx * creepage.longitudinal + result.fy * creepage.lateral + result.mz * creepage.spin),
+      1e-9 * result.power);
+  EXPECT_GT(result.power, 0.0);
+  EXPECT_LT(result.force_error, 0.05);  // a real-time method worth having
+  EXPECT_LT(std::abs(result.power_error), 0.15);
+}
+
+TEST_F(ExactCheck, LeavesTheContactAsItWas) {
+  ASSERT_EQ(step(), WRC_OK);
+  wrc_damage before = made<wrc_damage>(wrc_damage_init), after = before;
+  ASSERT_EQ(wrc_damage_numbers(contact, &before), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK);
+  ASSERT_EQ(wrc_damage_numbers(contact, &after), WRC_OK);
+  EXPECT_EQ(after.power, before.power);
+  const double power = result.power;
+  ASSERT_EQ(check(), WRC_OK);
+  EXPECT_EQ(result.power, power);
+}
+
+TEST_F(ExactCheck, SolvesADoubleEllipseOfTheCaller) {
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  patch.a = 4e-3;
+  patch.b = 6e-3;
+  patch.psi = 0.4;
+  patch.normal_force = 60e3;
+  creepage = made<wrc_creepage>(wrc_creepage_init);
+  creepage.longitudinal = 0.02;  // all slips: Coulomb's force, and its power
+  ASSERT_EQ(wrc_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  EXPECT_NEAR(result.fx / (-0.35 * 60e3), 1.0, 5e-3);
+  EXPECT_NEAR(result.power / (0.35 * 60e3 * 0.02), 1.0, 5e-3);
+  EXPECT_LT(result.force_error, 5e-3);
+  EXPECT_EQ(result.adhesion_fraction, 0.0);
+}
+
+TEST_F(ExactCheck, AContactThatDoesNotTouchIsFlagged) {
+  load.prescribed = WRC_PRESCRIBE_APPROACH;
+  load.approach = -1e-5;
+  ASSERT_EQ(step(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(check(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(result.fx, 0.0);
+  EXPECT_EQ(result.power_error, 0.0);
+}
+
+TEST_F(ExactCheck, RefusesWhatItCannotCheck) {
+  EXPECT_EQ(check(), WRC_ERROR_SEQUENCE);
+  EXPECT_NE(error().find("wrc_step"), std::string::npos) << error();
+  ASSERT_EQ(step(), WRC_OK);
+  EXPECT_EQ(wrc_exact_check(nullptr, 32, 32, nullptr, nullptr, &result), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_check(contact, 32, 32, nullptr, nullptr, nullptr), WRC_ERROR_NULL);
+  result.fx = 7.0;
+  EXPECT_EQ(wrc_exact_check(contact, 4, 32, nullptr, nullptr, &result), WRC_ERROR_RANGE);
+  EXPECT_EQ(result.fx, 0.0);
+  EXPECT_NE(error().find("nx = 4"), std::string::npos) << error();
+  EXPECT_EQ(wrc_exact_check(contact, 32, 100000, nullptr, nullptr, &result), WRC_ERROR_RANGE);
+  result.struct_size = 8;
+  EXPECT_EQ(check(), WRC_ERROR_STRUCT_SIZE);
+  result.struct_size = sizeof result;
+  EXPECT_EQ(check(), WRC_OK);
+}
+
+TEST_F(ExactCheck, IsCancelled) {
+  ASSERT_EQ(step(), WRC_OK);
+  Listener listener{.allowed = 1, .fractions = {}};
+  EXPECT_EQ(check(&listener), WRC_ERROR_CANCELLED);
+  EXPECT_EQ(result.fx, 0.0);
+  EXPECT_EQ(result.power, 0.0);
+  EXPECT_EQ(check(), WRC_OK);
+}
+
+// The rows as the contact shows them: height + curvature/2 (x - centre)^2, over their smallest height.
+TEST_F(ExactCheck, GapReproducesItsRows) {
+  pose.yaw = 0.01;
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  wrc_view view[4];
+  const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
+                             WRC_FIELD_GAP_CURVATURE};
+  for (int k = 0; k < 4; ++k) {
+    view[k] = made<wrc_view>(wrc_view_init);
+    ASSERT_EQ(wrc_field(contact, 0, fields[k], &view[k]), WRC_OK);
+    ASSERT_EQ(view[k].stride[0], 1u);
+  }
+  const std::size_t rows = view[0].count[0];
+  const double lowest = *std::min_element(view[1].data, view[1].data + rows);
+  for (const std::size_t row : {rows / 4, rows / 2, 3 * rows / 4}) {
+    wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+    grid.nx = grid.ny = 4;
+    grid.dx = 1e-3;
+    grid.dy = 1e-4;
+    grid.x0 = -2e-3;
+    grid.y0 = view[0].data[row];  // its first row of cells lies on a row of the gap
+    std::vector<double> gap(16);
+    ASSERT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK) << error();
+    for (uint32_t i = 0; i < 4; ++i) {
+      const double x = grid.x0 + i * grid.dx - view[2].data[row];
+      EXPECT_NEAR(gap[i], view[1].data[row] - lowest + 0.5 * view[3].data[row] * x * x, 2e-9);
+    }
+  }
+}
+
+TEST_F(ExactCheck, GapRefusesWhatItCannotSample) {
+  wrc_grid grid = grid_over(8e-3, 8e-3, 16);
+  std::vector<double> gap(256, 7.0);
+  EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(gap[100], 0.0);
+  EXPECT_EQ(wrc_exact_gap(nullptr, &grid, gap.data()), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_gap(contact, nullptr, gap.data()), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_gap(contact, &grid, nullptr), WRC_ERROR_NULL);
+  ASSERT_EQ(step(), WRC_OK);
+  grid.dy = 1.0;
+  EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_ERROR_RANGE);
+  EXPECT_NE(error().find("grid.dy"), std::string::npos) << error();
+  grid.dy = nan_value;
+  EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_ERROR_NOT_FINITE);
+  grid.dy = 1e-3;
+  EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK);
+}
+
+// A gap of the caller with two hollows 24 mm apart: the exact solution is that of both patches together.
+TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
+  std::vector<double> y, height, curvature;
+  for (int j = 0; j < 161; ++j) {
+    y.push_back(0.25e-3 * (j - 80));
+    const double from_hollow = std::abs(y.back()) - 12e-3;
+    height.push_back(0.5 * 3.0 * from_hollow * from_hollow);
+    curvature.push_back(1.0 / 0.46);
+  }
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = 161;
+  gap.y = y.data();
+  gap.height = height.data();
+  gap.curvature = curvature.data();
+  creepage = made<wrc_creepage>(wrc_creepage_init);
+  creepage.longitudinal = 0.05;  // all slips
+  const wrc_input input = {sizeof input, 0, nullptr, &gap, &load, &creepage, &friction};
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
+  ASSERT_EQ(wrc_step(contact, &input, &output), WRC_OK) << error();
+  ASSERT_EQ(patch.patches, 2);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  EXPECT_NEAR(result.fx / (-0.35 * 80e3), 1.0, 5e-3);
+  EXPECT_NEAR(result.mz, 0.0, 5e-3 * 0.35 * 80e3 * 12e-3);  // the patches' moments cancel
+  EXPECT_LT(result.force_error, 5e-3);
+
+  const wrc_grid grid = grid_over(8e-3, 20e-3, 32);
+  std::vector<double> sampled(std::size_t{32} * 32);
+  ASSERT_EQ(wrc_exact_gap(contact, &grid, sampled.data()), WRC_OK) << error();
+  for (uint32_t j = 0; j < 32; ++j) {
+    const double here = grid.y0 + j * grid.dy, from_hollow = std::abs(here) - 12e-3, x = grid.x0;
+    if (std::abs(here) < 0.5e-3) continue;  // between the hollows the rows cut the ridge's corner
+    EXPECT_NEAR(sampled[std::size_t{j} * 32], 1.5 * from_hollow * from_hollow + 0.5 * x * x / 0.46, 1e-7)
+        << here;
+  }
+}
+
+// The whole way: profiles, exact normal contact, exact rolling; beside the contact's own strips.
+TEST_F(ExactCheck, ExactNormalOfTheProfilesCarriesTheLoad) {
+  ASSERT_EQ(step(), WRC_OK);
+  wrc_grid grid = grid_over(8e-3, 16e-3, 64);
+  std::vector<double> gap(64 * 64);
+  ASSERT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK);
+  EXPECT_NEAR(*std::min_element(gap.begin(), gap.end()), 0.0, 1e-7);
+  wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+  wrc_exact_normal_solution solution = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+  problem.grid = &grid;
+  problem.gap = gap.data();
+  problem.normal_force = 80e3;
+  char text[256];
+  ASSERT_EQ(wrc_exact_normal(&problem, &solution, text, sizeof text), WRC_OK) << text;
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  ASSERT_EQ(wrc_contact_patch(contact, 0, &patch, nullptr), WRC_OK);
+  EXPECT_NEAR(patch.approach / solution.approach, 1.0, 0.02);
+  EXPECT_NEAR(patch.peak_pressure / solution.peak_pressure, 1.0, 0.05);
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include "kinds.hpp"
+#include "library.hpp"
+
+namespace compare {
+namespace {
+
+struct Variant {
+  const char* name;
+  int32_t normal, tangential, bound;
+};
+
+constexpr Variant variants[] = {
+    {"strip_halfspace + strip_fastsim", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_STRIP_FASTSIM,
+     WRC_BOUND_ELLIPTIC},
+    {"strip_halfspace + fastsim_sdec/parabolic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+     WRC_BOUND_PARABOLIC},
+    {"strip_halfspace + fastsim_sdec/elliptic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+     WRC_BOUND_ELLIPTIC},
+    {"ekp + strip_fastsim", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC},
+    {"ekp + fastsim_sdec/parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
+    {"ekp + fastsim_eql/parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
+};
+
+}  // namespace
+
+Report compare_wheelrail(const Csv& file) {
+  const wrc_config standard = made<wrc_config>(wrc_config_init);
+  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
+  wheel.kind = WRC_PROFILE_S1002;
+  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  Report report;
+  report.kind = "wheelrail";
+  report.rows = file.rows();
+  report.measures = {"force", "power", "peak_pressure", "area", "approach"};
+  report.default_variant = variants[0].name;
+  for (const Variant& variant : variants) {
+    report.variants.emplace_back(variant.name);
+    for (std::size_t row = 0; row < file.rows(); ++row) {
+      wrc_config config = standard;
+      config.normal_method = variant.normal;
+      config.tangential_method = variant.tangential;
+      config.traction_bound = variant.bound;
+      config.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.poisson = file(row, "nu");
+      config.wheel = &wheel;
+      config.rail = &rail;
+      const Solver solver(config);
+      wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+      pose.lateral = 1e-3 * file(row, "y_ws_mm");
+      pose.roll = file(row, "roll_rad");
+      pose.yaw = file(row, "yaw_rad");
+      wrc_load load = made<wrc_load>(wrc_load_init);
+      load.normal_force = file(row, "Fn_N");
+      wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+      friction.coefficient = file(row, "mu");
+      wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+      wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+      wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+      int32_t status = wrc_geometry(solver.contact(), &pose, &point);
+
+      // The file's creepages are those of the rail over the wheel, at the reference's contact location, and
+      // so are its forces: with both signs changed they are ours. The creepage moves to our origin with the
+      // spin.
+      wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+      const double y = (1e-3 * file(row, "ycp_rail_mm") - point.y_rail) / std::cos(point.angle);
+      creepage.spin = file(row, "cphi_per_m");
+      creepage.longitudinal = file(row, "cksi") + creepage.spin * y;
+      creepage.lateral = file(row, "ceta");
+      creepage.speed = file(row, "vs_mps");
+      if (status >= 0) status = wrc_normal(solver.contact(), nullptr, &load, &patch);
+      if (status >= 0) status = wrc_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
+      if (status < 0) {
+        report.fail(row, variant.name, solver.reason(status));
+        continue;
+      }
+      auto& errors = report.errors[variant.name];
+      const double limit = friction.coefficient * load.normal_force;
+      errors["force"].add(row,
+                          std::hypot(forces.fx - file(row, "Fx_N"), forces.fy - file(row, "Fy_N")) / limit);
+      errors["power"].add(row, forces.power / file(row, "P_W") - 1.0);
+      errors["peak_pressure"].add(row, patch.peak_pressure / (1e6 * file(row, "pmax_MPa")) - 1.0);
+      errors["area"].add(row, patch.area / (1e-6 * file(row, "area_mm2")) - 1.0);
+      errors["approach"].add(row, patch.approach / (1e-3 * file(row, "pen_mm")) - 1.0);
+    }
+  }
+  return report;
+}
+
+}  // namespace compare
