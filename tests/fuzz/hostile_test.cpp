@@ -19,7 +19,7 @@ constexpr double longest_call = 120.0;  // [s]
 
 hostile::Verdict play(long number) {
   hostile::Choices choices(seed + static_cast<std::uint64_t>(number) * 1000003U);
-  return hostile::play(choices);
+  return hostile::play(choices, 512);
 }
 
 }  // namespace

@@ -125,7 +125,8 @@ void make_rail(Choices& choices, ProfilePoints& rail) {
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
 
-wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_profile* rail) {
+wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile* wheel,
+                       const wrc_profile* rail) {
   const auto count = [&](double low, double high) {
     return static_cast<std::int32_t>(choices.magnitude(low, high));
   };
@@ -135,9 +136,9 @@ wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_pro
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
   config.tangential_method = static_cast<std::int32_t>(choices.below(4));
   config.traction_bound = static_cast<std::int32_t>(choices.below(2));
-  config.strips = count(4.0, 512.0);
-  config.cells = count(4.0, 512.0);
-  config.gap_rows = count(8.0, 4096.0);
+  config.strips = count(4.0, finest);
+  config.cells = count(4.0, finest);
+  config.gap_rows = count(8.0, 8.0 * finest);
   config.max_patches = count(1.0, 16.0);
   config.warm_start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2)) config.max_iterations = count(4.0, 1000.0);

@@ -33,7 +33,9 @@ struct StripArrays {
 
 void make_wheel(Choices& choices, ProfilePoints& made);
 void make_rail(Choices& choices, ProfilePoints& made);
-wrc_config make_config(Choices& choices, const wrc_profile* wheel, const wrc_profile* rail);
+/// At most `finest` strips and cells, 512 being what the interface allows.
+wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile* wheel,
+                       const wrc_profile* rail);
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);

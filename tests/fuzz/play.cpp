@@ -82,7 +82,7 @@ bool documented(std::int32_t status) {
 
 class Case {
  public:
-  explicit Case(Choices& choices) : choices_(choices) {}
+  Case(Choices& choices, std::int32_t finest) : choices_(choices), finest_(finest) {}
   ~Case() {
     wrc_contact_destroy(contact_);
     wrc_model_destroy(model_);
@@ -94,7 +94,7 @@ class Case {
     ProfilePoints wheel, rail;
     make_wheel(choices_, wheel);
     make_rail(choices_, rail);
-    config_ = make_config(choices_, &wheel.profile, &rail.profile);
+    config_ = make_config(choices_, finest_, &wheel.profile, &rail.profile);
     const std::int32_t status = timed([&] { return wrc_model_create(&config_, nullptr, &model_); });
     if (status != WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
@@ -332,6 +332,7 @@ class Case {
   }
 
   Choices& choices_;
+  std::int32_t finest_;
   Verdict verdict_;
   const char* where_ = "model";
   wrc_config config_{};
@@ -341,6 +342,6 @@ class Case {
 
 }  // namespace
 
-Verdict play(Choices& choices) { return Case(choices).play(); }
+Verdict play(Choices& choices, std::int32_t finest) { return Case(choices, finest).play(); }
 
 }  // namespace hostile

@@ -16,6 +16,7 @@ struct Verdict {
   double slowest_call = 0.0;  ///< [s]
 };
 
-Verdict play(Choices& choices);
+/// Grids are at most `finest` by `finest` cells.
+Verdict play(Choices& choices, std::int32_t finest);
 
 }  // namespace hostile
