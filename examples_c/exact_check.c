@@ -20,8 +20,8 @@ static int32_t show_progress(double fraction, void* user) {
 }
 
 int main(void) {
-  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL};
-  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL};
+  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
+  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
   wrc_config config;
   config.struct_size = sizeof config;
   wrc_config_init(&config);
