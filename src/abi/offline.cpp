@@ -134,15 +134,17 @@ Fault read_materials(const wrc_materials* theirs, Material& material) {
     const Fault fault = read(theirs, "materials", ours);
     if (fault.failed()) return fault;
   }
-  const double inverse = 0.5 * (1.0 / ours.shear_modulus_1 + 1.0 / ours.shear_modulus_2);
-  material.shear_modulus = 1.0 / inverse;
-  material.poisson =
-      0.5 * (ours.poisson_1 / ours.shear_modulus_1 + ours.poisson_2 / ours.shear_modulus_2) / inverse;
-  return first_of(
+  const Fault fault = first_of(
       {check(ours.shear_modulus_1, "materials.shear_modulus_1", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
        check(ours.shear_modulus_2, "materials.shear_modulus_2", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
        check(ours.poisson_1, "materials.poisson_1", "", 0.0, 0.5),
        check(ours.poisson_2, "materials.poisson_2", "", 0.0, 0.5)});
+  if (fault.failed()) return fault;
+  const double inverse = 0.5 * (1.0 / ours.shear_modulus_1 + 1.0 / ours.shear_modulus_2);
+  material.shear_modulus = 1.0 / inverse;
+  material.poisson =
+      0.5 * (ours.poisson_1 / ours.shear_modulus_1 + ours.poisson_2 / ours.shear_modulus_2) / inverse;
+  return fault;
 }
 
 /// One of the values 0..last of an enumeration.
