@@ -19,7 +19,7 @@ class Sentence {
 
   void add(double number) {
     if (std::isnan(number)) return add("NaN");  // to_chars writes "nan", and the sign of a NaN is noise
-    char digits[32];
+    char digits[32] = {};
     const auto result =
         std::to_chars(digits, digits + sizeof digits - 1, number, std::chars_format::general, 6);
     *result.ptr = '\0';
@@ -27,7 +27,7 @@ class Sentence {
   }
 
   void add(std::int32_t number) {
-    char digits[16];
+    char digits[16] = {};
     const auto result = std::to_chars(digits, digits + sizeof digits - 1, number);
     *result.ptr = '\0';
     add(digits);

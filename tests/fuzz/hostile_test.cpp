@@ -1,5 +1,5 @@
 /// Thousands of hostile cases from a fixed seed.
-///   hostile_test [seconds]          as many as fit, at most `most_cases`
+///   hostile_test [seconds [cases]]  as many as fit, at most `cases` (default `most_cases`)
 ///   hostile_test --case NUMBER      one of them, to debug it
 #include <algorithm>
 #include <chrono>
@@ -31,10 +31,11 @@ int main(int argc, char** argv) {
     return verdict.broken.empty() ? 0 : 1;
   }
   const double seconds = argc > 1 ? std::atof(argv[1]) : 20.0;
+  const long limit = argc > 2 ? std::atol(argv[2]) : most_cases;
   const auto start = std::chrono::steady_clock::now();
   long cases = 0, models = 0, calls = 0, solved = 0, failed = 0;
   double slowest = 0.0;
-  for (; cases < most_cases; ++cases) {
+  for (; cases < limit; ++cases) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (spent.count() > seconds) break;
     hostile::Verdict verdict = play(cases);
