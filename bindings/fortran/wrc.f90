@@ -37,6 +37,8 @@ module wrc
     real(c_double) :: shear_modulus, poisson, load_tolerance, gap_limit, shear_yield, wheel_radius
     real(c_double) :: flange_back_distance, track_gauge, gauge_depth, rail_inclination
     type(c_ptr) :: wheel, rail
+    integer(c_int32_t) :: flexibility, instruction_set
+    type(c_ptr) :: force_table
   end type
 
   type, bind(C) :: wrc_pose

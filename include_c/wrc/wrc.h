@@ -133,6 +133,21 @@ enum wrc_traction_bound {
   WRC_BOUND_ELLIPTIC = 1   /**< friction * pressure */
 };
 
+/** How the flexibilities of linear theory enter the FASTSIM variants; strip FASTSIM has its own way. */
+enum wrc_flexibility {
+  WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
+  WRC_FLEXIBILITY_SINGLE = 1,   /**< their weighted mean for all: right traction directions at large creepage */
+  WRC_FLEXIBILITY_BLENDED = 2   /**< from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023) */
+};
+
+/** Instruction set of the kernels. Results are the same bits with all of them. */
+enum wrc_instruction_set {
+  WRC_INSTRUCTIONS_BEST = 0,     /**< the widest this processor has */
+  WRC_INSTRUCTIONS_BASELINE = 1, /**< what every processor of this architecture has: SSE2, NEON */
+  WRC_INSTRUCTIONS_AVX2 = 2,     /**< x86-64 with AVX2 */
+  WRC_INSTRUCTIONS_AVX512 = 3    /**< x86-64 with AVX-512 F, DQ, VL */
+};
+
 /** Which of load and approach is given; the other is a result. */
 enum wrc_prescribed {
   WRC_PRESCRIBE_LOAD = 0,    /**< normal_force is given */
@@ -212,6 +227,9 @@ typedef struct wrc_config {
   double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */
+  int32_t flexibility;         /**< enum wrc_flexibility [separate] */
+  int32_t instruction_set;     /**< enum wrc_instruction_set [best]; one this processor lacks is WRC_ERROR_UNSUPPORTED */
+  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE [NULL] */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. */

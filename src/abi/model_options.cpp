@@ -124,6 +124,12 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
       return unsupported("config.tangential_method", config.tangential_method,
                          "see enum wrc_tangential_method");
   }
+  if (config.flexibility != WRC_FLEXIBILITY_SEPARATE) {
+    return unsupported("config.flexibility", config.flexibility, "see enum wrc_flexibility");
+  }
+  if (config.instruction_set != WRC_INSTRUCTIONS_BEST) {
+    return unsupported("config.instruction_set", config.instruction_set, "see enum wrc_instruction_set");
+  }
   switch (config.traction_bound) {
     case WRC_BOUND_PARABOLIC:
       options.traction_bound = TractionBound::parabolic;
