@@ -34,18 +34,21 @@ struct CellRow {
 /// Bound at the middle of each strip, as the factors of a common part and of what differs between strips.
 struct BoundScale {
   double per_pressure = 0.0;       ///< elliptic: mu
+  double per_length = 0.0;         ///< ellipsoidal: mu N / IInt sqrt(x_l^2 - x^2) dA
   double per_length_square = 0.0;  ///< parabolic: mu N / IInt (x_l^2 - x^2) dA
 };
 
 BoundScale bound_scale(const TangentialProblem& problem) {
-  if (problem.bound == TractionBound::elliptic) return {problem.friction, 0.0};
+  if (problem.bound == TractionBound::elliptic) return {problem.friction.mean, 0.0, 0.0};
+  const bool parabolic = problem.bound == TractionBound::parabolic;
   double integral = 0.0;
   const Strips& strips = problem.region;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double l = strips.half_length[j];
-    integral += 4.0 / 3.0 * l * l * l * strips.width[j];
+    integral += parabolic ? 4.0 / 3.0 * l * l * l * strips.width[j] : 0.5 * pi * l * l * strips.width[j];
   }
-  return {0.0, integral > 0.0 ? problem.friction * totals(strips).normal_force / integral : 0.0};
+  const double scale = integral > 0.0 ? problem.friction.mean * totals(strips).normal_force / integral : 0.0;
+  return parabolic ? BoundScale{0.0, 0.0, scale} : BoundScale{0.0, scale, 0.0};
 }
 
 Group prepare(const TangentialProblem& problem, const BoundScale& scale, std::int32_t first,
@@ -64,10 +67,13 @@ Group prepare(const TangentialProblem& problem, const BoundScale& scale, std::in
     g.gx[k] = creep.longitudinal / L.l11 - creep.spin * g.y[k] / L.l13;
     g.gy[k] = creep.lateral / L.l22 + creep.spin * g.lead[k] / L.l23;
     g.gy_rate[k] = creep.spin / L.l23;
-    g.bound[k] = scale.per_pressure * problem.region.peak[j] + scale.per_length_square * l * l;
+    const double share = problem.friction.share(j);
+    g.bound[k] = (scale.per_pressure * problem.region.peak[j] + scale.per_length * l +
+                  scale.per_length_square * l * l) *
+                 share;
     const AdhesionGrowth growth{g.gx[k], g.gy[k], 0.5 * g.gy_rate[k]};
     g.onset[k] = problem.bound == TractionBound::parabolic
-                     ? onset_parabolic(growth, scale.per_length_square, l)
+                     ? onset_parabolic(growth, scale.per_length_square * share, l)
                      : onset_elliptic(growth, g.bound[k] / l, l);
   }
   return g;

@@ -10,6 +10,7 @@
 
 #include "linear_theory/flexibility.hpp"
 #include "patch/strips.hpp"
+#include "tangential/strip_friction.hpp"
 
 namespace wrc {
 
@@ -19,17 +20,20 @@ struct Creepage {
   double spin = 0.0;          ///< phi [1/m]
 };
 
-/// Form of the traction bound tau_b(x, y) over a strip. Both integrate to mu N over the patch.
+/// Form of the traction bound tau_b(x, y) over a strip. All integrate to mu N over the patch where mu is the
+/// same everywhere; where it is not, each strip has its own mu in place of the patch's.
 enum class TractionBound {
-  parabolic,  ///< mu N (x_l^2 - x^2) / IInt (x_l^2 - x^2) dA: Liu, Bruni (2024), eq. 9, on any region
-  elliptic,   ///< mu p_n, the semi-elliptic pressure of each strip as the normal method gives it
+  parabolic,    ///< mu N (x_l^2 - x^2) / IInt (x_l^2 - x^2) dA: Liu, Bruni (2024), eq. 9, on any region
+  elliptic,     ///< mu p_n, the semi-elliptic pressure of each strip as the normal method gives it
+  ellipsoidal,  ///< mu N sqrt(x_l^2 - x^2) / IInt sqrt(x_l^2 - x^2) dA: the pressure of a Kik-Piotrowski
+                ///< patch
 };
 
 struct TangentialProblem {
   Strips region;  ///< where tractions live, with their pressure
   Creepage creepage;
   Flexibility flexibility;
-  double friction = 0.0;  ///< mu [-]
+  StripFriction friction;  ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
 };
 

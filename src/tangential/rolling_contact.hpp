@@ -16,7 +16,7 @@ struct RollingContact {
   const SdecTable* linear_theory = nullptr;  ///< of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;           ///< cells along each strip
   Creepage creepage;                         ///< at the initial contact point
-  double friction = 0.0;                     ///< mu [-]
+  StripFriction friction;                    ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
 };
 

@@ -20,6 +20,7 @@ struct Model {
   T l11, l13, l22, l23;    ///< flexibilities of the stick zone [m/Pa]
   double t11, t22;         ///< flexibilities of linear theory, for the turning of slip [m/Pa]
   T turning;               ///< factor on them
+  StripFriction shares;    ///< how friction differs between the strips
   double stick_form;       ///< share of FASTSIM's form of the stick zone in strip theory's
   double bound_per_width;  ///< 4 / (3 a): B = bound_per_width mu p / l
 };
@@ -78,6 +79,7 @@ Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& p
   m.nu_y = nu_y;
   m.phi = phi;
   m.friction = friction;
+  m.shares = c.friction;
   m.t11 = linear.l11;
   m.t22 = linear.l22;
   m.bound_per_width = 4.0 / (3.0 * c.a);
@@ -122,7 +124,7 @@ void prepare(const Model<T>& m, const Strips& strips, std::int32_t first, std::i
     g.gx[i] = gx;
     g.gy[i] = gy;
     g.k[i] = k;
-    g.bound[i] = m.friction * strips.peak[j];
+    g.bound[i] = m.friction * (m.shares.share(j) * strips.peak[j]);
     const T B = m.bound_per_width * g.bound[i] / l;
     g.B[i] = B;
     g.elastic[i] = B * (m.l11 - m.l22);
@@ -318,7 +320,8 @@ TangentialForces result(double fx, double fy, double mz, double area, double sli
 
 TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
   const Creepage& c = contact.creepage;
-  const Model<double> m = model<double>(contact, c.longitudinal, c.lateral, c.spin, contact.friction, fault);
+  const Model<double> m =
+      model<double>(contact, c.longitudinal, c.lateral, c.spin, contact.friction.mean, fault);
   const Forces<double> f = solve(contact, m, fields);
   const TangentialForces forces = result(f.fx, f.fy, f.mz, f.area, f.slid_area, c);
   const double scale = f.local_power > 0.0 ? forces.power_per_speed / f.local_power : 0.0;
@@ -336,13 +339,13 @@ TangentialForces strip_fastsim(const RollingContact& contact, TangentialSensitiv
   const Creepage& c = contact.creepage;
   const Model<Number> m =
       model<Number>(contact, Number::input(c.longitudinal, 0), Number::input(c.lateral, 1),
-                    Number::input(c.spin, 2), Number::input(contact.friction, 3), fault);
+                    Number::input(c.spin, 2), Number::input(contact.friction.mean, 3), fault);
   const Forces<Number> f = solve(contact, m, {});
   const double N = totals(contact.region).normal_force;
   const Number* rows[3] = {&f.fx, &f.fy, &f.mz};
   for (int r = 0; r < 3; ++r) {
     const auto& d = rows[r]->d;
-    const double columns[5] = {d[0], d[1], d[2], N > 0.0 ? d[3] * contact.friction / N : 0.0, d[3]};
+    const double columns[5] = {d[0], d[1], d[2], N > 0.0 ? d[3] * contact.friction.mean / N : 0.0, d[3]};
     std::copy_n(columns, 5, sensitivities.d[r]);
   }
   return result(f.fx.value, f.fy.value, f.mz.value, f.area, f.slid_area, c);

@@ -12,7 +12,8 @@ using test::OwnedStrips;
 using test::RandomCase;
 using test::sdec_strips;
 
-constexpr TractionBound bounds[] = {TractionBound::parabolic, TractionBound::elliptic};
+constexpr TractionBound bounds[] = {TractionBound::parabolic, TractionBound::elliptic,
+                                    TractionBound::ellipsoidal};
 
 TEST(March, FullAdhesionGivesTheForcesOfLinearTheory) {
   const double a = 4e-3, b = 6e-3, psi = 0.4, G = 80e9;

@@ -72,9 +72,12 @@ inline TangentialForces textbook_fastsim(const TangentialProblem& problem, int c
   const Strips& s = problem.region;
   const Creepage& c = problem.creepage;
   const Flexibility& L = problem.flexibility;
-  double integral = 0.0;
-  for (int j = 0; j < s.count; ++j) integral += 4.0 / 3.0 * std::pow(s.half_length[j], 3) * s.width[j];
-  const double B = problem.friction * totals(s).normal_force / integral;
+  double cubes = 0.0, squares = 0.0;
+  for (int j = 0; j < s.count; ++j) {
+    cubes += 4.0 / 3.0 * std::pow(s.half_length[j], 3) * s.width[j];
+    squares += 0.5 * pi * std::pow(s.half_length[j], 2) * s.width[j];
+  }
+  const double N = totals(s).normal_force;
   TangentialForces f;
   double area = 0.0, slid = 0.0;
   for (int j = 0; j < s.count; ++j) {
@@ -86,9 +89,12 @@ inline TangentialForces textbook_fastsim(const TangentialProblem& problem, int c
       const double x_step = x + 0.5 * step;
       const double qx = px - step * (c.longitudinal / L.l11 - c.spin * y / L.l13);
       const double qy = py - step * (c.lateral / L.l22 + c.spin * x_step / L.l23);
-      const double tau = problem.bound == TractionBound::parabolic
-                             ? B * (l * l - from_centre * from_centre)
-                             : problem.friction * s.peak[j] * std::sqrt(1.0 - std::pow(from_centre / l, 2));
+      const double parabola = l * l - from_centre * from_centre;
+      const double per_friction = problem.bound == TractionBound::parabolic ? N / cubes * parabola
+                                  : problem.bound == TractionBound::ellipsoidal
+                                      ? N / squares * std::sqrt(parabola)
+                                      : s.peak[j] / l * std::sqrt(parabola);
+      const double tau = problem.friction[j] * per_friction;
       const double q = std::hypot(qx, qy);
       px = q <= tau ? qx : tau * qx / q;
       py = q <= tau ? qy : tau * qy / q;

@@ -152,7 +152,7 @@ TEST(StripFastsim, SensitivitiesAreTheDerivativesOfTheForces) {
       const auto at = [&](double offset) {
         RollingContact moved = contact;
         double* input[4] = {&moved.creepage.longitudinal, &moved.creepage.lateral, &moved.creepage.spin,
-                            &moved.friction};
+                            &moved.friction.mean};
         *input[k] += offset * step[k];
         return strip_fastsim(moved, TangentialFields{}, fault);
       };
