@@ -34,6 +34,9 @@ class SdecTable {
   /// Those of an ellipse of the same material.
   const KalkerTable& ellipse() const { return ellipse_; }
 
+  /// The Poisson ratio of the bodies.
+  double poisson() const { return poisson_; }
+
  private:
   /// The table's rows and the two limits of slender patches.
   using Shape = HermiteTable<tables::sdec.size() + 2>;

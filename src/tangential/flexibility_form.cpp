@@ -1,0 +1,63 @@
+#include "tangential/flexibility_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patch/material.hpp"
+
+namespace wrc {
+namespace {
+
+/// The creepages nu_y and nu_x [-] that make, in full adhesion and with the same flexibilities, the forces
+/// spin phi = 1 makes: from IInt (x - x_l) = -(8/3) a^2 b, IInt y (x - x_l) = -2 a^2 b^2 psi,
+/// IInt (x^2 - x_l^2) / 2 = -(pi/4) a^3 b over a double ellipse.
+double lateral_of_spin(double a) { return 3.0 * pi * a / 32.0; }
+double longitudinal_of_spin(double b, double shape_number) { return 0.75 * b * shape_number; }
+
+}  // namespace
+
+double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+                          const Creepage& creepage) {
+  const double x = std::fabs(creepage.longitudinal), y = std::fabs(creepage.lateral);
+  const double s = std::sqrt(a * b) * std::fabs(creepage.spin);
+  const double size = std::sqrt(x * x + y * y + s * s);
+  if (size == 0.0) return separate.l11;
+  const double across = lateral_of_spin(a), along = std::fabs(longitudinal_of_spin(b, shape_number));
+  const double l3 = (across * separate.l23 + along * separate.l13) / (across + along);
+  return (x * separate.l11 + y * separate.l22 + s * l3) / size;
+}
+
+Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+                                const Creepage& creepage, double limit) {
+  const auto square = [](double value) { return value * value; };
+  const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
+  const double across2 = square(lateral_of_spin(a) * creepage.spin);
+  const double along2 = square(longitudinal_of_spin(b, shape_number) * creepage.spin);
+  const double stiffness =
+      x2 / separate.l11 + y2 / separate.l22 + across2 / separate.l23 + along2 / separate.l13;
+  if (stiffness == 0.0) return separate;
+  const double common = (x2 + y2 + across2 + along2) / stiffness;
+  const double per_flexibility = 3.0 * limit / (8.0 * a * a * b);
+  const double saturation2 = square(per_flexibility) * (square(separate.l11) + square(separate.l22));
+  const double w = x2 + y2 < 9.0 * saturation2 ? std::sqrt((x2 + y2) / saturation2) / 3.0 : 1.0;
+  const auto blend = [&](double own) { return (1.0 - w) * own + w * common; };
+  return {blend(separate.l11), blend(separate.l13), blend(separate.l22), blend(separate.l23)};
+}
+
+Flexibility in_form(const Flexibility& separate, const RollingContact& contact, double shape_number,
+                    const Creepage& creepage) {
+  switch (contact.form) {
+    case FlexibilityForm::separate:
+      break;
+    case FlexibilityForm::single: {
+      const double l = single_flexibility(separate, contact.a, contact.b, shape_number, creepage);
+      return {l, l, l, l};
+    }
+    case FlexibilityForm::blended:
+      return blended_flexibility(separate, contact.a, contact.b, shape_number, creepage,
+                                 contact.friction.mean * totals(contact.region).normal_force);
+  }
+  return separate;
+}
+
+}  // namespace wrc
