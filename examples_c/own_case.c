@@ -204,7 +204,10 @@ int main(int argc, char** argv) {
   wrc_load load = {sizeof load, WRC_PRESCRIBE_LOAD, given.load, 0.0};
   wrc_creepage creepage = {sizeof creepage,   0,          given.creepage[0], given.creepage[1],
                            given.creepage[2], given.speed};
-  wrc_friction friction = {sizeof friction, 0, given.friction};
+  wrc_friction friction;
+  friction.struct_size = sizeof friction;
+  wrc_friction_init(&friction);
+  friction.coefficient = given.friction;
   wrc_contact_point point;
   wrc_patch patch;
   wrc_forces forces;

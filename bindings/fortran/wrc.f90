@@ -22,7 +22,14 @@ module wrc
   integer(c_int32_t), parameter :: WRC_TANGENTIAL_FASTSIM = 0, WRC_TANGENTIAL_FASTSIM_EQE = 1, &
                                    WRC_TANGENTIAL_FASTSIM_EQL = 2, WRC_TANGENTIAL_FASTSIM_SDEC = 3, &
                                    WRC_TANGENTIAL_STRIP_FASTSIM = 4
-  integer(c_int32_t), parameter :: WRC_BOUND_PARABOLIC = 0, WRC_BOUND_ELLIPTIC = 1
+  integer(c_int32_t), parameter :: WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, WRC_TANGENTIAL_FASTRIP = 7, &
+                                   WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, WRC_TANGENTIAL_FASTRIP_SDEC = 9
+  integer(c_int32_t), parameter :: WRC_BOUND_PARABOLIC = 0, WRC_BOUND_ELLIPTIC = 1, WRC_BOUND_ELLIPSOIDAL = 2
+  integer(c_int32_t), parameter :: WRC_FLEXIBILITY_SEPARATE = 0, WRC_FLEXIBILITY_SINGLE = 1, &
+                                   WRC_FLEXIBILITY_BLENDED = 2
+  integer(c_int32_t), parameter :: WRC_FRICTION_CONSTANT = 0, WRC_FRICTION_FALLING = 1, &
+                                   WRC_FRICTION_STATIC_KINETIC = 2
+  integer(c_int32_t), parameter :: WRC_ZONES_CONTACT_FRAME = 0, WRC_ZONES_RAIL_PROFILE = 1
   integer(c_int32_t), parameter :: WRC_PRESCRIBE_LOAD = 0, WRC_PRESCRIBE_APPROACH = 1
 
   type, bind(C) :: wrc_profile
@@ -64,6 +71,10 @@ module wrc
   type, bind(C) :: wrc_friction
     integer(c_int32_t) :: struct_size, reserved
     real(c_double) :: coefficient
+    integer(c_int32_t) :: kind, zone_frame
+    real(c_double) :: kinetic_ratio, fall_rate, half_speed, slope_reduction, slope_limit, slope_fall
+    type(c_ptr) :: zone_y, zone_coefficient
+    integer(c_int32_t) :: zones, zones_reserved
   end type
 
   type, bind(C) :: wrc_patch

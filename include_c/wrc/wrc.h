@@ -123,21 +123,48 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_FASTSIM_EQE = 1,  /**< ellipse centred at mid-width, creepage corrected for the shift */
   WRC_TANGENTIAL_FASTSIM_EQL = 2,  /**< actual patch, flexibilities of the equivalent ellipse */
   WRC_TANGENTIAL_FASTSIM_SDEC = 3, /**< actual patch, four flexibilities of the equivalent double ellipse */
-  WRC_TANGENTIAL_STRIP_FASTSIM = 4 /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; its bound
-                                        is friction * pressure, config.traction_bound is not used */
+  WRC_TANGENTIAL_STRIP_FASTSIM = 4, /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; its bound
+                                         is friction * pressure, config.traction_bound is not used */
+  WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, /**< FASTSIM_EQL with the slope falling as slip grows (friction.slope_limit,
+                                            slope_fall); Spiryagin, Polach, Cole, VSD 51 (2013) */
+  WRC_TANGENTIAL_FASTRIP = 7,          /**< FaStrip, VSD 54 (2016): strip theory where it sticks, FASTSIM's directions
+                                            where it slips; equivalent ellipse centred at the contact point */
+  WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, /**< FaStrip on the actual patch, coefficients of the equivalent ellipse */
+  WRC_TANGENTIAL_FASTRIP_SDEC = 9      /**< FaStrip on the actual patch, coefficients of the equivalent double ellipse.
+                                            All three FaStrips: bound friction * pressure; config.traction_bound and
+                                            config.flexibility are not used */
 };
 
-/** Form of the traction bound along a strip. Both integrate to friction * load over the patch. */
+/** Form of the traction bound along a strip. All integrate to friction * load over the patch where friction is the
+ * same everywhere. */
 enum wrc_traction_bound {
-  WRC_BOUND_PARABOLIC = 0, /**< paper eq. 9: right slope at the leading edge; integrates to friction * load */
-  WRC_BOUND_ELLIPTIC = 1   /**< friction * pressure */
+  WRC_BOUND_PARABOLIC = 0,  /**< paper eq. 9: right slope at the leading edge; integrates to friction * load */
+  WRC_BOUND_ELLIPTIC = 1,   /**< friction * pressure: the actual pressure of each strip */
+  WRC_BOUND_ELLIPSOIDAL = 2 /**< friction * load spread like sqrt(x_l^2 - x^2) over the patch, whatever its pressure:
+                                 the pressure of a Kik-Piotrowski patch; on double ellipses the same as ELLIPTIC */
 };
 
-/** How the flexibilities of linear theory enter the FASTSIM variants; strip FASTSIM has its own way. */
+/** How the flexibilities of linear theory enter the FASTSIM variants; strip FASTSIM and FaStrip have their own way. */
 enum wrc_flexibility {
   WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
-  WRC_FLEXIBILITY_SINGLE = 1,   /**< their weighted mean for all: right traction directions at large creepage */
+  WRC_FLEXIBILITY_SINGLE = 1,   /**< Kalker's weighted sum for all: right traction directions at large creepage */
   WRC_FLEXIBILITY_BLENDED = 2   /**< from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023) */
+};
+
+/** How friction depends on the sliding speed w: of a strip, the root mean square of its rigid slip times the rolling
+ * speed (modified FASTSIM: of the patch, speed * |(nu_x, nu_y)|). Theory manual, section 5. */
+enum wrc_friction_kind {
+  WRC_FRICTION_CONSTANT = 0,      /**< not at all */
+  WRC_FRICTION_FALLING = 1,       /**< times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach */
+  WRC_FRICTION_STATIC_KINETIC = 2 /**< times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
+                                       coefficient to the kinetic one */
+};
+
+/** Where the y of friction zones counts from. */
+enum wrc_zone_frame {
+  WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame: zones move with the contact point */
+  WRC_ZONES_RAIL_PROFILE = 1   /**< rail profile, as wrc_contact_point.y_rail: zones stay on the rail; field side > 0.
+                                    Needs the contact point of a wrc_geometry */
 };
 
 /** Instruction set of the kernels. Results are the same bits with all of them. */
@@ -177,8 +204,9 @@ enum wrc_field_id {
   WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
   WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
   WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
-  WRC_FIELD_STRIP_WEAR = 18      /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
+  WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
                                     needs wrc_wear_numbers */
+  WRC_FIELD_STRIP_FRICTION = 19  /**< strips: coefficient of friction the law gave [-] */
 };
 
 /* ------------------------------------------------------------------------------------------------------ structs */
@@ -296,7 +324,21 @@ typedef struct wrc_creepage {
 typedef struct wrc_friction {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
-  double coefficient;   /**< Coulomb, 1e-4..2 [0.3] */
+  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 1e-4..2 [0.3] */
+  int32_t kind;         /**< enum wrc_friction_kind [constant] */
+  int32_t zone_frame;   /**< enum wrc_zone_frame [contact frame] */
+  double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1 [0.4] */
+  double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6] */
+  double half_speed;    /**< WRC_FRICTION_STATIC_KINETIC: w at which half of the fall is done, 1e-6..100 m/s [1] */
+  double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,
+                               for every method, 0.01..1; 0 counts as 1 [1] */
+  double slope_limit;   /**< WRC_TANGENTIAL_MODIFIED_FASTSIM: share of the slope left at large slip, 0..1 [0.02] */
+  double slope_fall;    /**< WRC_TANGENTIAL_MODIFIED_FASTSIM: how fast it falls, 0..1000; 0: not [0] */
+  const double* zone_y; /**< breakpoints [m], -1..1, increasing, `zones` of them; two at the same y make a step */
+  const double* zone_coefficient; /**< friction at rest there, 0..2, in place of `coefficient`; linear between
+                                       breakpoints, constant beyond; a strip has the mean over its width. 0: no friction */
+  uint32_t zones;       /**< breakpoints, 0..64; 0: `coefficient` everywhere [0] */
+  uint32_t zones_reserved; /**< 0 */
 } wrc_friction;
 
 /** A contact patch: result of wrc_normal and wrc_regularise, or input of wrc_tangential for a patch of your own (then

@@ -120,12 +120,34 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     case WRC_TANGENTIAL_STRIP_FASTSIM:
       options.tangential_method = TangentialMethod::strip_fastsim;
       break;
+    case WRC_TANGENTIAL_MODIFIED_FASTSIM:
+      options.tangential_method = TangentialMethod::modified_fastsim;
+      break;
+    case WRC_TANGENTIAL_FASTRIP:
+      options.tangential_method = TangentialMethod::fastrip;
+      break;
+    case WRC_TANGENTIAL_FASTRIP_MODIFIED:
+      options.tangential_method = TangentialMethod::fastrip_modified;
+      break;
+    case WRC_TANGENTIAL_FASTRIP_SDEC:
+      options.tangential_method = TangentialMethod::fastrip_sdec;
+      break;
     default:
       return unsupported("config.tangential_method", config.tangential_method,
                          "see enum wrc_tangential_method");
   }
-  if (config.flexibility != WRC_FLEXIBILITY_SEPARATE) {
-    return unsupported("config.flexibility", config.flexibility, "see enum wrc_flexibility");
+  switch (config.flexibility) {
+    case WRC_FLEXIBILITY_SEPARATE:
+      options.flexibility = FlexibilityForm::separate;
+      break;
+    case WRC_FLEXIBILITY_SINGLE:
+      options.flexibility = FlexibilityForm::single;
+      break;
+    case WRC_FLEXIBILITY_BLENDED:
+      options.flexibility = FlexibilityForm::blended;
+      break;
+    default:
+      return unsupported("config.flexibility", config.flexibility, "see enum wrc_flexibility");
   }
   if (config.instruction_set != WRC_INSTRUCTIONS_BEST) {
     return unsupported("config.instruction_set", config.instruction_set, "see enum wrc_instruction_set");
@@ -136,6 +158,9 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
       break;
     case WRC_BOUND_ELLIPTIC:
       options.traction_bound = TractionBound::elliptic;
+      break;
+    case WRC_BOUND_ELLIPSOIDAL:
+      options.traction_bound = TractionBound::ellipsoidal;
       break;
     default:
       return unsupported("config.traction_bound", config.traction_bound, "see enum wrc_traction_bound");

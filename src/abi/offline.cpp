@@ -1,6 +1,7 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -295,6 +296,23 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   return found.fault;
 }
 
+/// Friction at y in the contact frame: that of the nearest strip.
+double friction_at(Contact& contact, double y) {
+  double nearest = std::numeric_limits<double>::infinity(), friction = 0.0;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    const Strips region = region_strips(contact, patch);
+    const double* each = array(contact, Array::strip_friction) + patch.region_first;
+    for (std::int32_t j = 0; j < region.count; ++j) {
+      const double distance = std::fabs(region.y[j] - y);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      friction = each[j];
+    }
+  }
+  return friction;
+}
+
 /// The contact's own problem, exactly: all its strips with their pressure on one grid.
 Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Reporter& reporter,
                     wrc_exact_check_result& result) {
@@ -309,7 +327,11 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
   halfspace::RollingProblem problem;
   problem.pressure = halfspace::strip_pressure(strips, grid);
-  problem.friction.assign(1, contact.friction);
+  problem.friction.resize(grid.cells());
+  for (int j = 0; j < grid.ny; ++j) {
+    const double friction = friction_at(contact, grid.y(j));
+    for (int i = 0; i < grid.nx; ++i) problem.friction[grid.index(i, j)] = friction;
+  }
   problem.creepage = contact.creepage;
   problem.progress = reporter.callback();
   const halfspace::RollingSolution exact =
@@ -320,8 +342,9 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   result.mz = exact.forces.mz;
   result.power = exact.power_by_balance * contact.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
-  result.force_error = std::hypot(contact.forces.fx - result.fx, contact.forces.fy - result.fy) /
-                       (contact.friction * contact.extent.normal_force);
+  const double limit = contact.friction * contact.extent.normal_force;
+  const double off = std::hypot(contact.forces.fx - result.fx, contact.forces.fy - result.fy);
+  result.force_error = limit > 0.0 ? off / limit : 0.0;
   result.power_error =
       exact.power_by_balance > 0.0 ? contact.forces.power_per_speed / exact.power_by_balance - 1.0 : 0.0;
   return exact.fault;

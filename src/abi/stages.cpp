@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "abi/fp_environment.hpp"
+#include "abi/friction.hpp"
 #include "abi/handles.hpp"
 #include "abi/structs.hpp"
 
@@ -92,15 +93,6 @@ Fault check_motion(const wrc_motion& motion) {
                          "did you pass degrees?"),
                    check(motion.pitch_rate, "motion.pitch_rate", "rad/s", -2000.0, 2000.0,
                          "did you pass rpm?", "did you pass rpm?")});
-}
-
-Fault read_friction(const wrc_friction* theirs, double& coefficient) {
-  wrc_friction ours;
-  const Fault fault = read(theirs, "friction", ours);
-  if (fault.failed()) return fault;
-  coefficient = ours.coefficient;
-  return check(ours.coefficient, "friction.coefficient", "", 1e-4, 2.0, "friction must be positive",
-               "did you pass per cent?");
 }
 
 Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* cause) {
@@ -334,7 +326,8 @@ Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
   }
   Load load;
   Creepage creepage;
-  double speed = 0.0, friction = 0.0;
+  Friction friction;
+  double speed = 0.0;
   outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, speed),
                       read_friction(in.friction, friction)});
   if (outcome.failed()) return outcome;
@@ -385,6 +378,10 @@ Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
   if (id == WRC_FIELD_STRIP_POWER) {
     if (!assessed) return {};
     return {array(contact, Array::strip_power) + patch->region_first, 0, patch->region_count};
+  }
+  if (id == WRC_FIELD_STRIP_FRICTION) {
+    if (!rolled) return {};
+    return {array(contact, Array::strip_friction) + patch->region_first, 0, patch->region_count};
   }
   if (id == WRC_FIELD_STRIP_WEAR) {
     if (!contact.worn) return {};
@@ -481,11 +478,11 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
     Fault outcome = abi::clear(forces);
     if (outcome.failed()) return outcome;
     wrc::Creepage ours;
-    double speed = 0.0, coefficient = 0.0;
-    outcome =
-        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, coefficient)});
+    wrc::Friction law;
+    double speed = 0.0;
+    outcome = abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
-    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, coefficient, speed));
+    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, speed));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
     return outcome;
   });
@@ -580,7 +577,7 @@ int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_v
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
   const Fault sized = abi::clear(view);
   if (sized.failed()) return sized.status;
-  if (field < 0 || field > WRC_FIELD_STRIP_WEAR) return WRC_ERROR_UNSUPPORTED;
+  if (field < 0 || field > WRC_FIELD_STRIP_FRICTION) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
   const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;
   const bool of_patch = !of_gap && contact.patches > 0;

@@ -43,6 +43,11 @@ wrc_friction defaults<wrc_friction>() {
   wrc_friction value{};
   value.struct_size = sizeof value;
   value.coefficient = 0.3;
+  value.kinetic_ratio = 0.4;
+  value.fall_rate = 0.6;
+  value.half_speed = 1.0;
+  value.slope_reduction = 1.0;
+  value.slope_limit = 0.02;
   return value;
 }
 

@@ -19,6 +19,7 @@
 #include "patch/sdec.hpp"
 #include "patch/split.hpp"
 #include "patch/strips.hpp"
+#include "tangential/friction.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
@@ -50,6 +51,14 @@ struct WearNumbers {
   double largest_depth_velocity = 0.0;  ///< Archard [m/s]
 };
 
+/// Friction between the bodies, and what a layer between them does to the slope of the creep curve.
+struct Friction {
+  FrictionLaw law;
+  bool zones_on_rail = false;    ///< y of the zones is that of the rail's profile, not of the contact frame
+  double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
+  SlopeFall slope;               ///< of modified FASTSIM
+};
+
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
@@ -63,6 +72,7 @@ struct Patch {
   StripTotals extent;
   double y_contact = 0.0;   ///< where its bodies first touch [m]
   Sdec sdec;                ///< its equivalent double ellipse about y_contact
+  double friction = 0.0;    ///< mean over the load [-]
   TangentialForces forces;  ///< moment about the origin of the contact frame
 };
 
@@ -85,7 +95,7 @@ struct Contact {
   Patch patch[patch_capacity];
   std::int32_t main_patch = 0;  ///< the one that carries most
   Creepage creepage;
-  double friction = 0.0;    ///< mu [-]
+  double friction = 0.0;    ///< mean over the load; each strip's is in Array::strip_friction [-]
   double speed = 0.0;       ///< V [m/s]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
@@ -122,7 +132,7 @@ Fault find_gap(Contact& contact, const Pose& pose);
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
-Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed);
 Fault assess_damage(Contact& contact);
 
 /// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.

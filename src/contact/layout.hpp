@@ -39,6 +39,7 @@ enum class Array : std::size_t {
   fatigue_index,
   strip_power,
   strip_wear,
+  strip_friction,
   start_y,
   start_width,
   start_length_squared,

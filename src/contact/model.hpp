@@ -15,12 +15,23 @@
 #include "patch/regularise.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
+#include "tangential/rolling_contact.hpp"
 
 namespace wrc {
 
 /// The methods a model can be made of, one per stage.
 enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
-enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec, strip_fastsim };
+enum class TangentialMethod {
+  fastsim,
+  fastsim_eqe,
+  fastsim_eql,
+  fastsim_sdec,
+  strip_fastsim,
+  modified_fastsim,
+  fastrip,
+  fastrip_modified,
+  fastrip_sdec
+};
 
 /// Where a profile comes from: a standard shape or points of the caller.
 struct ProfileSource {
@@ -36,6 +47,7 @@ struct ModelOptions {
   SecondCriterion regularisation = SecondCriterion::width;
   TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
   TractionBound traction_bound = TractionBound::parabolic;
+  FlexibilityForm flexibility = FlexibilityForm::separate;
   ArraySizes sizes;
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0;

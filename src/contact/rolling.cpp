@@ -5,10 +5,12 @@
 #include "contact/contact.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
+#include "tangential/fastrip.hpp"
 #include "tangential/fastsim.hpp"
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
 #include "tangential/fastsim_sdec.hpp"
+#include "tangential/modified_fastsim.hpp"
 #include "tangential/strip_fastsim.hpp"
 
 namespace wrc {
@@ -16,7 +18,8 @@ namespace {
 
 /// Does the variant replace the patch by its equivalent ellipse?
 bool works_on_ellipse(TangentialMethod method) {
-  return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe;
+  return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe ||
+         method == TangentialMethod::fastrip;
 }
 
 /// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial
@@ -61,10 +64,25 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
+/// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
+StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin) {
+  const ModelOptions& options = contact.model->options;
+  FrictionFrame frame{.origin = origin};
+  if (friction.zones_on_rail) {
+    frame.zone_origin = contact.point.y_rail;
+    frame.zone_slope = options.side == Side::left ? -contact.point.cosine : contact.point.cosine;
+  }
+  const SlidingSpeed sliding = options.tangential_method == TangentialMethod::modified_fastsim
+                                   ? SlidingSpeed::of_patch
+                                   : SlidingSpeed::of_strip;
+  return evaluate(friction.law, region_strips(contact, patch), frame, contact.creepage, contact.speed,
+                  sliding, array(contact, Array::strip_friction) + patch.region_first);
+}
+
 /// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of
 /// the contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and
 /// M_z comes back by - y_contact F_x.
-Fault roll(Contact& contact, Patch& patch) {
+Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
   prepare_region(contact, patch, method);
@@ -73,13 +91,16 @@ Fault roll(Contact& contact, Patch& patch) {
   rolling.a = patch.sdec.a;
   rolling.b = patch.sdec.b;
   rolling.shape_number = patch.sdec.psi;
-  rolling.shear_modulus = model.options.material.shear_modulus;
+  rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
   rolling.creepage = contact.creepage;
   rolling.creepage.longitudinal -= contact.creepage.spin * patch.y_contact;
-  rolling.friction = contact.friction;
+  const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
+  rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre);
   rolling.bound = model.options.traction_bound;
+  rolling.form = model.options.flexibility;
+  rolling.slope = friction.slope;
   const TangentialFields fields = cell_fields(contact, patch);
   Fault fault;
   switch (method) {
@@ -98,11 +119,25 @@ Fault roll(Contact& contact, Patch& patch) {
     case TangentialMethod::strip_fastsim:
       patch.forces = strip_fastsim(rolling, fields, fault);
       break;
+    case TangentialMethod::modified_fastsim:
+      patch.forces = modified_fastsim(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastrip:
+      patch.forces = fastrip(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastrip_modified:
+      patch.forces = fastrip_modified(rolling, fields, fault);
+      break;
+    case TangentialMethod::fastrip_sdec:
+      patch.forces = fastrip_sdec(rolling, fields, fault);
+      break;
   }
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
 
-  const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
+  patch.friction = rolling.friction.mean;
   Strips region = region_strips(contact, patch);
+  double* const friction_of_strip = array(contact, Array::strip_friction) + patch.region_first;
+  for (std::int32_t j = 0; j < region.count; ++j) friction_of_strip[j] *= patch.friction;
   for (std::int32_t j = 0; j < region.count; ++j) region.y[j] += patch.y_contact + centre;
   fill_cells(contact, patch);
   return fault;
@@ -127,22 +162,34 @@ TangentialForces sum_of_patches(const Contact& contact) {
 
 }  // namespace
 
-Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed) {
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed) {
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
             .cause = "there is no patch: call wrc_normal first, or hand over strips or a patch"};
   }
+  if (friction.zones_on_rail && !contact.posed) {
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "friction.zone_frame",
+            .cause = "zones over the rail need the contact point of a wrc_geometry"};
+  }
   contact.reached = Stage::tangential;
   contact.creepage = creepage;
-  contact.friction = friction;
+  contact.friction = friction.law.coefficient;
   contact.speed = speed;
   contact.forces = {};
   contact.damage = {};
   contact.worn = false;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
-  for (std::int32_t k = 0; k < contact.patches; ++k) worsen(fault, roll(contact, contact.patch[k]));
+  double limit = 0.0, load = 0.0;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    Patch& patch = contact.patch[k];
+    worsen(fault, roll(contact, patch, friction));
+    limit += patch.friction * patch.extent.normal_force;
+    load += patch.extent.normal_force;
+  }
+  contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
   return fault;
 }
