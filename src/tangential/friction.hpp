@@ -43,7 +43,7 @@ struct FrictionLaw {
     hyperbolic,   ///< f = A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
   };
   double coefficient = 0.3;  ///< mu_0 at rest, where there are no zones [-]
-  FrictionZones zones;
+  FrictionZones zones{};
   Fall fall = Fall::none;
   double kinetic_ratio = 1.0;  ///< A: friction at high sliding speed over that at rest [-]
   double fall_rate = 0.0;      ///< B [s/m]

@@ -151,6 +151,10 @@ std::vector<Methods> all_methods() {
     for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_STRIP_FASTSIM;
          ++tangential)
       all.push_back({normal, tangential});
+  for (int32_t normal : {WRC_NORMAL_EKP, WRC_NORMAL_STRIP_HALFSPACE})
+    for (int32_t tangential = WRC_TANGENTIAL_MODIFIED_FASTSIM; tangential <= WRC_TANGENTIAL_FASTRIP_SDEC;
+         ++tangential)
+      all.push_back({normal, tangential});
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(Methods, Physics, testing::ValuesIn(all_methods()), [](const auto& each) {

@@ -134,8 +134,13 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   config.side = static_cast<std::int32_t>(choices.below(2));
   config.normal_method = static_cast<std::int32_t>(choices.below(7));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
-  config.tangential_method = static_cast<std::int32_t>(choices.below(4));
-  config.traction_bound = static_cast<std::int32_t>(choices.below(2));
+  constexpr std::int32_t tangential_methods[] = {
+      WRC_TANGENTIAL_FASTSIM,      WRC_TANGENTIAL_FASTSIM_EQE,      WRC_TANGENTIAL_FASTSIM_EQL,
+      WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM,    WRC_TANGENTIAL_MODIFIED_FASTSIM,
+      WRC_TANGENTIAL_FASTRIP,      WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC};
+  config.tangential_method = tangential_methods[choices.below(9)];
+  config.traction_bound = static_cast<std::int32_t>(choices.below(3));
+  config.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.strips = count(4.0, finest);
   config.cells = count(4.0, finest);
   config.gap_rows = count(8.0, 8.0 * finest);
@@ -194,10 +199,40 @@ wrc_creepage make_creepage(Choices& choices) {
   return creepage;
 }
 
-wrc_friction make_friction(Choices& choices) {
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+void make_friction(Choices& choices, FrictionArrays& arrays) {
+  wrc_friction& friction = arrays.friction;
+  friction = made<wrc_friction>(wrc_friction_init);
   friction.coefficient = choices.one_in(40) ? choices.poison() : choices.magnitude(1e-4, 2.0);
-  return friction;
+  friction.kind = static_cast<std::int32_t>(choices.below(3));
+  if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 3 : -1;
+  friction.kinetic_ratio = choices.one_in(4) ? 0.0 : choices.magnitude(1e-12, 1.0);
+  friction.fall_rate = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+  friction.half_speed = choices.magnitude(1e-6, 1e2);
+  if (choices.one_in(2)) friction.slope_reduction = choices.magnitude(1e-2, 1.0);
+  friction.slope_limit = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1.0);
+  friction.slope_fall = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+  if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
+  if (!choices.one_in(2)) return;
+  std::uint32_t count = 1 + choices.below(8);
+  if (choices.one_in(16)) count = choices.one_in(2) ? 64 : 65;
+  double y = choices.between(-0.05, 0.02);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    arrays.y.push_back(y);
+    arrays.coefficient.push_back(choices.one_in(4) ? 0.0 : choices.magnitude(1e-9, 2.0));
+    y += choices.one_in(4) ? 0.0 : choices.magnitude(1e-12, 1e-2);
+  }
+  poison_one(choices, arrays.y);
+  poison_one(choices, arrays.coefficient);
+  if (choices.one_in(24)) std::reverse(arrays.y.begin(), arrays.y.end());
+  friction.zones = count;
+  friction.zone_y = arrays.y.data();
+  friction.zone_coefficient = arrays.coefficient.data();
+  friction.zone_frame = static_cast<std::int32_t>(choices.below(2));
+}
+
+double FrictionArrays::most() const {
+  return friction.zones > 0 ? *std::max_element(coefficient.begin(), coefficient.end())
+                            : friction.coefficient;
 }
 
 wrc_patch make_patch(Choices& choices) {

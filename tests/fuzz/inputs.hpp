@@ -30,6 +30,12 @@ struct StripArrays {
   std::vector<double> y, width, centre, half_length, peak;
   wrc_strips strips{};
 };
+struct FrictionArrays {
+  std::vector<double> y, coefficient;
+  wrc_friction friction{};
+  /// The largest coefficient anywhere: what no force may exceed times the load.
+  double most() const;
+};
 
 void make_wheel(Choices& choices, ProfilePoints& made);
 void make_rail(Choices& choices, ProfilePoints& made);
@@ -39,7 +45,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
-wrc_friction make_friction(Choices& choices);
+void make_friction(Choices& choices, FrictionArrays& made);
 wrc_patch make_patch(Choices& choices);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);

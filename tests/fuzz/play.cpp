@@ -74,6 +74,7 @@ bool documented(std::int32_t status) {
     case WRC_ERROR_GAP:
     case WRC_ERROR_LOAD:
     case WRC_ERROR_SEQUENCE:
+    case WRC_ERROR_UNSUPPORTED:
       return true;
     default:
       return false;
@@ -194,25 +195,29 @@ class Case {
     if (!with_pose) make_gap(choices_, config_.gap_rows, gap);
     const wrc_load load = make_load(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
-    const wrc_friction friction = make_friction(choices_);
+    FrictionArrays given;
+    make_friction(choices_, given);
+    const wrc_friction& friction = given.friction;
     Results results;
     const wrc_input input = {sizeof input, 0,        with_pose ? &pose : nullptr, &gap.gap, &load,
                              &creepage,    &friction};
     wrc_output output = {sizeof output, 0, &results.point, &results.patch, &results.forces, &results.damage};
     const std::int32_t status = timed([&] { return wrc_step(contact_, &input, &output); });
-    check_step(status, results, load, friction.coefficient);
+    check_step(status, results, load, given.most());
   }
 
   void caller_patch() {
     where_ = "tangential on a patch of the caller";
     const wrc_patch patch = make_patch(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
-    const wrc_friction friction = make_friction(choices_);
+    FrictionArrays given;
+    make_friction(choices_, given);
+    const wrc_friction& friction = given.friction;
     Results results;
     std::int32_t status =
         timed([&] { return wrc_tangential(contact_, &patch, &creepage, &friction, &results.forces); });
     if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &results.damage));
-    check_results(status, results, friction.coefficient);
+    check_results(status, results, given.most());
   }
 
   void caller_strips() {
@@ -220,15 +225,17 @@ class Case {
     StripArrays strips;
     make_strips(choices_, config_.strips, strips);
     const wrc_creepage creepage = make_creepage(choices_);
-    const wrc_friction friction = make_friction(choices_);
+    FrictionArrays given;
+    make_friction(choices_, given);
+    const wrc_friction& friction = given.friction;
     Results results;
     std::int32_t status = timed([&] { return wrc_regularise(contact_, &strips.strips, &results.patch); });
-    check_results(status, results, friction.coefficient);
+    check_results(status, results, given.most());
     if (status < 0) return;
     Results rolling;
     status = timed([&] { return wrc_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
     if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &rolling.damage));
-    check_results(status, rolling, friction.coefficient);
+    check_results(status, rolling, given.most());
   }
 
   /// Whatever the order: results or WRC_ERROR_SEQUENCE.
@@ -238,7 +245,9 @@ class Case {
       const wrc_pose pose = make_pose(choices_);
       const wrc_load load = make_load(choices_);
       const wrc_creepage creepage = make_creepage(choices_);
-      const wrc_friction friction = make_friction(choices_);
+      FrictionArrays given;
+      make_friction(choices_, given);
+      const wrc_friction& friction = given.friction;
       Results results;
       std::int32_t status = WRC_OK;
       switch (choices_.below(5)) {
@@ -258,7 +267,7 @@ class Case {
         default:
           status = timed([&] { return wrc_damage_numbers(contact_, &results.damage); });
       }
-      check_results(status, results, friction.coefficient);
+      check_results(status, results, given.most());
     }
   }
 
@@ -312,7 +321,7 @@ class Case {
       if (wrc_contact_patch(contact_, each, &one.patch, &one.forces) != WRC_OK) break;
       expect(all_finite(all_doubles(one)), "every number of each patch is finite");
     }
-    for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
+    for (std::int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
       const std::vector<double> values = field(contact_, id);
       expect(all_finite(values), "every field is finite");
       if (id == WRC_FIELD_PRESSURE || id == WRC_FIELD_POWER_DENSITY || id == WRC_FIELD_STRIP_POWER) {
