@@ -132,6 +132,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
       patch.forces = fastrip_sdec(rolling, fields, fault);
       break;
   }
+  patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
 
   patch.friction = rolling.friction.mean;

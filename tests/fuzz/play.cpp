@@ -282,8 +282,12 @@ class Case {
                  (2.0 * config_.load_tolerance + 1e-9) * load.normal_force,
              "the prescribed load is met");
     }
-    expect(std::fabs(results.forces.power - results.damage.power) <=
-               1e-6 * std::fabs(results.damage.power) + 1e-9 * friction * results.forces.fn,
+    // Strip FASTSIM has its power from the balance; where it dissipates in less than half a cell at the
+    // trailing edge, no cell shows it.
+    const bool unresolved = config_.tangential_method == WRC_TANGENTIAL_STRIP_FASTSIM &&
+                            results.forces.adhesion_fraction == 1.0 && results.damage.power == 0.0;
+    expect(unresolved || std::fabs(results.forces.power - results.damage.power) <=
+                             1e-6 * std::fabs(results.damage.power) + 1e-9 * friction * results.forces.fn,
            "power of the forces and of the field agree");
   }
 
@@ -301,9 +305,11 @@ class Case {
     }
     const wrc_forces& forces = results.forces;
     expect(forces.fn >= 0.0, "the normal force is compressive");
-    expect(
-        std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + onset_excess()) || forces.fn == 0.0,
-        "creep forces stay within friction");
+    // Without friction the march works with a bound of 1e-6 Pa.
+    const double rounding = 1e-15 * forces.fn;
+    expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + onset_excess()) + rounding ||
+               forces.fn == 0.0,
+           "creep forces stay within friction");
     expect(forces.power >= 0.0, "frictional power is not negative");
     expect(forces.adhesion_fraction >= 0.0 && forces.adhesion_fraction <= 1.0 + 1e-12, "adhesion is a share");
     expect(results.damage.power >= 0.0 && results.damage.peak_power_density >= 0.0, "power is not negative");

@@ -63,7 +63,19 @@ struct Run {
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
   int failures = 0;
 
+  /// Steps in turn: constant, falling, and falling friction with zones.
+  void vary_friction(int i) {
+    static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
+    friction.kind = i % 3;
+    friction.slope_fall = 0.6;
+    friction.zones = i % 3 == 2 ? 4 : 0;
+    friction.zone_y = zone_y;
+    friction.zone_coefficient = zone_coefficient;
+    friction.zone_frame = i % 2;
+  }
+
   void vary(int i) {
+    vary_friction(i);
     const double t = 0.001 * i;
     pose.lateral = 3e-3 * std::sin(7.0 * t);
     pose.yaw = 5e-3 * std::sin(3.0 * t);
@@ -112,7 +124,11 @@ constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
                                   {"fastsim_eqe", WRC_TANGENTIAL_FASTSIM_EQE},
                                   {"fastsim_eql", WRC_TANGENTIAL_FASTSIM_EQL},
                                   {"fastsim_sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
-                                  {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM}};
+                                  {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM},
+                                  {"modified_fastsim", WRC_TANGENTIAL_MODIFIED_FASTSIM},
+                                  {"fastrip", WRC_TANGENTIAL_FASTRIP},
+                                  {"fastrip_modified", WRC_TANGENTIAL_FASTRIP_MODIFIED},
+                                  {"fastrip_sdec", WRC_TANGENTIAL_FASTRIP_SDEC}};
 
 }  // namespace
 
@@ -133,6 +149,8 @@ int main() {
         config.normal_method = normal.value;
         config.tangential_method = tangential.value;
         config.traction_bound = bound;
+        config.flexibility =
+            bound == WRC_BOUND_PARABOLIC ? WRC_FLEXIBILITY_SEPARATE : WRC_FLEXIBILITY_BLENDED;
         config.strips = 32;
         config.cells = 32;
         config.gap_rows = 128;
@@ -160,7 +178,7 @@ int main() {
         const long during = heap_calls - before;
         const bool good = counts && during == 0 && run.failures == 0;
         ++(good ? passed : failed);
-        std::printf("%-15s %-13s %-9s %d steps: %ld heap calls, %d failed calls%s\n", normal.name,
+        std::printf("%-15s %-16s %-9s %d steps: %ld heap calls, %d failed calls%s\n", normal.name,
                     tangential.name, bound == WRC_BOUND_PARABOLIC ? "parabolic" : "elliptic",
                     steps_per_combination, during, run.failures,
                     counts ? "" : " (INTERPOSITION DOES NOT WORK)");

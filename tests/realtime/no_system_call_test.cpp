@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <initializer_list>
 
 #include "wrc/wrc.h"
 
@@ -63,7 +64,10 @@ int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
   wrc_pose pose = made<wrc_pose>(wrc_pose_init);
   wrc_load load = made<wrc_load>(wrc_load_init);
   wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
+  friction.zone_y = zone_y;
+  friction.zone_coefficient = zone_coefficient;
   wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
@@ -83,6 +87,9 @@ int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
     creepage.longitudinal = 2e-3 * std::sin(13.0 * t);
     creepage.lateral = 2e-3 * std::cos(17.0 * t);
     creepage.spin = 0.6 * std::sin(19.0 * t);
+    friction.kind = i % 3;
+    friction.zones = i % 3 == 2 ? 4 : 0;
+    friction.zone_frame = i % 2;
     failures += wrc_contact_save(contact, saved, bytes) < 0;
     failures += wrc_step(contact, &input, &output) < 0;
     failures += wrc_contact_restore(contact, saved, bytes) < 0;
@@ -136,8 +143,10 @@ int main() {
   wheel.kind = WRC_PROFILE_S1002;
   rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   for (int32_t normal = WRC_NORMAL_HERTZ; normal <= WRC_NORMAL_STRIP_HALFSPACE; ++normal) {
-    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_FASTSIM_SDEC;
-         ++tangential) {
+    for (int32_t tangential :
+         {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTSIM_EQE, WRC_TANGENTIAL_FASTSIM_EQL,
+          WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_MODIFIED_FASTSIM,
+          WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC}) {
       wrc_config config = made<wrc_config>(wrc_config_init);
       config.normal_method = normal;
       config.tangential_method = tangential;
