@@ -53,8 +53,11 @@ std::vector<Step> creepages() {
     steps.push_back(step);
   }
   for (int i = 0; i < 12; ++i) {
-    Step step =
-        at(numbers.between(-4e-3, 5e-3), 0.0, numbers.between(-0.01, 0.01), numbers.between(2e3, 2e5));
+    // One by one: arguments of a call would be evaluated in an order of the compiler's choice.
+    Step step = at(0.0, 0.0, 0.0, 0.0);
+    step.pose.lateral = numbers.between(-4e-3, 5e-3);
+    step.pose.yaw = numbers.between(-0.01, 0.01);
+    step.load.normal_force = numbers.between(2e3, 2e5);
     step.creepage.longitudinal = numbers.between(-5e-3, 5e-3);
     step.creepage.lateral = numbers.between(-5e-3, 5e-3);
     step.creepage.spin = numbers.between(-1.0, 1.0);
