@@ -46,6 +46,21 @@ void run_motion(wrc_contact* contact, Hash& hash) {
   }
 }
 
+/// Many poses: an angle's sine that differs in its last bit does so for few angles only.
+void run_geometry(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(6);
+  for (int i = 0; i < 400; ++i) {
+    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    pose.lateral = numbers.between(-6e-3, 7.5e-3);
+    pose.roll = numbers.between(-5e-3, 5e-3);
+    pose.yaw = numbers.between(-0.03, 0.03);
+    wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+    hash.add(wrc_geometry(contact, &pose, &point));
+    hash_point(point, hash);
+    if (i % 8 == 0) hash_fields(contact, hash);
+  }
+}
+
 void run_wear(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
@@ -61,7 +76,7 @@ void run_wear(wrc_contact* contact, Hash& hash) {
 
 void run_plain_numbers(wrc_contact*, Hash& hash) {
   wrc_coefficients c = made<wrc_coefficients>(wrc_coefficients_init);
-  for (double ratio = 1e-3; ratio <= 1e3; ratio *= 1.375) {
+  for (double ratio = 1e-3; ratio <= 1e3; ratio *= 1.0625) {
     for (double psi : {-0.95, -0.4, 0.0, 0.1, 0.7}) {
       hash.add(wrc_linear_coefficients(ratio, psi, ratio < 1.0 ? 0.25 : 0.31, &c));
       for (double number : {c.c11, c.c22, c.c23, c.c11s, c.c13s, c.c22s, c.c23s}) hash.add(number);
@@ -110,6 +125,7 @@ void add_plain_calls(Plan& plan) {
   wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
   config.wheel = &plan.profiles[0];
   config.rail = &plan.profiles[1];
+  plan.jobs.push_back({"geometry", model, {}, run_geometry});
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});

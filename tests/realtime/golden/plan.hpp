@@ -71,6 +71,7 @@ void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, re
 // What the parts of the plan share.
 void hash_step(wrc_contact* contact, int32_t status, const wrc_contact_point& point, const wrc_patch& patch,
                const wrc_forces& forces, const wrc_damage& damage, Hash& hash);
+void hash_point(const wrc_contact_point& point, Hash& hash);
 void hash_patch(const wrc_patch& patch, Hash& hash);
 void hash_forces(const wrc_forces& forces, Hash& hash);
 void hash_damage(const wrc_damage& damage, Hash& hash);

@@ -2,6 +2,12 @@
 /// grow.
 #include "golden/plan.hpp"
 
+void hash_point(const wrc_contact_point& point, Hash& hash) {
+  for (double number : {point.x, point.y, point.z, point.y_wheel, point.y_rail, point.angle,
+                        point.vertical_gap, point.rolling_radius})
+    hash.add(number);
+}
+
 void hash_patch(const wrc_patch& patch, Hash& hash) {
   for (int32_t number : {patch.strips, patch.iterations, patch.patches}) hash.add(number);
   for (double number : {patch.a, patch.b, patch.psi, patch.normal_force, patch.approach, patch.stiffness,
@@ -40,9 +46,7 @@ void hash_fields(const wrc_contact* contact, Hash& hash) {
 void hash_step(wrc_contact* contact, int32_t status, const wrc_contact_point& point, const wrc_patch& patch,
                const wrc_forces& forces, const wrc_damage& damage, Hash& hash) {
   hash.add(status);
-  for (double number : {point.x, point.y, point.z, point.y_wheel, point.y_rail, point.angle,
-                        point.vertical_gap, point.rolling_radius})
-    hash.add(number);
+  hash_point(point, hash);
   hash_patch(patch, hash);
   hash_forces(forces, hash);
   hash_damage(damage, hash);
