@@ -33,7 +33,8 @@ def main():
         sys.exit(__doc__)
     picture = Path(sys.argv[2]) if len(sys.argv) > 2 else Path(sys.argv[1]).with_suffix(".png")
     ends = read(sys.argv[1])
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8))
+    figure.subplots_adjust(left=0.07, right=0.98, bottom=0.12, top=0.84)
     latest = max(values[-1] for values in ends.values())
     bins = np.geomspace(1.0, max(latest, 1.2 * PERIOD), 90)
     for name, values in ends.items():
@@ -47,7 +48,7 @@ def main():
         axes.axvline(PERIOD, color="#D55E00", linestyle="--", linewidth=1)
         axes.set(xlabel="end of the cycle's work after it was due [us]", xscale="log")
         axes.grid(alpha=0.3)
-    figure.legend(loc="outside upper center", ncols=1, frameon=False)
+    figure.legend(loc="upper center", frameon=False)
     figure.savefig(picture, dpi=130)
     print(picture)
 
