@@ -223,12 +223,10 @@ int main(int argc, char** argv) {
     fclose(file);
   }
   report(cycles, count, room);
-  printf(
-      "\n%ld cycles of %d us, every second with %d wheels (%.0f %% of them on two patches), %ld started "
-      "late, %ld "
-      "failed\n",
-      count, period / 1000, wheels, 100.0 * (double)two_patches / (double)(wheels * ((count + 1) / 2)),
-      skipped, failed);
+  const double on_two = 100.0 * (double)two_patches / (double)(wheels * ((count + 1) / 2));
+  printf("\n%ld cycles of %d us, every second with %d wheels, %.0f %% of them on two patches\n", count,
+         period / 1000, wheels, on_two);
+  printf("%ld periods skipped because the cycle before ran over, %ld calls failed\n", skipped, failed);
 
   for (int k = 0; k < wheels; ++k) wrc_contact_destroy(contacts[k]);
   for (int side = 0; side < 2; ++side) wrc_model_destroy(models[side]);

@@ -22,6 +22,7 @@ Wheel::Wheel(const Methods& methods) {
   config.tangential_method = methods.tangential;
   config.strips = methods.strips;
   config.cells = methods.cells;
+  config.instruction_set = methods.instruction_set;
   config.warm_start = 1;
   config.wheel = &wheel;
   config.rail = &rail;

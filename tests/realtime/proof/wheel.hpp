@@ -13,6 +13,7 @@ struct Methods {
   int32_t tangential = WRC_TANGENTIAL_STRIP_FASTSIM;
   int32_t side = WRC_SIDE_RIGHT;
   int32_t strips = 60, cells = 32;
+  int32_t instruction_set = WRC_INSTRUCTIONS_BEST;
 };
 
 /// Every normal method with every tangential one.
