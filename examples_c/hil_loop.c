@@ -87,7 +87,7 @@ static void move_vehicle(double t) {
     const double phase = 0.8 * k, side = k % 2 == 0 ? 1.0 : -1.0;
     poses[k].lateral = side * (5.15e-3 + 0.15e-3 * sin(9.0 * t + phase));
     poses[k].yaw = 1e-3 * sin(7.0 * t + phase);
-    loads[k].normal_force = 80e3 + 10e3 * sin(23.0 * t + phase);
+    loads[k].normal_force = 70e3 + 10e3 * sin(23.0 * t + phase);
     creepages[k].longitudinal = 1e-3 * sin(5.0 * t + phase);
     creepages[k].lateral = 2e-3 * sin(7.0 * t + phase);
     creepages[k].spin = 0.3 * side;

@@ -18,5 +18,12 @@ bool prove_failed_allocations();
 /// A step repeated after wrc_contact_restore(), in the same contact and in another: the same bits.
 bool prove_restore();
 
+/// Creepages so small that their products are denormal numbers give the bits, and so the time, of none at
+/// all.
+bool prove_no_denormal_creepages();
+
 /// Percentiles of the step's time over `steps` steps, and what the machine adds. Prints only.
 void print_latency(int steps);
+
+/// What denormal numbers in the input cost, as ratios. Prints only.
+void print_denormals();
