@@ -3,6 +3,7 @@
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 
 #include "proof/entries.hpp"
 #include "proof/proofs.hpp"
@@ -25,6 +26,15 @@ bool disturbs(Call&& call) {
   call();
   fedisableexcept(FE_ALL_EXCEPT);
   return std::fetestexcept(FE_ALL_EXCEPT) != 0;
+}
+
+void refuse_configuration() {
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  char text[256];
+  for (double wrong : {std::numeric_limits<double>::signaling_NaN(), 1.0 / 3.0, 1e300}) {
+    config.shear_modulus = wrong;
+    wrc_config_check(&config, text, sizeof text);
+  }
 }
 
 }  // namespace
@@ -50,6 +60,18 @@ bool prove_no_traps() {
                     normal_names[methods.normal], tangential_names[methods.tangential]);
       }
     }
+  }
+  // Creation is not for real time, but no less for hosts that trap.
+  for (const Methods& methods : all_methods()) {
+    ++calls;
+    if (!disturbs([&] { Wheel another(methods); })) continue;
+    ++disturbing;
+    std::printf("creation with %s: A TRAP FIRED OR A FLAG STAYED\n", normal_names[methods.normal]);
+  }
+  ++calls;
+  if (disturbs(refuse_configuration)) {
+    ++disturbing;
+    std::printf("a refused configuration: A TRAP FIRED OR A FLAG STAYED\n");
   }
   sigaction(SIGFPE, &before, nullptr);
   std::printf("%d calls with all floating-point traps on, inexact included: %d disturbed the host\n", calls,
