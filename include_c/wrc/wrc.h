@@ -310,7 +310,7 @@ typedef struct wrc_load {
   double approach;      /**< beyond first touch, -1..0.01 m, with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0] */
 } wrc_load;
 
-/** Rigid slip per unit rolled length and rolling speed. */
+/** Rigid slip per unit rolled length and rolling speed. A creepage below 1e-100 counts as none. */
 typedef struct wrc_creepage {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */

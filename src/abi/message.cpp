@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "abi/fp_environment.hpp"
+
 namespace wrc::abi {
 namespace {
 
@@ -65,6 +67,7 @@ const char* status_text(std::int32_t status) {
 }
 
 void write_sentence(const Fault& fault, char* text, std::size_t size) {
+  const FloatingPointScope scope;  // digits are inexact, and the value refused may be a signalling NaN
   Sentence out(text, size);
   if (fault.status == WRC_OK) return;
   if (fault.field == nullptr) {

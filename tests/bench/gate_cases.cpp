@@ -1,0 +1,93 @@
+/// Fixed work for counting instructions (instruction_gate.py): one case, so many steps, nothing else counted.
+///     gate_cases             names of the cases
+///     gate_cases NAME N      N steps inside the function measured_steps
+/// The kernels are those for AVX2 where the library has them: valgrind knows no AVX-512.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "proof/wheel.hpp"
+
+namespace {
+
+struct Case {
+  const char* name;
+  Methods methods;
+  enum { complete, normal, tangential, damage, geometry } part;
+};
+
+constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_SIDE_RIGHT, 60, 50};
+constexpr Methods defaults{};
+constexpr Methods light{WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_SIDE_RIGHT, 32, 32};
+
+constexpr Case cases[] = {
+    {"step_halfspace_sdec_60x50", usual, Case::complete},
+    {"step_defaults_60x32", defaults, Case::complete},
+    {"step_ekp_sdec_32x32", light, Case::complete},
+    {"geometry", light, Case::geometry},
+    {"normal_halfspace_60", usual, Case::normal},
+    {"normal_ekp_32", light, Case::normal},
+    {"tangential_sdec_60x50", usual, Case::tangential},
+    {"tangential_strip_fastsim_60x32", defaults, Case::tangential},
+    {"damage_60x50", usual, Case::damage},
+};
+
+int32_t instruction_set() {
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.instruction_set = WRC_INSTRUCTIONS_AVX2;
+  return wrc_config_check(&config, nullptr, 0) == WRC_OK ? WRC_INSTRUCTIONS_AVX2 : WRC_INSTRUCTIONS_BEST;
+}
+
+}  // namespace
+
+/// What the counting is switched on for, by this name.
+extern "C" __attribute__((noinline, visibility("default"))) void measured_steps(Wheel& wheel, int part,
+                                                                                int count);
+
+extern "C" void measured_steps(Wheel& wheel, int part, int count) {
+  for (int i = 0; i < count; ++i) {
+    // Half a millimetre around the flange root's second patch and back, as a wheelset moves.
+    wheel.pose.lateral = 4.6e-3 + 0.5e-3 * (i % 16) / 16.0;
+    wheel.load.normal_force = 80e3 + 1e3 * (i % 16);
+    wheel.creepage.longitudinal = 1e-3 + 1e-4 * (i % 16);
+    switch (part) {
+      case Case::complete:
+        wheel.step();
+        break;
+      case Case::geometry:
+        wheel.geometry();
+        break;
+      case Case::normal:
+        wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch);
+        break;
+      case Case::tangential:
+        wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+        break;
+      default:
+        wrc_damage_numbers(wheel.contact, &wheel.damage);
+        break;
+    }
+  }
+}
+
+int main(int count, char** arguments) {
+  if (count < 3) {
+    for (const Case& each : cases) std::printf("%s\n", each.name);
+    return 0;
+  }
+  for (const Case& each : cases) {
+    if (std::strcmp(each.name, arguments[1]) != 0) continue;
+    Methods methods = each.methods;
+    methods.instruction_set = instruction_set();
+    Wheel wheel(methods);
+    wheel.creepage.lateral = -1e-3;
+    wheel.creepage.spin = 0.2;
+    wheel.pose.lateral = 4.6e-3;
+    wheel.load.normal_force = 80e3;
+    if (wheel.step() < 0) return 1;
+    measured_steps(wheel, each.part, std::atoi(arguments[2]));
+    return 0;
+  }
+  std::printf("no such case: %s\n", arguments[1]);
+  return 2;
+}

@@ -1,0 +1,141 @@
+/// Calls beside the step: creepages from a motion, wear, profiles as placed, plain numbers, refused input.
+#include <limits>
+
+#include "golden/plan.hpp"
+
+namespace {
+
+void hash_view(const wrc_view& view, Hash& hash) {
+  for (std::uint64_t i = 0; i < view.count[0]; ++i) hash.add(view.data[i * view.stride[0]]);
+}
+
+/// A contact with tractions in it.
+int32_t roll(wrc_contact* contact, double lateral) {
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  pose.lateral = lateral;
+  load.normal_force = 90e3;
+  creepage.longitudinal = 1.5e-3;
+  creepage.spin = -0.4;
+  creepage.speed = 55.0;
+  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+  wrc_output output = {sizeof output, 0, nullptr, nullptr, nullptr, nullptr};
+  return wrc_step(contact, &input, &output);
+}
+
+void run_motion(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(5);
+  for (int i = 0; i < 8; ++i) {
+    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    pose.lateral = numbers.between(-5e-3, 7e-3);
+    pose.yaw = numbers.between(-0.02, 0.02);
+    wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+    motion.speed = i == 0 ? 0.0 : numbers.between(1.0, 90.0);
+    motion.pitch_rate = -motion.speed / numbers.between(0.455, 0.465);
+    motion.lateral_velocity = numbers.between(-0.1, 0.1);
+    motion.vertical_velocity = numbers.between(-0.1, 0.1);
+    motion.roll_rate = numbers.between(-0.1, 0.1);
+    motion.yaw_rate = numbers.between(-0.1, 0.1);
+    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    hash.add(wrc_geometry(contact, &pose, nullptr));
+    hash.add(wrc_creepages(contact, &motion, &creepage));
+    for (double number : {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed})
+      hash.add(number);
+  }
+}
+
+/// Many poses: an angle's sine that differs in its last bit does so for few angles only.
+void run_geometry(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(6);
+  for (int i = 0; i < 400; ++i) {
+    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    pose.lateral = numbers.between(-6e-3, 7.5e-3);
+    pose.roll = numbers.between(-5e-3, 5e-3);
+    pose.yaw = numbers.between(-0.03, 0.03);
+    wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+    hash.add(wrc_geometry(contact, &pose, &point));
+    hash_point(point, hash);
+    if (i % 8 == 0) hash_fields(contact, hash);
+  }
+}
+
+void run_wear(wrc_contact* contact, Hash& hash) {
+  for (double lateral : {0.0, 5.1e-3, 7e-3}) {
+    hash.add(roll(contact, lateral));
+    wrc_wear wear = made<wrc_wear>(wrc_wear_init);
+    hash.add(wrc_wear_numbers(contact, nullptr, &wear));
+    for (double number : {wear.worn_area_rate, wear.largest_depth_rate, wear.largest_depth_velocity})
+      hash.add(number);
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    hash.add(wrc_field(contact, 0, WRC_FIELD_STRIP_WEAR, &view));
+    hash_view(view, hash);
+  }
+}
+
+void run_plain_numbers(wrc_contact*, Hash& hash) {
+  wrc_coefficients c = made<wrc_coefficients>(wrc_coefficients_init);
+  for (double ratio = 1e-3; ratio <= 1e3; ratio *= 1.0625) {
+    for (double psi : {-0.95, -0.4, 0.0, 0.1, 0.7}) {
+      hash.add(wrc_linear_coefficients(ratio, psi, ratio < 1.0 ? 0.25 : 0.31, &c));
+      for (double number : {c.c11, c.c22, c.c23, c.c11s, c.c13s, c.c22s, c.c23s}) hash.add(number);
+    }
+  }
+  for (int i = 0; i <= 64; ++i) {
+    double load_factor = 0.0;
+    hash.add(wrc_shakedown_limit(10.0 * i / 64.0 * i / 64.0, &load_factor));
+    hash.add(load_factor);
+  }
+}
+
+/// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
+void run_refused(wrc_contact* contact, Hash& hash) {
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  load.normal_force = 80e3;
+  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+  wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
+  const auto refused = [&](double& number, double wrong) {
+    const double kept = number;
+    number = wrong;
+    hash.add(wrc_step(contact, &input, &output));
+    hash_patch(patch, hash);
+    hash_forces(forces, hash);
+    number = kept;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (double* number : {&pose.lateral, &pose.yaw, &load.normal_force, &creepage.longitudinal, &creepage.spin,
+                         &friction.coefficient}) {
+    for (double wrong : {nan, inf, -inf, 1e300}) refused(*number, wrong);
+  }
+  refused(load.normal_force, 80.0);
+  hash.add(roll(contact, 1e-3));
+  hash_fields(contact, hash);
+}
+
+}  // namespace
+
+void add_plain_calls(Plan& plan) {
+  const std::size_t model = plan.models.size();
+  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
+  config.wheel = &plan.profiles[0];
+  config.rail = &plan.profiles[1];
+  plan.jobs.push_back({"geometry", model, {}, run_geometry});
+  plan.jobs.push_back({"motion", model, {}, run_motion});
+  plan.jobs.push_back({"wear", model, {}, run_wear});
+  plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
+  plan.jobs.push_back({"refused input", model, {}, run_refused});
+}
+
+Plan golden_plan() {
+  Plan plan;
+  add_poses(plan);
+  add_host_data(plan);
+  add_plain_calls(plan);
+  return plan;
+}

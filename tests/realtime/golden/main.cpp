@@ -1,0 +1,142 @@
+/// Are the results the same bits whatever computes them?
+///     golden_hash print                  one hash per group of cases, and one over all
+///     golden_hash write FILE             the same into a file: the expected values
+///     golden_hash check FILE [shortly]   every instruction set of this processor, 1 to 8 threads, single
+///     steps, batches
+///                                        and stages alone, against the file; shortly: two of these per
+///                                        instruction set
+/// The same program built with another compiler, other options or for another processor must print the same.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <map>
+
+#include "golden/run.hpp"
+
+namespace {
+
+using Hashes = std::map<std::string, std::uint64_t>;  // by group, sorted
+
+Hashes by_group(const Plan& plan, const std::vector<std::uint64_t>& of_jobs) {
+  std::map<std::string, Hash> groups;
+  for (std::size_t i = 0; i < of_jobs.size(); ++i) groups[plan.jobs[i].group].add(of_jobs[i]);
+  Hashes hashes;
+  Hash all;
+  for (const auto& [name, hash] : groups) {
+    hashes[name] = hash.value();
+    all.add(hash.value());
+  }
+  hashes["all"] = all.value();
+  return hashes;
+}
+
+constexpr const char* set_names[] = {"best", "baseline", "AVX2", "AVX-512"};
+constexpr const char* way_names[] = {"single steps", "batches", "stages alone"};
+
+bool available(int32_t instruction_set) {
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.instruction_set = instruction_set;
+  return wrc_config_check(&config, nullptr, 0) == WRC_OK;
+}
+
+Hashes expected_from(const char* path) {
+  Hashes hashes;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t end = line.rfind(' ');
+    if (line.empty() || line[0] == '#' || end == std::string::npos) continue;
+    hashes[line.substr(0, end)] = std::stoull(line.substr(end + 1), nullptr, 16);
+  }
+  return hashes;
+}
+
+void print(const Hashes& hashes, std::FILE* to) {
+  for (const auto& [name, hash] : hashes)
+    std::fprintf(to, "%s %016llx\n", name.c_str(), static_cast<unsigned long long>(hash));
+}
+
+/// The groups that differ, with commas; empty when none does.
+std::string difference(const Hashes& found, const Hashes& expected) {
+  std::string names;
+  for (const auto& [name, hash] : found) {
+    const auto it = expected.find(name);
+    if (it == expected.end() || it->second != hash) names += (names.empty() ? "" : ", ") + name;
+  }
+  if (names.empty() && found.size() != expected.size()) names = "the file knows groups that are not there";
+  return names;
+}
+
+int check(const Plan& plan, const char* path, bool shortly) {
+  const Hashes expected = expected_from(path);
+  if (expected.empty()) {
+    std::printf("no expected values in %s\n", path);
+    return 2;
+  }
+  struct Run {
+    int threads;
+    Way way;
+  };
+  std::vector<Run> runs = {{1, Way::step}, {2, Way::batch}};
+  if (!shortly)
+    runs = {{1, Way::step}, {1, Way::batch}, {1, Way::stages},
+            {2, Way::step}, {3, Way::batch}, {8, Way::step}};
+  int same = 0, different = 0;
+  for (int32_t set = WRC_INSTRUCTIONS_BEST; set <= WRC_INSTRUCTIONS_AVX512; ++set) {
+    if (!available(set)) {
+      std::printf("%-8s  not in this build or on this processor\n", set_names[set]);
+      continue;
+    }
+    const Models models(plan, set);
+    for (const Run& run : runs) {
+      const std::string names =
+          difference(by_group(plan, run_jobs(plan, models, run.threads, run.way)), expected);
+      ++(names.empty() ? same : different);
+      std::printf("%-8s  %d thread%s  %-12s  %s%s\n", set_names[set], run.threads,
+                  run.threads == 1 ? " " : "s", way_names[static_cast<int>(run.way)],
+                  names.empty() ? "same bits" : "DIFFERENT: ", names.c_str());
+    }
+  }
+  std::printf("%d passed, %d failed\n", same, different);
+  return different == 0 ? 0 : 1;
+}
+
+Hashes plain_run(const Plan& plan) {
+  return by_group(plan, run_jobs(plan, Models(plan, WRC_INSTRUCTIONS_BEST), 1, Way::step));
+}
+
+int write(const Plan& plan, const char* path) {
+  std::FILE* file = std::fopen(path, "w");
+  if (file == nullptr) {
+    std::printf("cannot write %s\n", path);
+    return 2;
+  }
+  std::fprintf(file,
+               "# Hashes of the library's results over groups of cases, written by\n"
+               "#     cmake --build --preset release --target renew_golden\n"
+               "# They change with every change of numbers; the changelog says why.\n");
+  print(plain_run(plan), file);
+  std::fclose(file);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const Plan plan = golden_plan();
+    const std::string command = count > 1 ? arguments[1] : "print";
+    if (command == "write" && count > 2) return write(plan, arguments[2]);
+    if (command == "check" && count > 2)
+      return check(plan, arguments[2], count > 3 && std::strcmp(arguments[3], "shortly") == 0);
+    if (command == "print") {
+      print(plain_run(plan), stdout);
+      return 0;
+    }
+  } catch (const std::exception& failure) {
+    std::printf("%s\n", failure.what());
+    return 1;
+  }
+  std::printf("golden_hash print | write FILE | check FILE [shortly]\n");
+  return 2;
+}

@@ -1,0 +1,166 @@
+#include "golden/run.hpp"
+
+#include <exception>
+#include <stdexcept>
+#include <thread>
+
+Models::Models(const Plan& plan, int32_t instruction_set) {
+  for (wrc_config config : plan.models) {
+    config.instruction_set = instruction_set;
+    wrc_model* model = nullptr;
+    if (wrc_model_create(&config, nullptr, &model) < 0) {
+      char text[256];
+      wrc_config_check(&config, text, sizeof text);
+      for (wrc_model* made_before : models_) wrc_model_destroy(made_before);
+      throw std::runtime_error("model " + std::to_string(models_.size()) + ": " + text);
+    }
+    models_.push_back(model);
+  }
+}
+
+Models::~Models() {
+  for (wrc_model* model : models_) wrc_model_destroy(model);
+}
+
+namespace {
+
+/// A job under way.
+class Running {
+ public:
+  Running(const Job& job, const wrc_model* model) : job_(&job) {
+    if (wrc_contact_create(model, nullptr, &contact_) < 0) throw std::runtime_error("no contact");
+  }
+  ~Running() { wrc_contact_destroy(contact_); }
+  Running(Running&& other) noexcept : hash(other.hash), job_(other.job_), contact_(other.contact_) {
+    other.contact_ = nullptr;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  Running& operator=(Running&&) = delete;
+
+  const Job& job() const { return *job_; }
+  wrc_contact* contact() const { return contact_; }
+
+  /// The structs a step reads and fills; they point into this object, which must stay where it is meanwhile.
+  void prepare(std::size_t k) {
+    const Step& step = job_->steps[k];
+    point_ = made<wrc_contact_point>(wrc_contact_point_init);
+    patch_ = made<wrc_patch>(wrc_patch_init);
+    forces_ = made<wrc_forces>(wrc_forces_init);
+    damage_ = made<wrc_damage>(wrc_damage_init);
+    if (step.gap != nullptr) gap_ = step.gap->view();
+    input = made<wrc_input>(wrc_input_init);
+    input.pose = step.gap == nullptr ? &step.pose : nullptr;
+    input.gap = step.gap == nullptr ? nullptr : &gap_;
+    input.load = &step.load;
+    input.creepage = &step.creepage;
+    input.friction = &step.friction;
+    output = made<wrc_output>(wrc_output_init);
+    output.point = &point_;
+    output.patch = &patch_;
+    output.forces = &forces_;
+    output.damage = &damage_;
+  }
+
+  /// wrc_step() in its stages: the first flag counts.
+  int32_t run_stages() {
+    int32_t status = WRC_OK;
+    const auto keep = [&](int32_t next) {
+      if (status == WRC_OK || next < 0) status = next;
+    };
+    if (input.pose != nullptr) keep(wrc_geometry(contact_, input.pose, &point_));
+    keep(wrc_normal(contact_, input.gap, input.load, &patch_));
+    keep(wrc_tangential(contact_, nullptr, input.creepage, input.friction, &forces_));
+    keep(wrc_damage_numbers(contact_, &damage_));
+    return status;
+  }
+
+  void keep(std::size_t k, int32_t status) {
+    if (status < 0) {
+      char text[256];
+      wrc_last_error(contact_, text, sizeof text);
+      throw std::runtime_error(job_->group + ", step " + std::to_string(k) + ": " + text);
+    }
+    hash_step(contact_, status, point_, patch_, forces_, damage_, hash);
+  }
+
+  Hash hash;
+  wrc_input input{};
+  wrc_output output{};
+
+ private:
+  const Job* job_;
+  wrc_contact* contact_ = nullptr;
+  wrc_gap gap_{};
+  wrc_contact_point point_{};
+  wrc_patch patch_{};
+  wrc_forces forces_{};
+  wrc_damage damage_{};
+};
+
+void run_batches(std::vector<Running>& all) {
+  for (std::size_t k = 0;; ++k) {
+    std::vector<Running*> going;
+    for (Running& each : all) {
+      if (k < each.job().steps.size()) going.push_back(&each);
+    }
+    if (going.empty()) return;
+    std::vector<wrc_contact*> contacts;
+    std::vector<wrc_input> inputs;
+    std::vector<wrc_output> outputs;
+    for (Running* each : going) {
+      each->prepare(k);
+      contacts.push_back(each->contact());
+      inputs.push_back(each->input);
+      outputs.push_back(each->output);
+    }
+    std::vector<int32_t> statuses(going.size());
+    wrc_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(), sizeof(wrc_input),
+                   outputs.data(), sizeof(wrc_output), statuses.data());
+    for (std::size_t i = 0; i < going.size(); ++i) going[i]->keep(k, statuses[i]);
+  }
+}
+
+/// Every `threads`-th job from `first` on.
+void run_share(const Plan& plan, const Models& models, int first, int threads, Way way,
+               std::vector<std::uint64_t>& hashes) {
+  std::vector<Running> mine;
+  std::vector<std::size_t> places;
+  for (std::size_t i = static_cast<std::size_t>(first); i < plan.jobs.size();
+       i += static_cast<std::size_t>(threads)) {
+    mine.emplace_back(plan.jobs[i], models[plan.jobs[i].model]);
+    places.push_back(i);
+  }
+  if (way == Way::batch) run_batches(mine);
+  for (Running& each : mine) {
+    if (each.job().calls) each.job().calls(each.contact(), each.hash);
+    for (std::size_t k = 0; way != Way::batch && k < each.job().steps.size(); ++k) {
+      each.prepare(k);
+      each.keep(k,
+                way == Way::stages ? each.run_stages() : wrc_step(each.contact(), &each.input, &each.output));
+    }
+  }
+  for (std::size_t i = 0; i < mine.size(); ++i) hashes[places[i]] = mine[i].hash.value();
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> run_jobs(const Plan& plan, const Models& models, int threads, Way way) {
+  std::vector<std::uint64_t> hashes(plan.jobs.size());
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(threads));
+  std::vector<std::thread> running;
+  for (int t = 0; t < threads; ++t) {
+    running.emplace_back([&, t] {
+      try {
+        run_share(plan, models, t, threads, way, hashes);
+      } catch (...) {
+        failures[static_cast<std::size_t>(t)] = std::current_exception();
+      }
+    });
+  }
+  for (std::thread& each : running) each.join();
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return hashes;
+}

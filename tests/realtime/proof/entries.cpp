@@ -1,0 +1,193 @@
+#include "proof/entries.hpp"
+
+#include <limits>
+
+namespace {
+
+/// Arrays of a host, made before any measurement: a gap by elements, and strips with pressure.
+struct HostData {
+  static constexpr int rows = 60, columns = 21, strips = 20;
+  double y[rows], x[columns], h[rows * columns];
+  double strip_y[strips], width[strips], half[strips], peak[strips];
+
+  HostData() {
+    for (int i = 0; i < columns; ++i) x[i] = -0.01 + 0.001 * i;
+    for (int j = 0; j < rows; ++j) {
+      y[j] = -0.015 + 0.03 * j / (rows - 1);
+      for (int i = 0; i < columns; ++i) h[j * columns + i] = x[i] * x[i] / 0.92 + y[j] * y[j] / 0.6;
+    }
+    for (int j = 0; j < strips; ++j) {
+      strip_y[j] = -0.005 + 0.0005 * (j + 0.5);
+      width[j] = 0.0005;
+      half[j] = 4e-3;
+      peak[j] = 7e8;
+    }
+  }
+};
+const HostData host;
+
+void step(Wheel& wheel) { wheel.step(); }
+
+void step_batch(Wheel& wheel) {
+  const wrc_input input = {sizeof input,   0, &wheel.pose, nullptr, &wheel.load, &wheel.creepage,
+                           &wheel.friction};
+  const wrc_output output = {sizeof output, 0, &wheel.point, &wheel.patch, &wheel.forces, &wheel.damage};
+  int32_t status = 0;
+  wrc_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
+}
+
+void step_flat(Wheel& wheel) {
+  const double in[WRC_FLAT_INPUTS] = {wheel.pose.lateral, 0.0, wheel.pose.yaw, 80e3, 1e-3, -1e-3, 0.1, 0.3};
+  double out[WRC_FLAT_OUTPUTS];
+  wrc_step_flat(wheel.contact, in, out);
+}
+
+void geometry(Wheel& wheel) { wheel.geometry(); }
+
+void creepages(Wheel& wheel) {
+  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  motion.speed = 40.0;
+  motion.pitch_rate = -87.0;
+  motion.yaw_rate = 0.02;
+  wrc_creepages(wheel.contact, &motion, &creepage);
+}
+
+void normal(Wheel& wheel) { wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
+
+void normal_of_elements(Wheel& wheel) {
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  gap.rows = HostData::rows;
+  gap.columns = HostData::columns;
+  gap.row_stride = HostData::columns;
+  gap.y = host.y;
+  gap.x = host.x;
+  gap.h = host.h;
+  wrc_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
+}
+
+void regularise(Wheel& wheel) { wrc_regularise(wheel.contact, nullptr, &wheel.patch); }
+
+void tangential(Wheel& wheel) {
+  wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+}
+
+void damage_numbers(Wheel& wheel) { wrc_damage_numbers(wheel.contact, &wheel.damage); }
+
+void wear_numbers(Wheel& wheel) {
+  wrc_wear wear = made<wrc_wear>(wrc_wear_init);
+  wrc_wear_numbers(wheel.contact, nullptr, &wear);
+}
+
+void contact_patch(Wheel& wheel) { wrc_contact_patch(wheel.contact, 0, &wheel.patch, &wheel.forces); }
+
+void field(Wheel& wheel) {
+  for (int32_t id = 0; id <= WRC_FIELD_STRIP_WEAR; ++id) {
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_field(wheel.contact, 0, id, &view);
+  }
+}
+
+void save_and_restore(Wheel& wheel) {
+  wheel.save();
+  wheel.restore();
+}
+
+void regularise_strips(Wheel& wheel) {
+  wrc_strips strips = made<wrc_strips>(wrc_strips_init);
+  strips.count = HostData::strips;
+  strips.y = host.strip_y;
+  strips.width = host.width;
+  strips.half_length = host.half;
+  strips.peak = host.peak;
+  wrc_regularise(wheel.contact, &strips, &wheel.patch);
+}
+
+void tangential_patch(Wheel& wheel) {
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  patch.a = 6e-3;
+  patch.b = 4e-3;
+  patch.psi = -0.3;
+  patch.normal_force = 80e3;
+  wrc_tangential(wheel.contact, &patch, &wheel.creepage, &wheel.friction, &wheel.forces);
+}
+
+/// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it.
+void refused_input(Wheel& wheel) {
+  char text[256];
+  for (double* number : {&wheel.pose.lateral, &wheel.pose.roll, &wheel.pose.yaw, &wheel.load.normal_force,
+                         &wheel.creepage.longitudinal, &wheel.creepage.lateral, &wheel.creepage.spin,
+                         &wheel.creepage.speed, &wheel.friction.coefficient}) {
+    const double kept = *number;
+    for (double wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::signaling_NaN(),
+          std::numeric_limits<double>::infinity(), 1e300, -1e300, 5e-324}) {
+      *number = wrong;
+      wheel.step();
+      wrc_last_error(wheel.contact, text, sizeof text);
+    }
+    *number = kept;
+  }
+}
+
+void model_profile(Wheel& wheel) {
+  wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
+  double deviation = 0.0;
+  wrc_model_profile(wheel.model, WRC_BODY_RAIL, &y, &z, &deviation);
+}
+
+void contact_size(Wheel& wheel) {
+  std::uint64_t bytes = 0, alignment = 0;
+  wrc_contact_size(wheel.model, &bytes, &alignment);
+}
+
+void plain_numbers(Wheel&) {
+  wrc_coefficients coefficients = made<wrc_coefficients>(wrc_coefficients_init);
+  double load_factor = 0.0;
+  for (double ratio : {1e-3, 0.3, 2.0, 1e3}) {
+    wrc_linear_coefficients(ratio, 0.4, 0.27, &coefficients);
+    wrc_shakedown_limit(ratio < 10.0 ? ratio : 0.1, &load_factor);
+  }
+  wrc_linear_coefficients(std::numeric_limits<double>::quiet_NaN(), 0.4, 0.27, &coefficients);
+}
+
+void defaults_and_names(Wheel&) {
+  made<wrc_profile>(wrc_profile_init);
+  made<wrc_config>(wrc_config_init);
+  made<wrc_wear_laws>(wrc_wear_laws_init);
+  made<wrc_allocator>(wrc_allocator_init);
+  wrc_version();
+  wrc_abi_version();
+  wrc_status_name(WRC_ERROR_GAP);
+  wrc_status_text(-1000);
+  wrc_get_api(WRC_ABI_VERSION);
+}
+
+}  // namespace
+
+const std::vector<Entry>& all_entries() {
+  static const std::vector<Entry> entries = {
+      {"wrc_step", step},
+      {"wrc_step_batch", step_batch},
+      {"wrc_step_flat", step_flat},
+      {"wrc_geometry", geometry},
+      {"wrc_creepages", creepages},
+      {"wrc_normal", normal},
+      {"wrc_regularise", regularise},
+      {"wrc_tangential", tangential},
+      {"wrc_damage_numbers", damage_numbers},
+      {"wrc_wear_numbers", wear_numbers},
+      {"wrc_contact_patch", contact_patch},
+      {"wrc_field, all of them", field},
+      {"wrc_contact_save, _restore", save_and_restore},
+      {"wrc_normal, gap by elements", normal_of_elements},
+      {"wrc_regularise, strips", regularise_strips},
+      {"wrc_tangential, double ellipse", tangential_patch},
+      {"wrc_step refused, wrc_last_error", refused_input},
+      {"wrc_model_profile", model_profile},
+      {"wrc_contact_size", contact_size},
+      {"wrc_linear_coefficients, ...", plain_numbers},
+      {"defaults, names, versions", defaults_and_names},
+  };
+  return entries;
+}

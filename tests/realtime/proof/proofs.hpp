@@ -1,0 +1,29 @@
+/// The proofs; each prints what it found and returns whether that is as promised.
+#pragma once
+
+/// Heap calls, system calls, page faults and floating-point traps in `steps` steps spread over all methods,
+/// none of which may be; and that each of the four would have been noticed.
+bool prove_quiet(int steps);
+
+/// Floating-point exceptions, the inexact one too, that reach a host which traps them: every entry, every
+/// method.
+bool prove_no_traps();
+
+/// Deepest use of the stack by any entry with any method, below `allowed` bytes.
+bool prove_stack_bound();
+
+/// The n-th allocation of a creation fails, for all n: WRC_ERROR_MEMORY and nothing leaked.
+bool prove_failed_allocations();
+
+/// A step repeated after wrc_contact_restore(), in the same contact and in another: the same bits.
+bool prove_restore();
+
+/// Creepages so small that their products are denormal numbers give the bits, and so the time, of none at
+/// all.
+bool prove_no_denormal_creepages();
+
+/// Percentiles of the step's time over `steps` steps, and what the machine adds. Prints only.
+void print_latency(int steps);
+
+/// What denormal numbers in the input cost, as ratios. Prints only.
+void print_denormals();

@@ -1,0 +1,59 @@
+/// One wheel on its rail, driven with input that varies from call to call: what all the proofs run.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "structs.hpp"
+
+/// What a wheel is solved with. Fields not named here have the library's defaults.
+struct Methods {
+  int32_t normal = WRC_NORMAL_STRIP_HALFSPACE;
+  int32_t tangential = WRC_TANGENTIAL_STRIP_FASTSIM;
+  int32_t side = WRC_SIDE_RIGHT;
+  int32_t strips = 60, cells = 32;
+  int32_t instruction_set = WRC_INSTRUCTIONS_BEST;
+};
+
+/// Every normal method with every tangential one.
+std::vector<Methods> all_methods();
+
+/// A gap by rows, as a host would hold it.
+struct Gap {
+  std::vector<double> y, height, centre, curvature;
+};
+
+class Wheel {
+ public:
+  explicit Wheel(const Methods& methods);
+  ~Wheel();
+  Wheel(const Wheel&) = delete;
+  Wheel& operator=(const Wheel&) = delete;
+
+  /// Input number i: lateral shift up to the flange, yaw, load from 40 to 120 kN, in every fourth call the
+  /// approach instead, now and then apart; creepages up to full slip.
+  void vary(int i);
+
+  int32_t step();                     ///< from the pose
+  int32_t step_with(const Gap& gap);  ///< from a gap of the host
+  int32_t geometry() { return wrc_geometry(contact, &pose, &point); }
+  Gap gap_of_pose();  ///< what the geometry left in the contact
+  int32_t save() { return wrc_contact_save(contact, state.data(), state.size()); }
+  int32_t restore() { return wrc_contact_restore(contact, state.data(), state.size()); }
+
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  std::vector<char> state;  ///< room for a saved contact
+};
+
+/// wrc_gap that shows rows of a host's gap.
+wrc_gap shown(const Gap& gap);
