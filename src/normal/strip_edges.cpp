@@ -130,14 +130,17 @@ void fit_ends(const GapRows& rows, double lowest_height, StripSystem& s) noexcep
     const double side = j > inner ? 1.0 : -1.0;  // where the border is, seen from the strip
     const double l2 = s.half_length[j] * s.half_length[j];
     const double inner_l2 = s.half_length[inner] * s.half_length[inner];
-    const double slope = (inner_l2 - l2) / std::abs(s.grid.y[inner] - s.grid.y[j]);
-    if (!(slope > 0.0)) return;
+    const double slope = std::max(inner_l2 - l2, 0.0) / std::abs(s.grid.y[inner] - s.grid.y[j]);
     const double inner_border = s.cell_y[j] - side * 0.5 * s.cell_width[j];
-    const double reach = side * (s.grid.y[j] - inner_border) + l2 / slope;
     const std::int32_t beyond = std::clamp(2 * j - inner, 0, s.grid.count - 1);
     const double most = s.cell_width[j] + 0.5 * s.cell_width[beyond];
-    const double extent = std::clamp(reach, 0.1 * s.cell_width[j], most);
-    refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(0.5 * slope * extent));
+    // From the inner border to where l^2 vanishes; a blunt patch ends before.
+    const double in_cell = side * (s.grid.y[j] - inner_border);
+    const bool blunt = l2 >= slope * (most - in_cell);
+    const double reach = blunt ? most : in_cell + l2 / slope;
+    const double extent = std::max(reach, 0.1 * s.cell_width[j]);
+    const double middle_l2 = blunt ? l2 + slope * (in_cell - 0.5 * extent) : 0.5 * slope * extent;
+    refit(j, inner_border + side * 0.5 * extent, extent, std::sqrt(middle_l2));
   };
   for (std::int32_t first = 0, end = 0; first < s.active_count; first = end) {
     end = run_end(s, first);
