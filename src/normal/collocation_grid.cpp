@@ -96,8 +96,9 @@ void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, doubl
   const double step = (y_to - y_from) / samples;
 
   std::array<double, samples + 1 + 2 * curvature_reach> height;
+  GapReader gap(rows);
   for (int i = 0; i < static_cast<int>(height.size()); ++i)
-    height[static_cast<std::size_t>(i)] = interpolate(rows, y_from + (i - curvature_reach) * step).height;
+    height[static_cast<std::size_t>(i)] = gap.height(y_from + (i - curvature_reach) * step);
   const double reach = curvature_reach * step;
   const double floor_curvature = 2.0 * depth / ((y_to - y_from) * (y_to - y_from));
   std::array<double, samples + 1> local;

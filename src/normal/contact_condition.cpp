@@ -1,10 +1,13 @@
 #include "normal/contact_condition.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "normal/elliptic_integrals.hpp"
 #include "normal/logarithm.hpp"
+#include "normal/octave_axis.hpp"
 
 namespace wrc {
 namespace {
@@ -12,11 +15,42 @@ namespace {
 /// Int_0^t ln(s) ds for the signed t: odd in t.
 double integral_of_log(double t) { return t == 0.0 ? 0.0 : t * (natural_log(std::abs(t)) - 1.0); }
 
+/// J(tau) = 2 D / r, k' = tau / r, r = sqrt(1 + tau^2): the displacement of a line of half length 1, and its
+/// slope.
+constexpr Slope line_slope(double tau) {
+  const double m = 1.0 / (1.0 + tau * tau);
+  const double inverse_r = square_root(m);
+  const double complement = tau * inverse_r;
+  const CompleteElliptic integrals = complete_elliptic(complement);
+  const double d_slope = -2.0 * tau * m * m * by_parameter(integrals, complement).d;
+  return {2.0 * integrals.d * inverse_r, 2.0 * inverse_r * (d_slope - integrals.d * tau * m)};
+}
+
+/// tau = 1e-6 .. 256.
+constexpr OctaveAxis line_axis{-20, 28, 4};
+
+/// J between the nodes by cubics, to a millionth; written by the compiler, so that its bits are the same
+/// everywhere.
+constexpr auto line_table = [] {
+  std::array<Cubic, line_axis.intervals()> table{};
+  Slope from = line_slope(line_axis.node(0));
+  for (int i = 0; i < line_axis.intervals(); ++i) {
+    const double length = line_axis.node(i + 1) - line_axis.node(i);
+    const Slope to = line_slope(line_axis.node(i + 1));
+    table[static_cast<std::size_t>(i)] = hermite_cubic(from, to, length);
+    from = to;
+  }
+  return table;
+}();
+
 }  // namespace
 
 double line_displacement(double half_length, double y) noexcept {
-  const double r = std::sqrt(half_length * half_length + y * y);
-  return 2.0 * half_length * complete_elliptic(std::abs(y) / r).d / r;
+  const double tau = std::abs(y) / half_length;
+  // A line far away: pi / (2 tau), bent by its second moment.
+  if (tau >= line_axis.node(line_axis.intervals())) return 0.5 * pi / tau * (1.0 - 0.125 / (tau * tau));
+  const auto [index, t] = line_axis.locate(tau);
+  return line_table[static_cast<std::size_t>(index)].at(t);
 }
 
 double strip_displacement(double half_length, double y_from, double y_to) noexcept {

@@ -8,7 +8,7 @@ namespace wrc {
 
 /// Int sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx over |x| < l, y != 0: displacement at the distance y from a
 /// line of semi-elliptic pressure, on its middle plane [-]. Closed: 2 l D / sqrt(l^2 + y^2), modulus l /
-/// sqrt(l^2 + y^2).
+/// sqrt(l^2 + y^2). From a table, to a millionth; |y| < 1e-6 l counts as that.
 double line_displacement(double half_length, double y) noexcept;
 
 /// IInt sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx dy over |x| < l, y_from < y < y_to, seen from the origin [m].

@@ -13,7 +13,7 @@ namespace {
 
 PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const LateralCurvature& lateral,
                                    double approach) {
-  const HertzShape shape = hertz_shape(coefficient_x / lateral.coefficient);
+  const HertzShape shape = tabulated_hertz_shape(coefficient_x / lateral.coefficient);
   if (kind == EkpScale::area) return {.at_centre = std::sqrt(shape.eps_x * shape.eps_y)};
   const double b2 = shape.eps_y * approach / lateral.coefficient;  // Hertz's b squared
   return {.at_centre = shape.eps_x, .bend = (shape.eps_y - shape.eps_x) / b2, .centre = lateral.middle};
@@ -32,17 +32,20 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
   const GapRow contact = interpolate(rows, lowest.y);
   const double coefficient_x = 0.5 * contact.curvature;
 
-  bool at_edge = false;
-  const auto force = [&](double approach) {
+  PenetrationScale scale;
+  const auto outline = [&](double approach) {
     const LateralCurvature lateral = lateral_curvature(rows, lowest, approach);
-    const PenetrationScale scale = penetration_scale(options.scale, coefficient_x, lateral, approach);
-    const Span span = penetration_span(rows, lowest, scale, approach);
+    scale = penetration_scale(options.scale, coefficient_x, lateral, approach);
+    return penetration_span(rows, lowest, scale, approach);
+  };
+  bool at_edge = false;
+  const auto force = [&](double approach, const Span& span) {
     at_edge = span.at_edge;
     divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
     return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
   };
-  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest), force,
-                          solution);
+  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest),
+                          outline, force, strips, solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

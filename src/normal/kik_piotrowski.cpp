@@ -46,12 +46,13 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
   const PenetrationScale scale{.at_centre = options.penetration_scale};
 
   bool at_edge = false;
-  const auto force = [&](double approach) {
-    const Span span = penetration_span(rows, lowest, scale, approach);
+  GapReader gap(rows);
+  const auto outline = [&](double approach) { return penetration_span(rows, lowest, scale, approach); };
+  const auto force = [&](double approach, const Span& span) {
     at_edge = span.at_edge;
     divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
     for (std::int32_t j = 0; j < strips.count; ++j) {
-      const double row_curvature = interpolate(rows, strips.y[j]).curvature;
+      const double row_curvature = gap.at(strips.y[j]).curvature;
       strips.half_length[j] *= std::sqrt(row_curvature / contact.curvature);
       strips.centre[j] = contact.centre;
     }
@@ -59,7 +60,7 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
     return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
   };
   fault = search_approach(problem, first_guess(problem, 0.5 * contact.curvature),
-                          deepest_approach(rows, lowest), force, solution);
+                          deepest_approach(rows, lowest), outline, force, strips, solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

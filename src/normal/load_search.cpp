@@ -1,5 +1,10 @@
 #include "normal/load_search.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "patch/material.hpp"
+
 namespace wrc {
 namespace {
 
@@ -19,6 +24,31 @@ double cube_root(double x) {
 double first_guess(const NormalProblem& problem, double coefficient_x) noexcept {
   const double force = 0.75 * pi * problem.material.normal_compliance() * problem.normal_force;
   return cube_root(force * force * 2.0 * coefficient_x);
+}
+
+bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noexcept {
+  double inside = 0.0, joining = 0.0;  // loads after the leap
+  const auto joins = [&](std::int32_t j) {
+    return strips.y[j] < before.span.y_from || strips.y[j] > before.span.y_to;
+  };
+  for (std::int32_t j = 0; j < strips.count; ++j)
+    (joins(j) ? joining : inside) += 0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j];
+  if (!(joining > 0.0 && inside > 0.0)) return false;
+  // With a share s of the joining strips' load, the contact condition sets the pressure to the factor
+  // 1 / (1 / f0 + s (1 - 1 / f0)) of that after the leap, f0 before it.
+  const double rest = inside / before.normal_force;  // 1 / f0
+  const double share = std::clamp((target * rest - inside) / (joining - target * (1.0 - rest)), 1e-9, 1.0);
+  if (!(share >= 0.0 && share <= 1.0)) return false;
+  const double factor = target / (inside + share * joining);
+  // Semi-elliptic pressure of the same p / l: load like l^2.
+  const double stretch = std::sqrt(share);
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    strips.peak[j] *= factor;
+    if (!joins(j)) continue;
+    strips.peak[j] *= stretch;
+    strips.half_length[j] *= stretch;
+  }
+  return true;
 }
 
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "normal/penetration.hpp"
 #include "normal/problem.hpp"
 
 namespace wrc {
@@ -27,29 +28,71 @@ inline double straightened(double normal_force) noexcept {
   return half * eighth * std::sqrt(eighth);
 }
 
-/// Runs `force` (approach [m] -> normal force [N], increasing) at the prescribed approach, or searches the
-/// approach for the prescribed load: secant steps kept inside the bracket of what is known, bisection where
-/// they leave it. The last call of `force` is at the approach returned. Fills approach, normal_force,
-/// stiffness and iterations of the solution. `start` > 0: first guess of the approach; `ceiling`: the deepest
-/// the gap describes.
+/// Where the load leaps as the approach grows, because a second region joins the patch: the strips of the
+/// patch after the leap, made to carry a load between those before and after. The strips beyond the patch
+/// before the leap come in gradually, so that patch and pressure move with the load instead of leaping.
+/// False if there are none, and the leap is of another kind.
+struct BeforeLeap {
+  Span span;                  ///< of the patch
+  double normal_force = 0.0;  ///< [N]
+};
+bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noexcept;
+
+/// A state of the search.
+struct Trial {
+  double approach = 0.0, normal_force = 0.0;
+  Span span;
+};
+
+/// Narrows a leap of the patch's extent between low and high by bisection. The extents tell on which side of
+/// it an approach lies, and cost a tenth of the load.
+template <class Outline>
+void narrow_leap(Outline&& outline, Trial& low, Trial& high) noexcept {
+  constexpr double relative_width = 1e-5;
+  constexpr int cap = 40;
+  for (int i = 0; i < cap && high.approach - low.approach > relative_width * high.approach; ++i) {
+    const double middle = 0.5 * (low.approach + high.approach);
+    const Span span = outline(middle);
+    const double from_low = std::abs(span.y_from - low.span.y_from) + std::abs(span.y_to - low.span.y_to);
+    const double from_high = std::abs(span.y_from - high.span.y_from) + std::abs(span.y_to - high.span.y_to);
+    Trial& side = from_low < from_high ? low : high;
+    side.approach = middle;
+    side.span = span;
+  }
+}
+
+/// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps
+/// kept inside the bracket of what is known, bisection where they leave it. A method is two functions:
+/// `outline` gives the lateral extent of its patch at an approach [m], and `force` (approach, extent) the
+/// patch's load [N], filling `strips`; it is called right after `outline` of the same approach. Fills
+/// approach, normal_force, stiffness and iterations (calls of `force`) of the solution. `start` > 0: first
+/// guess of the approach; `ceiling`: the deepest the gap describes.
 ///
-/// WRC_ERROR_LOAD when the ceiling cannot carry the load, WRC_FLAG_ITERATION_CAP when the cap ended the
-/// search: the patch is then that of the last trial.
-template <class Force>
-Fault search_approach(const NormalProblem& problem, double start, double ceiling, Force&& force,
-                      NormalSolution& solution) noexcept {
-  constexpr double probe = 1e-4;  // relative step of a stiffness that no two iterates give
-  const bool load = problem.prescribed == Prescribed::load;
+/// The search ends when its next step would be right to problem.force_tolerance: secant steps square the
+/// error. That step is taken without another evaluation: the approach moves by it and the pressures are
+/// scaled to the load.
+///
+/// WRC_ERROR_LOAD when the ceiling cannot carry the load. Where the load leaps past the target, the answer is
+/// join_gradually(). WRC_FLAG_ITERATION_CAP if that is not possible, or the cap ended the search: the patch
+/// is then that of the last trial, scaled to the load.
+template <class Outline, class Force>
+Fault search_approach(const NormalProblem& problem, double start, double ceiling, Outline&& outline,
+                      Force&& force, Strips& strips, NormalSolution& solution) noexcept {
+  constexpr double probe = 1e-4;          // relative step of a stiffness that no two iterates give
+  constexpr double steepest_power = 6.0;  // N ~ approach^power: 1.5 is Hertz's; beyond, the load leaps
+  const auto evaluate = [&](double approach) {
+    ++solution.iterations;
+    const Span span = outline(approach);
+    return Trial{approach, force(approach, span), span};
+  };
   const auto settle = [&](double approach) {
-    const double beside = force(approach * (1.0 - probe));
-    const double here = force(approach);
+    const double beside = evaluate(approach * (1.0 - probe)).normal_force;
     solution.approach = approach;
-    solution.normal_force = here;
-    solution.stiffness = (here - beside) / (approach * probe);
-    solution.iterations += 2;
+    solution.normal_force = evaluate(approach).normal_force;
+    solution.stiffness = (solution.normal_force - beside) / (approach * probe);
   };
 
-  if (!load) {
+  if (problem.prescribed == Prescribed::approach) {
     if (problem.approach > ceiling)
       return {.status = WRC_ERROR_LOAD,
               .field = "approach",
@@ -62,55 +105,84 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
     return {};
   }
 
+  const Fault capped = {.status = WRC_FLAG_ITERATION_CAP,
+                        .field = "max_iterations",
+                        .value = static_cast<double>(problem.max_iterations)};
   const double target = problem.normal_force;
   const double x_target = straightened(target);
-  double low = 0.0, high = ceiling;
-  bool bracketed = false;
+  const auto scale_to_target = [&](double from) {
+    for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= target / from;
+    solution.normal_force = target;
+  };
+  Trial low, high;
+  high.approach = ceiling;
+  bool bracketed = false, may_leap = true;
   double approach = std::min(start, ceiling);
   double previous = 0.0, x_previous = 0.0;  // the unloaded state is a point of the curve
   for (std::int32_t i = 0; i < problem.max_iterations; ++i) {
-    const double normal_force = force(approach);
-    ++solution.iterations;
-    const double x = straightened(normal_force);
+    const Trial trial = evaluate(approach);
+    const double x = straightened(trial.normal_force);
     double slope = approach != previous ? (x - x_previous) / (approach - previous) : 0.0;
     if (!(slope > 0.0)) slope = x / approach;  // a step across a merging patch may have misled the secant
-    if (std::abs(normal_force - target) <= problem.force_tolerance * target) {
-      const bool slope_usable = i > 0 && std::abs(approach - previous) > 1e-6 * approach;
-      solution.approach = approach;
-      solution.normal_force = normal_force;
+    const double error = trial.normal_force / target - 1.0;
+    if (error * error <= problem.force_tolerance && i > 0) {
+      solution.approach = approach + (x_target - x) / slope;
       // dN/d(approach) = (16/11) (N / x) dx/d(approach)
-      solution.stiffness = 16.0 / 11.0 * normal_force / x * slope;
-      if (!slope_usable) settle(approach);
+      solution.stiffness = 16.0 / 11.0 * target / x_target * slope;
+      scale_to_target(trial.normal_force);
       return {};
     }
-    if (normal_force < target) {
+    if (trial.normal_force < target) {
       if (approach >= ceiling)
         return {.status = WRC_ERROR_LOAD,
                 .field = "normal_force",
                 .value = target,
                 .unit = "N",
                 .low = 0.0,
-                .high = normal_force,
+                .high = trial.normal_force,
                 .cause = "the gap given is too narrow to carry it"};
-      low = approach;
+      low = trial;
     } else {
-      high = approach;
+      high = trial;
       bracketed = true;
     }
     double next = approach + (x_target - x) / slope;
     if (!bracketed) next = std::min(std::max(next, 1.001 * approach), 10.0 * approach);
     if (!bracketed && next >= ceiling) next = ceiling;
-    if (bracketed && !(next > low && next < high)) next = 0.5 * (low + high);
+    if (bracketed && !(next > low.approach && next < high.approach))
+      next = 0.5 * (low.approach + high.approach);
+    const bool steep = bracketed && low.normal_force > 0.0 &&
+                       (high.normal_force - low.normal_force) * low.approach >
+                           steepest_power * low.normal_force * (high.approach - low.approach);
+    if (steep) next = 0.5 * (low.approach + high.approach);
+    if (steep && may_leap) {
+      may_leap = false;
+      // The slope of the larger patch, as far as one is known.
+      const double chord = high.normal_force / high.approach;
+      Trial before = low, after = high;
+      narrow_leap(outline, before, after);
+      before = evaluate(before.approach);
+      after = evaluate(after.approach);
+      if (before.normal_force < target && target <= after.normal_force) {
+        const double rise = high.normal_force - after.normal_force;
+        const double run = high.approach - after.approach;
+        solution.approach = after.approach;
+        solution.stiffness = run > probe * high.approach && rise > 0.0 ? rise / run : chord;
+        if (!join_gradually({before.span, before.normal_force}, target, strips)) {
+          scale_to_target(after.normal_force);
+          return capped;
+        }
+        solution.normal_force = target;
+        return {};
+      }
+    }
     previous = approach;
     x_previous = x;
     approach = next;
   }
-  // Where a second region joins the patch, the load jumps past the target: then the larger patch is the
-  // answer.
-  settle(bracketed ? high : approach);
-  return {.status = WRC_FLAG_ITERATION_CAP,
-          .field = "max_iterations",
-          .value = static_cast<double>(problem.max_iterations)};
+  settle(bracketed ? high.approach : approach);
+  scale_to_target(solution.normal_force);
+  return capped;
 }
 
 }  // namespace wrc

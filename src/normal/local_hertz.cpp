@@ -13,18 +13,26 @@ namespace {
 constexpr double flat = 0.1;  // [1/m]
 
 /// The curvatures of the gap at y, and Hertz's eps_y for them as the scale of the penetration.
-struct LocalCurvature {
-  const GapRows& rows;
-  double reach;
+class LocalCurvature {
+ public:
+  LocalCurvature(const GapRows& rows, double reach)
+      : here_(rows), below_(rows), above_(rows), reach_(reach), inverse_(1.0 / (reach * reach)) {}
 
-  double lateral(double y) const {
-    const double beside = interpolate(rows, y - reach).height + interpolate(rows, y + reach).height;
-    const double second = (beside - 2.0 * interpolate(rows, y).height) / (reach * reach);
-    return std::max(0.5 * second, flat);
+  /// A, B of the gap there and its height.
+  struct Place {
+    double height, coefficient_x, coefficient_y, centre;
+    HertzShape shape() const { return tabulated_hertz_shape(coefficient_x / coefficient_y); }
+  };
+  Place place(double y) {
+    const GapRow row = here_.at(y);
+    const double second = below_.height(y - reach_) + above_.height(y + reach_) - 2.0 * row.height;
+    return {row.height, 0.5 * row.curvature, std::max(0.5 * second * inverse_, flat), row.centre};
   }
-  double longitudinal(double y) const { return 0.5 * interpolate(rows, y).curvature; }
-  HertzShape shape(double y) const { return hertz_shape(longitudinal(y) / lateral(y)); }
-  double at(double y) const { return shape(y).eps_y; }
+  double at(double y) { return place(y).shape().eps_y; }
+
+ private:
+  GapReader here_, below_, above_;
+  double reach_, inverse_;
 };
 
 }  // namespace
@@ -39,27 +47,38 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
   const GapMinimum lowest = minimum(rows);
   const double compliance = problem.material.normal_compliance();
   bool at_edge = false;
-  const auto force = [&](double approach) {
+  const auto local_at = [&](double approach) {
     const Span half_depth = penetration_span(rows, lowest, PenetrationScale{}, approach);
-    const LocalCurvature local{rows, reach(0.5 * half_depth.width())};
-    const Span span = penetration_span(rows, lowest, local, approach);
+    return LocalCurvature(rows, reach(0.5 * half_depth.width()));
+  };
+  const auto outline = [&](double approach) {
+    return penetration_span(rows, lowest, local_at(approach), approach);
+  };
+  const auto force = [&](double approach, const Span& span) {
+    LocalCurvature local = local_at(approach);
     at_edge = span.at_edge;
-    divide_span(rows, lowest, local, approach, span, problem.strips, strips);
+    strips.count = problem.strips;
+    const double width = span.width() / strips.count;
     double load = 0.0;
     for (std::int32_t j = 0; j < strips.count; ++j) {
-      const double y = strips.y[j];
-      const double coefficient_x = local.longitudinal(y);
-      const HertzShape shape = local.shape(y);
-      const double overlap = coefficient_x * strips.half_length[j] * strips.half_length[j];
-      const double depth = overlap / shape.eps_y;
-      strips.half_length[j] *= std::sqrt(shape.eps_x / shape.eps_y);
-      strips.peak[j] = hertz_ellipse(coefficient_x, local.lateral(y), depth, compliance).peak;
-      load += 0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j];
+      strips.y[j] = span.y_from + (j + 0.5) * width;
+      strips.width[j] = width;
+      const LocalCurvature::Place place = local.place(strips.y[j]);
+      const HertzShape shape = place.shape();
+      // A dip of the overlap between two rows must not end in the root of a negative number.
+      const double overlap =
+          std::max(shape.eps_y * approach - (place.height - lowest.height), 1e-12 * approach);
+      const HertzEllipse ellipse =
+          hertz_ellipse(shape, place.coefficient_x, overlap / shape.eps_y, compliance);
+      strips.centre[j] = place.centre;
+      strips.half_length[j] = ellipse.a;
+      strips.peak[j] = ellipse.peak;
+      load += 0.5 * pi * ellipse.a * ellipse.peak * width;
     }
     return load;
   };
   fault = search_approach(problem, first_guess(problem, 0.5 * interpolate(rows, lowest.y).curvature),
-                          deepest_approach(rows, lowest), force, solution);
+                          deepest_approach(rows, lowest), outline, force, strips, solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

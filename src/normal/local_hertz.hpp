@@ -13,8 +13,7 @@
 namespace wrc {
 
 /// Solves the problem with B taken as half the second difference of the gap over +-reach(approach, lateral
-/// half width at half the approach) [m]; B is floored at 0.1 1/m, below which a wheel counts as flat. Costs
-/// one solution of Hertz's equation per strip and evaluation: a method to compare with, not a fast one.
+/// half width at half the approach) [m]; B is floored at 0.1 1/m, below which a wheel counts as flat.
 using CurvatureReach = double (*)(double half_width);
 Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Strips& strips,
                         NormalSolution& solution) noexcept;

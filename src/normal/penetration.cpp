@@ -2,11 +2,9 @@
 
 namespace wrc {
 
-LateralCurvature lateral_curvature(const GapRows& rows, const GapMinimum& lowest, double approach) noexcept {
-  const PenetrationScale half{};
-  const Span span = penetration_span(rows, lowest, half, approach);
-  const double half_width = 0.5 * span.width();
-  return {half.at_centre * approach / (half_width * half_width), span.middle(), span.at_edge};
+LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept {
+  const double half_width = 0.5 * chord.width();
+  return {PenetrationScale{}.at_centre * approach / (half_width * half_width), chord.middle(), chord.at_edge};
 }
 
 double deepest_approach(const GapRows& rows, const GapMinimum& lowest) noexcept {

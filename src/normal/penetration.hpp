@@ -34,22 +34,23 @@ struct Span {
   double middle() const noexcept { return 0.5 * (y_from + y_to); }
 };
 
-/// g(y) for a scale: PenetrationScale, or any type with `double at(double y) const`.
+/// g(y) for a scale: PenetrationScale, or any type with `double at(double y)`.
 template <class Scale>
 struct Overlap {
   const GapRows& rows;
   const GapMinimum& lowest;
-  const Scale& scale;
+  Scale scale;
   double approach;
+  GapReader gap{rows};
 
-  double of(double y, double height) const { return scale.at(y) * approach - (height - lowest.height); }
-  double at_row(std::int32_t j) const { return of(rows.y[j], rows.height[j]); }
-  double at(double y) const { return of(y, interpolate(rows, y).height); }
+  double of(double y, double height) { return scale.at(y) * approach - (height - lowest.height); }
+  double at_row(std::int32_t j) { return of(rows.y[j], rows.height[j]); }
+  double at(double y) { return of(y, gap.height(y)); }
 };
 
 /// Root of the overlap between y_in (overlap > 0) and y_out (<= 0): regula falsi in Illinois' form.
 template <class Scale>
-double border_between(const Overlap<Scale>& overlap, double y_in, double g_in, double y_out, double g_out) {
+double border_between(Overlap<Scale>& overlap, double y_in, double g_in, double y_out, double g_out) {
   constexpr int cap = 30;  // 4 to 7 are used
   int kept_side = 0;
   double y = y_out;
@@ -74,7 +75,7 @@ double border_between(const Overlap<Scale>& overlap, double y_in, double g_in, d
 
 /// Walks from the minimum over the rows in one direction (+1 or -1) to the first without overlap.
 template <class Scale>
-double border_from_minimum(const Overlap<Scale>& overlap, int direction, bool& at_edge) {
+double border_from_minimum(Overlap<Scale>& overlap, int direction, bool& at_edge) {
   const GapRows& rows = overlap.rows;
   double y_in = overlap.lowest.y;
   double g_in = overlap.at(y_in);
@@ -94,9 +95,8 @@ double border_from_minimum(const Overlap<Scale>& overlap, int direction, bool& a
 /// Finds the borders as roots of g on the interpolated gap, so that they move smoothly with approach and
 /// pose. A lobe that rises and falls between two rows is not seen.
 template <class Scale>
-Span penetration_span(const GapRows& rows, const GapMinimum& lowest, const Scale& scale,
-                      double approach) noexcept {
-  const Overlap<Scale> overlap{rows, lowest, scale, approach};
+Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale, double approach) noexcept {
+  Overlap<Scale> overlap{rows, lowest, scale, approach};
   Span span;
   span.y_from = border_from_minimum(overlap, -1, span.at_edge);
   span.y_to = border_from_minimum(overlap, +1, span.at_edge);
@@ -107,13 +107,13 @@ Span penetration_span(const GapRows& rows, const GapMinimum& lowest, const Scale
 /// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Fitting the strips
 /// to the span, instead of cutting it out of a fixed grid, is what makes area and load smooth.
 template <class Scale>
-void divide_span(const GapRows& rows, const GapMinimum& lowest, const Scale& scale, double approach,
+void divide_span(const GapRows& rows, const GapMinimum& lowest, Scale scale, double approach,
                  const Span& span, std::int32_t count, Strips& strips) noexcept {
-  const Overlap<Scale> overlap{rows, lowest, scale, approach};
+  Overlap<Scale> overlap{rows, lowest, scale, approach};
   const double width = span.width() / count;
   for (std::int32_t j = 0; j < count; ++j) {
     const double y = span.y_from + (j + 0.5) * width;
-    const GapRow row = interpolate(rows, y);
+    const GapRow row = overlap.gap.at(y);
     // A dip of the overlap between two rows must not end in the root of a negative number.
     const double g = std::max(overlap.of(y, row.height), 1e-12 * approach);
     strips.y[j] = y;
@@ -132,7 +132,11 @@ struct LateralCurvature {
   double middle = 0.0;       ///< [m]
   bool at_edge = false;
 };
-LateralCurvature lateral_curvature(const GapRows& rows, const GapMinimum& lowest, double approach) noexcept;
+LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept;
+inline LateralCurvature lateral_curvature(const GapRows& rows, const GapMinimum& lowest,
+                                          double approach) noexcept {
+  return lateral_curvature(penetration_span(rows, lowest, PenetrationScale{}, approach), approach);
+}
 
 /// Deepest approach the rows can describe: where the overlap covers all of them [m].
 double deepest_approach(const GapRows& rows, const GapMinimum& lowest) noexcept;

@@ -10,13 +10,6 @@
 namespace wrc {
 namespace {
 
-double node_value(const OctaveAxis& axis, int index) {
-  const int octave = index >> axis.bits_per_octave;
-  const int within = index & ((1 << axis.bits_per_octave) - 1);
-  return std::ldexp(1.0 + std::ldexp(static_cast<double>(within), -axis.bits_per_octave),
-                    axis.lowest_exponent + octave);
-}
-
 /// asinh, odd.
 double area_sinh(double x) {
   const double value = natural_log(std::abs(x) + std::sqrt(x * x + 1.0));
@@ -57,10 +50,10 @@ double line_potential(double tau, double xi) noexcept {
 void tabulate(StripKernel& kernel) noexcept {
   // The integral under the mean grows from node to node by Simpson's rule; before the first node it is the
   // logarithm's alone.
-  double node = node_value(StripKernel::distance_axis, 0);
+  double node = StripKernel::distance_axis.node(0);
   double integral = 0.5 * strip_displacement(1.0, -node, node);
   for (int i = 0; i <= StripKernel::distance_axis.intervals(); ++i) {
-    const double next = node_value(StripKernel::distance_axis, i + 1);
+    const double next = StripKernel::distance_axis.node(i + 1);
     const double here = line_displacement(1.0, node);
     kernel.on_middle_plane[static_cast<std::size_t>(i)] = here;
     kernel.mean_under[static_cast<std::size_t>(i)] = integral / node;
@@ -70,7 +63,7 @@ void tabulate(StripKernel& kernel) noexcept {
   }
   for (int i = 0; i <= StripKernel::chi_axis.intervals(); ++i)
     for (int j = 0; j <= StripKernel::eta_intervals; ++j) {
-      const double x = node_value(StripKernel::chi_axis, i);
+      const double x = StripKernel::chi_axis.node(i);
       const double v = static_cast<double>(j) / StripKernel::eta_intervals;
       const double eta = 1.0 - v * v;
       const double tau = std::sqrt(x * (x + 2.0) * v * v * (1.0 + eta));

@@ -17,39 +17,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "normal/octave_axis.hpp"
+
 namespace wrc {
-
-/// A function of x > 0 on nodes at equal distances within each octave.
-struct OctaveAxis {
-  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
-  int octaves;
-  int bits_per_octave;  ///< 2^bits intervals in each octave
-
-  constexpr int intervals() const { return octaves << bits_per_octave; }
-
-  /// Interval that holds x, and where in it x lies (0..1). x outside the axis is taken to its ends.
-  struct Place {
-    std::int64_t index;
-    double fraction;
-  };
-  Place locate(double x) const noexcept {
-    constexpr int mantissa_bits = 52;
-    constexpr std::int64_t exponent_bias = 1023;
-    const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
-    const int shift = mantissa_bits - bits_per_octave;
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    const std::int64_t index = (bits >> shift) - first;
-    if (index < 0) return {0, 0.0};
-    if (index >= intervals()) return {intervals() - 1, 1.0};
-    const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
-    const double interval = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
-    return {index, static_cast<double>(rest) * interval};
-  }
-};
 
 /// About 100 kB, immutable after tabulate(); one serves all threads.
 struct StripKernel {

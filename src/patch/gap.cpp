@@ -1,6 +1,7 @@
 #include "patch/gap.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wrc {
 namespace {
@@ -10,60 +11,57 @@ double row_slope(const GapRows& rows, std::int32_t j) {
   const std::int32_t middle = std::clamp(j, 1, rows.count - 2);
   const double left = rows.y[middle] - rows.y[middle - 1];
   const double right = rows.y[middle + 1] - rows.y[middle];
-  const double slope_left = (rows.height[middle] - rows.height[middle - 1]) / left;
-  const double slope_right = (rows.height[middle + 1] - rows.height[middle]) / right;
-  const double slope = (slope_left * right + slope_right * left) / (left + right);
-  const double second = 2.0 * (slope_right - slope_left) / (left + right);
+  const double drop = rows.height[middle] - rows.height[middle - 1];
+  const double rise = rows.height[middle + 1] - rows.height[middle];
+  const double inverse = 1.0 / (left * right * (left + right));
+  const double slope = (drop * right * right + rise * left * left) * inverse;
+  if (j == middle) return slope;
+  const double second = 2.0 * (rise * left - drop * right) * inverse;
   return slope + second * (rows.y[j] - rows.y[middle]);
-}
-
-/// The j with y[j] <= y < y[j + 1] (the last interval includes its end): rows are spread nearly evenly, so
-/// the proportional guess is right or next to it.
-std::int32_t interval_of(const GapRows& rows, double y) {
-  const std::int32_t last = rows.count - 1;
-  const double share = (y - rows.y[0]) / (rows.y[last] - rows.y[0]);
-  auto j = std::clamp(static_cast<std::int32_t>(share * last), 0, last - 1);
-  while (j > 0 && y < rows.y[j]) --j;
-  while (j < last - 1 && y >= rows.y[j + 1]) ++j;
-  return j;
 }
 
 }  // namespace
 
-GapRow interpolate(const GapRows& rows, double y) {
-  const std::int32_t last = rows.count - 1;
-  y = std::clamp(y, rows.y[0], rows.y[last]);
-  const std::int32_t j = interval_of(rows, y);
-
-  const double dy = rows.y[j + 1] - rows.y[j];
-  const double t = (y - rows.y[j]) / dy;
-  const double rise = rows.height[j + 1] - rows.height[j];
-  double slope_0, slope_1;
-  if (j > 0 && j + 1 < last) {
-    // row_slope of both rows at once: they share the middle chord.
-    const double before = rows.y[j] - rows.y[j - 1];
-    const double after = rows.y[j + 2] - rows.y[j + 1];
-    const double chord_before = (rows.height[j] - rows.height[j - 1]) / before;
-    const double chord = rise / dy;
-    const double chord_after = (rows.height[j + 2] - rows.height[j + 1]) / after;
-    slope_0 = (chord_before * dy + chord * before) / (before + dy);
-    slope_1 = (chord * after + chord_after * dy) / (dy + after);
-  } else {
-    slope_0 = row_slope(rows, j);
-    slope_1 = row_slope(rows, j + 1);
+double GapReader::move(double y) noexcept {
+  const std::int32_t last = rows_.count - 1;
+  y = std::clamp(y, rows_.y[0], rows_.y[last]);
+  std::int32_t j = interval_;
+  if (j < 0) {
+    // Rows are spread nearly evenly: the proportional guess is right or next to it.
+    j = static_cast<std::int32_t>((y - rows_.y[0]) / (rows_.y[last] - rows_.y[0]) * last);
+    j = std::clamp(j, 0, last - 1);
   }
-  const double m0 = slope_0 * dy;
-  const double m1 = slope_1 * dy;
-  // Hermite cubic: height = h0 + t (m0 + t (c2 + t c3))
-  const double c2 = 3.0 * rise - 2.0 * m0 - m1;
-  const double c3 = m0 + m1 - 2.0 * rise;
-  GapRow row;
-  row.height = rows.height[j] + t * (m0 + t * (c2 + t * c3));
-  row.slope = (m0 + t * (2.0 * c2 + 3.0 * t * c3)) / dy;
-  row.centre = rows.centre[j] + t * (rows.centre[j + 1] - rows.centre[j]);
-  row.curvature = rows.curvature[j] + t * (rows.curvature[j + 1] - rows.curvature[j]);
-  return row;
+  while (j > 0 && y < rows_.y[j]) --j;
+  while (j < last - 1 && y >= rows_.y[j + 1]) ++j;
+  if (j == interval_) return y - from_;  // outside the rows, or the last row itself
+  const bool next = interval_ >= 0 && j == interval_ + 1;
+  interval_ = j;
+  from_ = rows_.y[j];
+  to_ = rows_.y[j + 1];
+  const double inverse = 1.0 / (to_ - from_);
+  const double chord = (rows_.height[j + 1] - rows_.height[j]) * inverse;
+  c0_ = rows_.height[j];
+  c1_ = next ? slope_to_ : row_slope(rows_, j);
+  slope_to_ = row_slope(rows_, j + 1);
+  c2_ = (3.0 * chord - 2.0 * c1_ - slope_to_) * inverse;
+  c3_ = (c1_ + slope_to_ - 2.0 * chord) * (inverse * inverse);
+  centre_ = rows_.centre[j];
+  centre_slope_ = (rows_.centre[j + 1] - centre_) * inverse;
+  curvature_ = rows_.curvature[j];
+  curvature_slope_ = (rows_.curvature[j + 1] - curvature_) * inverse;
+  return y - from_;
 }
+
+double GapReader::lowest_between(double low, double high) noexcept {
+  enter(0.5 * (low + high));
+  // slope = c1 + 2 c2 d + 3 c3 d^2: its root with rising slope, in the form that does not cancel.
+  const double root = std::sqrt(std::max(0.0, c2_ * c2_ - 3.0 * c3_ * c1_));
+  const double above = c2_ >= 0.0 ? -c1_ : root - c2_;
+  const double below = c2_ >= 0.0 ? c2_ + root : 3.0 * c3_;
+  return below > 0.0 ? std::clamp(from_ + above / below, low, high) : high;
+}
+
+GapRow interpolate(const GapRows& rows, double y) { return GapReader(rows).at(y); }
 
 std::int32_t lowest_row(const GapRows& rows) {
   return static_cast<std::int32_t>(std::min_element(rows.height, rows.height + rows.count) - rows.height);
@@ -133,25 +131,23 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
 GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y[rows.count - 1]); }
 
 GapMinimum minimum(const GapRows& rows, double low, double high) {
-  // The interpolant is C1 and, around its lowest node, unimodal: bisect the slope over the two adjoining
-  // pieces.
+  // The interpolant is C1 and, around its lowest node, unimodal: the root of the slope in one of the two
+  // adjoining pieces.
   std::int32_t lowest = -1;
   for (std::int32_t j = 0; j < rows.count; ++j) {
     if (rows.y[j] < low || rows.y[j] > high) continue;
     if (lowest < 0 || rows.height[j] < rows.height[lowest]) lowest = j;
   }
+  GapReader gap(rows);
   if (lowest >= 0) {
     low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
     high = std::min(high, rows.y[std::min(lowest + 1, rows.count - 1)]);
   }
-  if (interpolate(rows, low).slope >= 0.0) return {low, interpolate(rows, low).height};
-  if (interpolate(rows, high).slope <= 0.0) return {high, interpolate(rows, high).height};
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (interpolate(rows, middle).slope < 0.0 ? low : high) = middle;
-  }
-  const double y = 0.5 * (low + high);
-  return {y, interpolate(rows, y).height};
+  if (const GapRow row = gap.at(low); row.slope >= 0.0) return {low, row.height};
+  if (const GapRow row = gap.at(high); row.slope <= 0.0) return {high, row.height};
+  if (lowest >= 0) (gap.at(rows.y[lowest]).slope < 0.0 ? low : high) = rows.y[lowest];
+  const double y = gap.lowest_between(low, high);
+  return {y, gap.height(y)};
 }
 
 }  // namespace wrc

@@ -32,8 +32,8 @@ struct StripTotals {
   double normal_force = 0.0;   ///< sum of (pi/2) l p dy [N]
   double peak_pressure = 0.0;  ///< largest strip peak [Pa]
   double length = 0.0;         ///< max over strips of leading edge minus min of trailing edge [m]
-  double y_min = 0.0;          ///< right-hand (smaller y) border [m]
-  double y_max = 0.0;          ///< left-hand (larger y) border [m]
+  double y_min = 0.0;          ///< border of smaller y [m]
+  double y_max = 0.0;          ///< border of larger y [m]
 };
 
 /// Sums the strips in order of increasing index (the order is part of the result's bits).

@@ -1,0 +1,68 @@
+/// Functions of a positive number over many orders of magnitude, as polynomials between nodes at equal
+/// distances within each octave: the node is read off the bits of the number, no logarithm is taken.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace wrc {
+
+/// Nodes x > 0 at equal distances within each octave.
+struct OctaveAxis {
+  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
+  int octaves;
+  int bits_per_octave;  ///< 2^bits intervals in each octave
+
+  constexpr int intervals() const { return octaves << bits_per_octave; }
+
+  /// Node i = 0 .. intervals().
+  constexpr double node(int i) const {
+    const auto octave = static_cast<std::int64_t>(i >> bits_per_octave);
+    const auto within = static_cast<std::int64_t>(i & ((1 << bits_per_octave) - 1));
+    return std::bit_cast<double>((exponent_bias + lowest_exponent + octave) << mantissa_bits |
+                                 within << (mantissa_bits - bits_per_octave));
+  }
+
+  /// Interval that holds x, and where in it x lies (0..1). x outside the axis is taken to its ends.
+  struct Place {
+    std::int64_t index;
+    double fraction;
+  };
+  constexpr Place locate(double x) const noexcept {
+    const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
+    const int shift = mantissa_bits - bits_per_octave;
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    const std::int64_t index = (bits >> shift) - first;
+    if (index < 0) return {0, 0.0};
+    if (index >= intervals()) return {intervals() - 1, 1.0};
+    const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
+    const double interval = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
+    return {index, static_cast<double>(rest) * interval};
+  }
+
+ private:
+  static constexpr int mantissa_bits = 52;
+  static constexpr std::int64_t exponent_bias = 1023;
+};
+
+/// A cubic over one interval, t = 0..1 across it.
+struct Cubic {
+  double c0 = 0.0, c1 = 0.0, c2 = 0.0, c3 = 0.0;
+  constexpr double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+};
+
+/// A value and its derivative.
+struct Slope {
+  double value = 0.0, derivative = 0.0;
+};
+
+/// The cubic with these values and derivatives at the ends of an interval of this length.
+constexpr Cubic hermite_cubic(Slope from, Slope to, double length) {
+  const double m0 = from.derivative * length, m1 = to.derivative * length;
+  const double rise = to.value - from.value;
+  return {from.value, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
+}
+
+}  // namespace wrc
