@@ -20,7 +20,14 @@ namespace wrc {
 
 /// The methods a model can be made of, one per stage.
 enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
-enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec, strip_fastsim };
+enum class TangentialMethod {
+  fastsim,
+  fastsim_eqe,
+  fastsim_eql,
+  fastsim_sdec,
+  strip_fastsim,
+  coarse_halfspace
+};
 
 /// Where a profile comes from: a standard shape or points of the caller.
 struct ProfileSource {

@@ -5,6 +5,7 @@
 #include "contact/contact.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
+#include "tangential/coarse_halfspace.hpp"
 #include "tangential/fastsim.hpp"
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
@@ -74,6 +75,7 @@ Fault roll(Contact& contact, Patch& patch) {
   rolling.b = patch.sdec.b;
   rolling.shape_number = patch.sdec.psi;
   rolling.shear_modulus = model.options.material.shear_modulus;
+  rolling.poisson = model.options.material.poisson;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
   rolling.creepage = contact.creepage;
@@ -97,6 +99,9 @@ Fault roll(Contact& contact, Patch& patch) {
       break;
     case TangentialMethod::strip_fastsim:
       patch.forces = strip_fastsim(rolling, fields, fault);
+      break;
+    case TangentialMethod::coarse_halfspace:
+      patch.forces = coarse_halfspace(rolling, array(contact, Array::tangential_workspace), fields, fault);
       break;
   }
   patch.forces.mz -= patch.y_contact * patch.forces.fx;

@@ -18,6 +18,7 @@ struct RollingContact {
   Creepage creepage;                         ///< at the initial contact point
   double friction = 0.0;                     ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
+  double poisson = 0.0;  ///< nu, where the half-space itself is solved [-]
 };
 
 }  // namespace wrc

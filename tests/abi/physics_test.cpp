@@ -147,10 +147,13 @@ class Physics : public testing::TestWithParam<Methods> {
 
 std::vector<Methods> all_methods() {
   std::vector<Methods> all;
-  for (int32_t normal = WRC_NORMAL_HERTZ; normal <= WRC_NORMAL_STRIP_HALFSPACE; ++normal)
-    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_STRIP_FASTSIM;
-         ++tangential)
+  for (int32_t normal = WRC_NORMAL_HERTZ; normal <= WRC_NORMAL_STRIP_HALFSPACE; ++normal) {
+    for (int32_t tangential :
+         {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTSIM_EQE, WRC_TANGENTIAL_FASTSIM_EQL,
+          WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
       all.push_back({normal, tangential});
+    }
+  }
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(Methods, Physics, testing::ValuesIn(all_methods()), [](const auto& each) {

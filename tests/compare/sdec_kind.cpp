@@ -13,6 +13,7 @@ struct Variant {
 
 constexpr Variant variants[] = {
     {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
+    {"coarse_halfspace", WRC_TANGENTIAL_COARSE_HALFSPACE, WRC_BOUND_PARABOLIC},
     {"fastsim_sdec/parabolic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
     {"fastsim_sdec/elliptic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC},
     {"fastsim_eql/parabolic", WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
