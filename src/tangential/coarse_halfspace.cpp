@@ -41,15 +41,20 @@ void lay_over(const Box& box, CoarseGrid<n>& grid) {
 }
 
 /// Mean traction bound of every cell, from the strips' loads: each strip's cells (march grid) are dealt out
-/// to the columns they overlap, the strip to the rows it overlaps, so that mu N is kept.
+/// to the columns they overlap, the strip to the rows it overlaps, so that mu N is kept. A cell of which only
+/// the share c is in contact gives way more to the same force, by 1 / sqrt(c) as the contact's own size: its
+/// own coefficient is raised by that.
 template <int n>
-void deal_out(const RollingContact& contact, const CoarseGrid<n>& grid, double* bound) {
+void deal_out(const RollingContact& contact, CoarseRolling<n>& rolling) {
+  const CoarseGrid<n>& grid = rolling.grid;
+  double* const bound = rolling.bound;
   std::fill_n(bound, n * n, 0.0);
+  double area[n * n] = {};
   const Strips& strips = contact.region;
   const MarchGrid& march = *contact.grid;
   const double left = grid.first_x - 0.5 * grid.dx, low = grid.first_y - 0.5 * grid.dy;
   for (std::int32_t s = 0; s < strips.count; ++s) {
-    double columns[n] = {};
+    double columns[n] = {}, covered[n] = {};
     const double length =
         2.0 * strips.half_length[s] / march.cells / grid.dx;  // of a strip's cell, in columns
     double border = (strips.centre[s] + strips.half_length[s] - left) / grid.dx;
@@ -60,6 +65,7 @@ void deal_out(const RollingContact& contact, const CoarseGrid<n>& grid, double* 
       for (int i = from; i <= to; ++i) {
         const double part = std::min(front, i + 1.0) - std::max(back, static_cast<double>(i));
         columns[i] += std::max(0.0, part) * march.elliptic.mean[c];
+        covered[i] += std::max(0.0, part);
       }
     }
     const double bottom = (strips.y[s] - 0.5 * strips.width[s] - low) / grid.dy;
@@ -70,8 +76,14 @@ void deal_out(const RollingContact& contact, const CoarseGrid<n>& grid, double* 
       const double part = std::max(0.0, std::min(top, j + 1.0) - std::max(bottom, static_cast<double>(j)));
       for (int i = 0; i < n; ++i) {
         bound[j * n + i] += contact.friction * strips.peak[s] * part * columns[i];
+        area[j * n + i] += part * covered[i];
       }
     }
+  }
+  const double own = grid.xx[n - 1][n - 1];
+  for (int at = 0; at < n * n; ++at) {
+    const double covered = std::clamp(area[at], 1e-6, 1.0);
+    rolling.border_compliance[at] = own * (1.0 / std::sqrt(covered) - 1.0);
   }
 }
 
@@ -186,8 +198,8 @@ TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace
   lay_over(box, fine.grid);
   fill_coefficients(contact.shear_modulus, contact.poisson, coarse.grid);
   fill_coefficients(contact.shear_modulus, contact.poisson, fine.grid);
-  deal_out(contact, coarse.grid, coarse.bound);
-  deal_out(contact, fine.grid, fine.bound);
+  deal_out(contact, coarse);
+  deal_out(contact, fine);
 
   constexpr double tolerance = 1e-3;
   constexpr int max_iterations = 30;

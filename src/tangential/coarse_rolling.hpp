@@ -25,9 +25,10 @@ class CoarseRolling {
   static constexpr int unknowns = 2 * cells;
 
   CoarseGrid<n> grid;
-  double bound[cells];          ///< mu p_n, mean over the cell; cells with 0 are not in contact [Pa]
-  double px[cells], py[cells];  ///< tractions on the wheel; start and result [Pa]
-  double sx[cells], sy[cells];  ///< slip [-]
+  double bound[cells];              ///< mu p_n, mean over the cell; cells with 0 are not in contact [Pa]
+  double border_compliance[cells];  ///< added to a cell's own coefficient [1/Pa]
+  double px[cells], py[cells];      ///< tractions on the wheel; start and result [Pa]
+  double sx[cells], sy[cells];      ///< slip [-]
   bool slides[cells];
   int iterations = 0;
   double residual = 0.0;  ///< |p - P(p - rho s)| / |min(g, max(|p|, rho |w|))|, 2-norms
@@ -108,8 +109,8 @@ void CoarseRolling<n>::update_slip() {
   grid.slip(px, py, field_x_, field_y_);
   for (int k = 0; k < cell_count_; ++k) {
     const Cell& cell = cell_[k];
-    sx[cell.at] = cell.wx + field_x_[cell.at];
-    sy[cell.at] = cell.wy + field_y_[cell.at];
+    sx[cell.at] = cell.wx + field_x_[cell.at] + border_compliance[cell.at] * px[cell.at];
+    sy[cell.at] = cell.wy + field_y_[cell.at] + border_compliance[cell.at] * py[cell.at];
   }
 }
 
@@ -175,7 +176,8 @@ template <int n>
 void CoarseRolling<n>::gather(double* out) const {
   for (int k = 0; k < cell_count_; ++k) {
     const Cell& cell = cell_[k];
-    const double x = slip_x_[cell.at], y = slip_y_[cell.at];
+    const double x = slip_x_[cell.at] + border_compliance[cell.at] * field_x_[cell.at],
+                 y = slip_y_[cell.at] + border_compliance[cell.at] * field_y_[cell.at];
     if (cell.count == 2) {
       out[cell.first] = x;
       out[cell.first + 1] = y;
@@ -197,7 +199,9 @@ void CoarseRolling<n>::factor(Row& row) const {
   for (int a = 0; a < row.cells; ++a) {
     for (int b = 0; b < row.cells; ++b) {
       const Cell &to = first[a], &from = first[b];
-      const double x = grid.xx[n - 1][to.i - from.i + n - 1], y = grid.yy[n - 1][to.i - from.i + n - 1];
+      const double own = a == b ? border_compliance[to.at] : 0.0;
+      const double x = grid.xx[n - 1][to.i - from.i + n - 1] + own,
+                   y = grid.yy[n - 1][to.i - from.i + n - 1] + own;
       double* const block = m + (to.first - row.first) * stride + from.first - row.first;
       if (to.count == 2 && from.count == 2) {
         block[0] = x;

@@ -93,6 +93,7 @@ TEST(CoarseHalfspace, OneGridSolvesTheSameEquationsAsTheOfflineSolver) {
     rolling->grid.first_x = grid.x0;
     rolling->grid.first_y = grid.y0;
     fill_coefficients(c.shear_modulus, c.poisson, rolling->grid);
+    std::fill_n(rolling->border_compliance, n * n, 0.0);
     for (std::size_t at = 0; at < n * n; ++at) rolling->bound[at] = c.friction * pressure[at];
     std::fill_n(rolling->px, n * n, 0.0);
     std::fill_n(rolling->py, n * n, 0.0);
@@ -107,7 +108,7 @@ TEST(CoarseHalfspace, OneGridSolvesTheSameEquationsAsTheOfflineSolver) {
 
 TEST(CoarseHalfspace, SmallCreepagesGiveKalkersLinearForces) {
   // Kalker's printed coefficients, nu = 0.25, a/b = 1: C11 4.12, C22 3.67, C23 1.47. An extrapolated grid of
-  // 16 cells has 1 % left in full adhesion.
+  // 16 cells has 1 % left in full adhesion, whose tractions are singular at the trailing edge.
   Solver solve;
   const double a = 5e-3, N = 80e3, e = 1e-7;
   const OwnedStrips strips = sdec_strips(a, a, 0.0, N, strips_of_a_patch);
@@ -115,9 +116,9 @@ TEST(CoarseHalfspace, SmallCreepagesGiveKalkersLinearForces) {
     return solve({a, a, 0.0, N, 0.3, 80e9, 0.25, creep}, strips.get());
   };
   const double unit = 80e9 * a * a * e;
-  EXPECT_NEAR(force({e, 0, 0}).fx / unit, -4.12, 0.02 * 4.12);
-  EXPECT_NEAR(force({0, e, 0}).fy / unit, -3.67, 0.02 * 3.67);
-  EXPECT_NEAR(force({0, 0, e / a}).fy / unit, -1.47, 0.03 * 1.47);
+  EXPECT_NEAR(force({e, 0, 0}).fx / unit, -4.12, 0.015 * 4.12);
+  EXPECT_NEAR(force({0, e, 0}).fy / unit, -3.67, 0.015 * 3.67);
+  EXPECT_NEAR(force({0, 0, e / a}).fy / unit, -1.47, 0.015 * 1.47);
 }
 
 TEST(CoarseHalfspace, LargeCreepagesGiveCoulombsForceAgainstThem) {
