@@ -23,7 +23,8 @@ module wrc
                                    WRC_TANGENTIAL_FASTSIM_EQL = 2, WRC_TANGENTIAL_FASTSIM_SDEC = 3, &
                                    WRC_TANGENTIAL_STRIP_FASTSIM = 4
   integer(c_int32_t), parameter :: WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, WRC_TANGENTIAL_FASTRIP = 7, &
-                                   WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, WRC_TANGENTIAL_FASTRIP_SDEC = 9
+                                   WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, WRC_TANGENTIAL_FASTRIP_SDEC = 9, &
+                                   WRC_TANGENTIAL_COARSE_HALFSPACE = 10
   integer(c_int32_t), parameter :: WRC_BOUND_PARABOLIC = 0, WRC_BOUND_ELLIPTIC = 1, WRC_BOUND_ELLIPSOIDAL = 2
   integer(c_int32_t), parameter :: WRC_FLEXIBILITY_SEPARATE = 0, WRC_FLEXIBILITY_SINGLE = 1, &
                                    WRC_FLEXIBILITY_BLENDED = 2

@@ -132,6 +132,9 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     case WRC_TANGENTIAL_FASTRIP_SDEC:
       options.tangential_method = TangentialMethod::fastrip_sdec;
       break;
+    case WRC_TANGENTIAL_COARSE_HALFSPACE:
+      options.tangential_method = TangentialMethod::coarse_halfspace;
+      break;
     default:
       return unsupported("config.tangential_method", config.tangential_method,
                          "see enum wrc_tangential_method");

@@ -3,13 +3,18 @@
 namespace wrc {
 namespace {
 
+/// Doubles that hold so many bytes.
+std::size_t doubles(std::int64_t bytes) {
+  return (static_cast<std::size_t>(bytes) + sizeof(double) - 1) / sizeof(double);
+}
+
+/// Elements of an array.
 std::size_t length(Array which, const ArraySizes& sizes) {
   const auto strips = static_cast<std::size_t>(sizes.strips);
   const auto cells = static_cast<std::size_t>(sizes.cells);
   if (which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
-  if (which == Array::normal_workspace) {
-    return (static_cast<std::size_t>(sizes.normal_workspace_bytes) + sizeof(double) - 1) / sizeof(double);
-  }
+  if (which == Array::normal_workspace) return doubles(sizes.normal_workspace_bytes);
+  if (which == Array::tangential_workspace) return doubles(sizes.tangential_workspace_bytes);
   if (which <= Array::region_peak || which >= Array::strip_power) return strips;
   return strips * cells;
 }

@@ -45,6 +45,7 @@ enum class Array : std::size_t {
   start_length_squared,
   start_shift,
   normal_workspace,
+  tangential_workspace,
   count_
 };
 
@@ -52,7 +53,7 @@ inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count
 
 struct ArraySizes {
   std::int32_t strips = 0, cells = 0, gap_rows = 0;
-  std::int64_t normal_workspace_bytes = 0;
+  std::int64_t normal_workspace_bytes = 0, tangential_workspace_bytes = 0;
 };
 
 struct ArrayLayout {

@@ -7,6 +7,7 @@
 #include "geometry/profile_points.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
+#include "tangential/coarse_halfspace.hpp"
 
 namespace wrc {
 namespace {
@@ -102,6 +103,9 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.rail = {};
   if (kernel_bytes(options) > 0) {
     model->options.sizes.normal_workspace_bytes = strip_halfspace_workspace(options.sizes.strips);
+  }
+  if (options.tangential_method == TangentialMethod::coarse_halfspace) {
+    model->options.sizes.tangential_workspace_bytes = coarse_halfspace_workspace();
   }
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);

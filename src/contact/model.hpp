@@ -30,7 +30,8 @@ enum class TangentialMethod {
   modified_fastsim,
   fastrip,
   fastrip_modified,
-  fastrip_sdec
+  fastrip_sdec,
+  coarse_halfspace
 };
 
 /// Where a profile comes from: a standard shape or points of the caller.

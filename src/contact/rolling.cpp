@@ -5,6 +5,7 @@
 #include "contact/contact.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
+#include "tangential/coarse_halfspace.hpp"
 #include "tangential/fastrip.hpp"
 #include "tangential/fastsim.hpp"
 #include "tangential/fastsim_eqe.hpp"
@@ -92,6 +93,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   rolling.b = patch.sdec.b;
   rolling.shape_number = patch.sdec.psi;
   rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
+  rolling.poisson = model.options.material.poisson;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
   rolling.creepage = contact.creepage;
@@ -130,6 +132,9 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
       break;
     case TangentialMethod::fastrip_sdec:
       patch.forces = fastrip_sdec(rolling, fields, fault);
+      break;
+    case TangentialMethod::coarse_halfspace:
+      patch.forces = coarse_halfspace(rolling, array(contact, Array::tangential_workspace), fields, fault);
       break;
   }
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round

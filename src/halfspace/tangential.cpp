@@ -153,7 +153,10 @@ double Newton::linearise() {
       rhs_.push_back(-(px * u.tx + py * u.ty) * z / (rho_ * c.bound));
       error += std::pow(px - c.bound * nx, 2) + std::pow(py - c.bound * ny, 2);
     }
-    norm += full() ? px * px + py * py : c.bound * c.bound;
+    // Small creepages ask for tractions far below the bound: these are what the error is compared with.
+    const double p2 = px * px + py * py;
+    const double w2 = rho_ * rho_ * (c.wx * c.wx + c.wy * c.wy);
+    norm += full() ? p2 : std::min(c.bound * c.bound, std::max(p2, w2));
   }
   if (norm > 0.0) return std::sqrt(error / norm);
   return error > 0.0 ? 1.0 : 0.0;

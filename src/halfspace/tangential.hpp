@@ -50,8 +50,9 @@ struct RollingProblem {
   Creepage creepage;  ///< about the origin of the grid's coordinates
   Adhesion adhesion = Adhesion::coulomb;
   Collocation collocation = Collocation::quarter_point;
-  double tolerance = 1e-4;  ///< |p - P(p - rho s)| <= tolerance |g| (2-norms over the cells; |p| in full
-                            ///< adhesion), rho = 1 / largest coefficient, about 1.3 G
+  /// |p - P(p - rho s)| <= tolerance |min(g, max(|p|, rho |w|))| (2-norms over the cells; |p| in full
+  /// adhesion), rho = 1 / largest coefficient, about 1.3 G.
+  double tolerance = 1e-4;
   int max_iterations = 60;  ///< Newton iterations on one grid
   ProgressCallback progress;
 };

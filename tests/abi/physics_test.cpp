@@ -152,7 +152,7 @@ std::vector<Methods> all_methods() {
          ++tangential)
       all.push_back({normal, tangential});
   for (int32_t normal : {WRC_NORMAL_EKP, WRC_NORMAL_STRIP_HALFSPACE})
-    for (int32_t tangential = WRC_TANGENTIAL_MODIFIED_FASTSIM; tangential <= WRC_TANGENTIAL_FASTRIP_SDEC;
+    for (int32_t tangential = WRC_TANGENTIAL_MODIFIED_FASTSIM; tangential <= WRC_TANGENTIAL_COARSE_HALFSPACE;
          ++tangential)
       all.push_back({normal, tangential});
   return all;

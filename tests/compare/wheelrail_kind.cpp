@@ -14,6 +14,8 @@ struct Variant {
 constexpr Variant variants[] = {
     {"strip_halfspace + strip_fastsim", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_STRIP_FASTSIM,
      WRC_BOUND_ELLIPTIC},
+    {"strip_halfspace + coarse_halfspace", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_COARSE_HALFSPACE,
+     WRC_BOUND_ELLIPTIC},
     {"strip_halfspace + fastsim_sdec/parabolic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
      WRC_BOUND_PARABOLIC},
     {"strip_halfspace + fastsim_sdec/elliptic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
