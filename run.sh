@@ -55,3 +55,5 @@ mkdir -p out
 build/run/examples_c/paper_cases out | tee out/paper_cases.txt
 need_packages python3 python3-matplotlib
 /usr/bin/python3 examples_c/draw_paper_figures.py out
+build/run/examples_c/creep_curves out | tee out/creep_curves.txt
+/usr/bin/python3 examples_c/draw_creep_curves.py out

@@ -324,7 +324,9 @@ typedef struct wrc_creepage {
   double speed;         /**< rolling speed V, 0..200 m/s; scales the power only [1] */
 } wrc_creepage;
 
-/** Friction between the bodies. */
+/** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
+ * rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such strips
+ * carry no traction. A law over temperature is not there yet. Theory manual, section 5. */
 typedef struct wrc_friction {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
@@ -699,8 +701,8 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param creepage at the origin of the contact frame
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch), _RANGE,
- * _NOT_FINITE. @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction
+ * zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 

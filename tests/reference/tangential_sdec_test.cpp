@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tangential/fastrip.hpp"
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
 #include "tangential/fastsim_sdec.hpp"
@@ -82,14 +83,15 @@ Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, 
            const Method& method) {
   constexpr int n = 32;
   const test::OwnedGrid grid(n);
-  std::vector<double> force, power, balance;
+  std::vector<double> v(static_cast<std::size_t>(4 * n * n)), force, power, balance;
+  const TangentialFields fields{v.data(), v.data() + n * n, v.data() + 2 * n * n, v.data() + 3 * n * n};
   for (const Row& r : rows) {
     const SdecTable table(r.poisson);
     const test::OwnedStrips strips = test::sdec_strips(r.a, r.b, on_ellipse ? 0.0 : r.psi, r.normal_force, n);
     Fault fault;
     const RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
                                  &table,       &grid.get(), r.creepage, r.friction, bound};
-    const TangentialForces f = method(contact, {}, fault);
+    const TangentialForces f = method(contact, fields, fault);
     force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
     if (r.adhesion < 0.9) {
       power.push_back(f.power_per_speed / r.power - 1.0);
@@ -121,6 +123,12 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
                            [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
                              return strip_fastsim(c, f, fault);
                            });
+  const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, fastrip_sdec);
+  const Errors modified = run("FaStrip modified", rows, elliptic, false, fastrip_modified);
+  EXPECT_LT(fastrip.force.median, 0.0082);
+  EXPECT_LT(fastrip.force.p95, 0.037);
+  EXPECT_LT(fastrip.balance.median, 0.016);
+  EXPECT_LT(modified.force.median, 0.0195);
   EXPECT_LT(strip.force.median, 0.0075);
   EXPECT_LT(strip.force.p95, 0.035);
   EXPECT_LT(strip.force.max, 0.05);
