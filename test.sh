@@ -54,7 +54,7 @@ if [ "${1:-}" != quick ]; then
   suite ubsan
   suite tsan -R 'abi|golden_hash'  # threads share a model there; the other suites have one thread
   check "golden hashes of other builds" golden
-  check "instruction counts" tests/bench/instruction_gate.py build/release/tests/gate_cases
+  check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
   check "clang-format" formatted
   check "clang-tidy" tidy
   check "manual" documented

@@ -94,6 +94,11 @@ static void move_vehicle(double t) {
   }
 }
 
+static void stop(const char* why) {
+  fprintf(stderr, "%s\n", why);
+  exit(EXIT_FAILURE);
+}
+
 static double microseconds_since(const struct timespec* due) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -174,17 +179,11 @@ static void report(const cycle* cycles, long count, double* room) {
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? atof(argv[1]) : 2.0;
   const long count = (long)(seconds * 1e9 / period);
-  if (count < 2 || count > 100000000L) {
-    fprintf(stderr, "hil_loop [SECONDS [FILE.csv]]\n");
-    return EXIT_FAILURE;
-  }
+  if (count < 2 || count > 100000000L) stop("hil_loop [SECONDS [FILE.csv]]");
   wrc_model* models[2] = {NULL, NULL};
   cycle* const cycles = calloc((size_t)count, sizeof *cycles);
   double* const room = calloc((size_t)count, sizeof *room);
-  if (cycles == NULL || room == NULL || !make_wheels(models)) {
-    fprintf(stderr, "out of memory\n");
-    return EXIT_FAILURE;
-  }
+  if (cycles == NULL || room == NULL || !make_wheels(models)) stop("out of memory");
   ask_for_real_time();
   for (int i = 0; i < 20; ++i) { /* first steps: caches, and the warm start */
     move_vehicle(1e-3 * i);
@@ -213,17 +212,14 @@ int main(int argc, char** argv) {
 
   if (argc > 2) {
     FILE* const file = fopen(argv[2], "w");
-    if (file == NULL) {
-      fprintf(stderr, "cannot write %s\n", argv[2]);
-      return EXIT_FAILURE;
-    }
+    if (file == NULL) stop("cannot write the file");
     fprintf(file, "wheels,woken_us,solved_us\n");
     for (long i = 0; i < count; ++i)
       fprintf(file, "%d,%.3f,%.3f\n", i % 2 == 0 ? wheels : 0, cycles[i].woken, cycles[i].solved);
     fclose(file);
   }
   report(cycles, count, room);
-  const double on_two = 100.0 * (double)two_patches / (double)(wheels * ((count + 1) / 2));
+  const double on_two = 100.0 * (double)two_patches / (wheels * (double)((count + 1) / 2));
   printf("\n%ld cycles of %d us, every second with %d wheels, %.0f %% of them on two patches\n", count,
          period / 1000, wheels, on_two);
   printf("%ld periods skipped because the cycle before ran over, %ld calls failed\n", skipped, failed);

@@ -60,7 +60,7 @@ def main():
         worse += change > TOLERANCE
         print(f"{case:34} {expected[case]:10} {count:10.0f} {100 * change:+7.1f}%  {verdict}")
     if "--renew" in sys.argv[2:]:
-        head = "# Instructions per step; written by  tests/bench/instruction_gate.py build/release/tests/gate_cases --renew\n"
+        head = "# Instructions per step; written by  tests/bench/instruction_gate.py build/release/tests/bench/gate_cases --renew\n"
         COUNTS.write_text(head + "".join(f"{case} {count:.0f}\n" for case, count in found.items()), encoding="ascii")
         print(f"written to {COUNTS.name}")
         return

@@ -2,7 +2,6 @@
 ///
 /// This program defines malloc and its family itself, so every call from libwrc arrives here and is counted.
 /// The library carries its own copy of operator new (libstdc++ is linked into it), which ends in malloc too.
-///     no_allocation_test [STEPS]    of each combination of methods, 10000
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -41,6 +40,8 @@ void operator delete(void* memory) noexcept { free(memory); }
 void operator delete(void* memory, size_t) noexcept { free(memory); }
 
 namespace {
+
+constexpr int steps_per_combination = 10000;
 
 template <typename Struct>
 Struct made(int32_t (*init)(Struct*)) {
@@ -132,8 +133,7 @@ constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  const int steps_per_combination = count > 1 ? std::atoi(arguments[1]) : 10000;
+int main() {
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // no buffer from the heap at the first print
   int passed = 0, failed = 0;
   wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);

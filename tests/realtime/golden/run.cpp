@@ -149,6 +149,7 @@ std::vector<std::uint64_t> run_jobs(const Plan& plan, const Models& models, int 
   std::vector<std::uint64_t> hashes(plan.jobs.size());
   std::vector<std::exception_ptr> failures(static_cast<std::size_t>(threads));
   std::vector<std::thread> running;
+  running.reserve(static_cast<std::size_t>(threads));
   for (int t = 0; t < threads; ++t) {
     running.emplace_back([&, t] {
       try {
