@@ -37,8 +37,10 @@ Started started(const StripHalfspaceStart& start, double y) {
   const auto above = static_cast<std::int32_t>(std::upper_bound(start.y, start.y + start.count, y) - start.y);
   const std::int32_t right = std::min(above, start.count - 1);
   const std::int32_t left = std::max(above - 1, 0);
-  const bool in_left = std::abs(y - start.y[left]) <= 0.5 * start.width[left];
-  const bool in_right = std::abs(y - start.y[right]) <= 0.5 * start.width[right];
+  // A patch's last strip may end on the middle of the grid's next: rounding must not decide.
+  constexpr double half = 0.5 * (1.0 - 1e-9);
+  const bool in_left = std::abs(y - start.y[left]) <= half * start.width[left];
+  const bool in_right = std::abs(y - start.y[right]) <= half * start.width[right];
   if (!in_left && !in_right) return {};
   const double apart = start.y[right] - start.y[left];
   const double touching = 0.5 * (start.width[left] + start.width[right]);
