@@ -335,8 +335,10 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
   }
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    const bool corrected = std::string_view(method.name).find("correction") != std::string_view::npos;
-    if (corrected) continue;  // moves the strips, so that before and after do not compare
+    // Where more than the outline's extent leaps, so does the rest: eps(y) of the ellipse hangs on the chord
+    // at half the approach, and the correction moves the strips.
+    const std::string_view name = method.name;
+    if (name != "Kik-Piotrowski" && name != "EKP, area") continue;
     StripMemory owned(60);
     NormalSolution solution;
     double area = 0.0, peak = 0.0, approach = 0.0, leap_at = 0.0;
