@@ -22,9 +22,9 @@ struct CollocationGrid {
 
 /// Approach of the load by an elastic foundation with q = (0.6 approach - height) / (2 c) per unit of width,
 /// c the compliance: within 3 % of Hertz for a sphere, within 30 % for wheel and rail. It sees every spot of
-/// the gap, and moves smoothly when spots join [m].
+/// the gap, and moves smoothly when spots join. The search begins at `guess` > 0 [m].
 double foundation_approach(const GapRows& rows, double lowest_height, double normal_compliance,
-                           double normal_force) noexcept;
+                           double normal_force, double guess) noexcept;
 
 /// Spreads `count` strips over all stretches where the height lies less than `depth` over the lowest, with
 /// widths inversely proportional to the root of the lateral curvature (the width of a contact is proportional

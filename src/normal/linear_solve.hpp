@@ -6,11 +6,13 @@
 namespace wrc {
 
 /// Elements from row to row of an n x n matrix for solve_two: n rounded up to a multiple of four.
-inline std::int64_t solve_stride(std::int32_t n) noexcept { return (static_cast<std::int64_t>(n) + 3) / 4 * 4; }
+inline std::int64_t solve_stride(std::int32_t n) noexcept {
+  return (static_cast<std::int64_t>(n) + 3) / 4 * 4;
+}
 
 /// Solves A x = r and A x = s in place by elimination without pivoting: the influence of a strip is largest
-/// on itself, the matrix close to symmetric and positive definite. `matrix` has n rows, solve_stride(n) apart,
-/// and is destroyed; r and s become the solutions.
+/// on itself, the matrix close to symmetric and positive definite. `matrix` has n rows, solve_stride(n)
+/// apart, and is destroyed; r and s become the solutions.
 ///
 /// Row by row, four pivot rows at a time, and columns in blocks of four: a row is read and written a quarter
 /// as often, and the compiler has no odd ends to care for. What stands beyond column n is set to zero.

@@ -37,8 +37,10 @@ Started started(const StripHalfspaceStart& start, double y) {
   const auto above = static_cast<std::int32_t>(std::upper_bound(start.y, start.y + start.count, y) - start.y);
   const std::int32_t right = std::min(above, start.count - 1);
   const std::int32_t left = std::max(above - 1, 0);
-  const bool in_left = std::abs(y - start.y[left]) <= 0.5 * start.width[left];
-  const bool in_right = std::abs(y - start.y[right]) <= 0.5 * start.width[right];
+  // A patch's last strip may end on the middle of the grid's next: rounding must not decide.
+  constexpr double half = 0.5 * (1.0 - 1e-9);
+  const bool in_left = std::abs(y - start.y[left]) <= half * start.width[left];
+  const bool in_right = std::abs(y - start.y[right]) <= half * start.width[right];
   if (!in_left && !in_right) return {};
   const double apart = start.y[right] - start.y[left];
   const double touching = 0.5 * (start.width[left] + start.width[right]);
@@ -113,12 +115,18 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
     place(problem, lowest, state.approach, depth, count, start, s);
     if (start.count > 0) fit_ends(problem.gap, lowest.height, s);
     state.converged = false;
+    double moved_before = 0.0;
     for (std::int32_t sweep = 0; sweep < options.max_sweeps && !state.converged && s.active_count > 0;
          ++sweep) {
-      state.approach = solve_pressures(problem, kernel, s, state.stiffness);
+      const Search search = sweep == 0 ? Search::everywhere : Search::beside_contact;
+      state.approach = solve_pressures(problem, kernel, search, s, state.stiffness);
       ++state.sweeps;
       if (s.active_count == 0) break;
-      state.converged = move_edges(problem, kernel, state.approach, s) <= options.tolerance;
+      // Steps shrink geometrically, and slowly in slender patches: what is left is the rest of the series.
+      const double moved = move_edges(problem, kernel, state.approach, s);
+      const double left = moved < moved_before ? moved * moved / (moved_before - moved) : moved;
+      state.converged = std::max(moved, left) <= options.tolerance;
+      moved_before = moved;
       fit_ends(problem.gap, lowest.height, s);
     }
     if (s.active_count == 0 && start.count > 0) {
@@ -176,10 +184,12 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   const GapMinimum lowest = minimum(rows);
   const double ceiling = deepest_approach(rows, lowest);
   const bool load = problem.prescribed == Prescribed::load;
-  State state{.approach = load
-                              ? foundation_approach(rows, lowest.height, problem.material.normal_compliance(),
-                                                    problem.normal_force)
-                              : problem.approach};
+  State state;
+  state.approach = problem.approach;
+  if (load)
+    state.approach =
+        foundation_approach(rows, lowest.height, problem.material.normal_compliance(), problem.normal_force,
+                            first_guess(problem, 0.5 * rows.curvature[lowest_row(rows)]));
   StripSystem s = lay_out_strips(workspace.memory, problem.strips);
   const std::int32_t count = collocation_strips(problem.strips);
   if (start.count == 0 && count >= 2 * fewest_coarse_strips) {

@@ -29,7 +29,7 @@ namespace wrc {
 
 struct StripHalfspaceOptions {
   std::int32_t max_sweeps = 16;
-  double tolerance = 5e-3;  ///< a sweep that moves less of the area is the last [-]
+  double tolerance = 5e-3;  ///< part of the area still to be moved at which sweeps end [-]
 };
 
 /// Scratch memory of a solve, aligned for double; nothing in it outlives the call.

@@ -16,6 +16,16 @@ double area_sinh(double x) {
   return x < 0.0 ? -value : value;
 }
 
+/// Mean of J(s, 1) over |s| < tau.
+double mean_at_edge(const StripKernel& kernel, double tau) {
+  // J(s, 1) bends like sqrt(s): Gauss's three points in u, s = tau u^2.
+  constexpr double u[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+  constexpr double weight[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  double mean = 0.0;
+  for (int n = 0; n < 3; ++n) mean += weight[n] * 2.0 * u[n] * kernel.at(tau * u[n] * u[n], 1.0);
+  return mean;
+}
+
 }  // namespace
 
 double line_potential(double tau, double xi) noexcept {
@@ -70,15 +80,8 @@ void tabulate(StripKernel& kernel) noexcept {
       kernel.anywhere[i * (StripKernel::eta_intervals + 1) + j] =
           line_potential(std::max(tau, 1e-6), (1.0 + x) * eta);
     }
-}
-
-double StripKernel::own_edge(double tau) const noexcept {
-  // J(s, 1) bends like sqrt(s): Gauss's three points in u, s = tau u^2.
-  constexpr double u[] = {0.11270166537925831, 0.5, 0.88729833462074169};
-  constexpr double weight[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-  double mean = 0.0;
-  for (int n = 0; n < 3; ++n) mean += weight[n] * 2.0 * u[n] * at(tau * u[n] * u[n], 1.0);
-  return mean;
+  for (int i = 0; i <= StripKernel::distance_axis.intervals(); ++i)
+    kernel.edge_under[static_cast<std::size_t>(i)] = mean_at_edge(kernel, StripKernel::distance_axis.node(i));
 }
 
 }  // namespace wrc

@@ -24,7 +24,7 @@
 
 namespace wrc {
 
-/// About 100 kB, immutable after tabulate(); one serves all threads.
+/// About 110 kB, immutable after tabulate(); one serves all threads.
 struct StripKernel {
   static constexpr OctaveAxis distance_axis{-12, 20, 6};  // tau = 2.4e-4 .. 256
   static constexpr OctaveAxis chi_axis{-18, 26, 4};       // chi - 1 = 3.8e-6 .. 256
@@ -32,6 +32,7 @@ struct StripKernel {
 
   std::array<double, distance_axis.intervals() + 1> on_middle_plane;  ///< J(tau, 0)
   std::array<double, distance_axis.intervals() + 1> mean_under;       ///< mean of J(s, 0) over 0 < s < tau
+  std::array<double, distance_axis.intervals() + 1> edge_under;       ///< mean of J(s, 1) over 0 < s < tau
   std::array<double, (chi_axis.intervals() + 1) * (eta_intervals + 1)> anywhere;
 
   /// J(tau, 0), tau > 0; relative error below 1e-4.
@@ -58,7 +59,7 @@ struct StripKernel {
   }
 
   /// Mean of J(s, 1) over |s| < tau: a strip seen from its own leading edge.
-  double own_edge(double tau) const noexcept;
+  double own_edge(double tau) const noexcept { return read(edge_under.data(), tau); }
 
  private:
   static double read(const double* values, double tau) noexcept {

@@ -73,14 +73,16 @@ bool release(StripSystem& s) {
 }
 
 /// Takes in the strips where the bodies would overlap. True if there are any.
-bool admit(const StripKernel& kernel, double compliance, double approach, StripSystem& s) {
+bool admit(const StripKernel& kernel, Search search, double compliance, double approach, StripSystem& s) {
+  constexpr std::int32_t beside = 2;  // strips from the nearest in contact that still count as beside it
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
   for (std::int32_t j = 0; j < s.grid.count; ++j) {
     bool in = a < m && s.active[a] == j;
+    const bool near = (a < m && s.active[a] - j <= beside) || (a > 0 && j - s.active[a - 1] <= beside);
     if (in) {
       ++a;
-    } else if (s.height[j] < approach) {
+    } else if (s.height[j] < approach && (near || search == Search::everywhere)) {
       double* const row = influence_row(s, j);
       double displacement = 0.0;
       for (std::int32_t b = 0; b < m; ++b) {
@@ -113,7 +115,7 @@ bool admit(const StripKernel& kernel, double compliance, double approach, StripS
 
 }  // namespace
 
-double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, StripSystem& s,
+double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, Search search, StripSystem& s,
                        double& stiffness) noexcept {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
@@ -147,7 +149,7 @@ double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, 
 
     std::fill(s.peak, s.peak + s.grid.count, 0.0);
     for (std::int32_t a = 0; a < m; ++a) s.peak[s.active[a]] = approach * s.by_approach[a] - s.by_height[a];
-    if (!release(s) && !admit(kernel, compliance, approach, s)) break;
+    if (!release(s) && !admit(kernel, search, compliance, approach, s)) break;
     if (s.active_count == 0) break;
   }
   return approach;

@@ -37,6 +37,16 @@ TEST(HertzTheory, SwapsWithItsAxes) {
   }
 }
 
+TEST(HertzTheory, TableFollowsTheSolution) {
+  for (double ratio = 1e-8; ratio < 1e8; ratio *= 1.03) {
+    const HertzShape exact = hertz_shape(ratio), table = tabulated_hertz_shape(ratio);
+    EXPECT_NEAR(table.axis_ratio, exact.axis_ratio, 1e-6 * exact.axis_ratio) << ratio;
+    EXPECT_NEAR(table.eps_x, exact.eps_x, 1e-6 * exact.eps_x) << ratio;
+    EXPECT_NEAR(table.eps_y, exact.eps_y, 1e-6 * exact.eps_y) << ratio;
+    EXPECT_NEAR(table.centre, exact.centre, 1e-6 * exact.centre) << ratio;
+  }
+}
+
 TEST(HertzTheory, SphereIsTheTextbookOne) {
   // Johnson 4.22 to 4.24 with E* = G / (1 - nu): a = sqrt(R delta), N = (4/3) E* sqrt(R) delta^{3/2}, p0 = 2
   // E* a / (pi R).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string_view>
 
 #include "normal/contact_condition.hpp"
 #include "normal/ekp.hpp"
@@ -49,6 +50,15 @@ TEST(StripDisplacement, AddsUpOverAnyDivision) {
     for (int i = 0; i < parts; ++i)
       sum += strip_displacement(l, -0.2e-3 + 1.2e-3 / parts * i, -0.2e-3 + 1.2e-3 / parts * (i + 1));
     EXPECT_NEAR(sum, fine, 2.5e-3 / (parts * parts) * fine) << parts;
+  }
+}
+
+TEST(LineDisplacement, TableFollowsTheClosedForm) {
+  for (double tau = 1e-3; tau < 3e3; tau *= 1.07) {
+    const double r = std::sqrt(1.0 + tau * tau);
+    const double closed = 2.0 * complete_elliptic(tau / r).d / r;
+    EXPECT_NEAR(line_displacement(1.0, tau), closed, 1e-6 * closed) << tau;
+    EXPECT_EQ(line_displacement(1.0, -tau), line_displacement(1.0, tau));
   }
 }
 
@@ -312,6 +322,48 @@ TEST(PenetrationMethods, TakeAnOffsetGapForWhatItIs) {
   ASSERT_EQ(solve_ekp(test::under_load(gap, 80e3), {}, owned.strips, here).status, WRC_OK);
   ASSERT_EQ(solve_ekp(test::under_load(raised, 80e3), {}, owned.strips, there).status, WRC_OK);
   EXPECT_NEAR(here.approach, there.approach, 1e-9 * here.approach);
+}
+
+TEST(PenetrationMethods, TakeInASecondRegionGradually) {
+  // A valley beside the contact, which joins the patch as a whole when the ridge between them is covered: at
+  // one approach the load of the methods leaps. Under a rising load, patch and pressure still move steadily.
+  OwnedGap gap;
+  for (int j = 0; j <= 160; ++j) {
+    const double y = -12e-3 + 0.2e-3 * j;
+    const double u = y / 8e-3 - 1.0;  // wells at u = -1 and 1
+    gap.add(y, 30e-6 * (u * u - 1.0) * (u * u - 1.0) + 4e-6 * (u + 1.0), 2.0);
+  }
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method.name);
+    // Where more than the outline's extent leaps, so does the rest: eps(y) of the ellipse hangs on the chord
+    // at half the approach, and the correction moves the strips.
+    const std::string_view name = method.name;
+    if (name != "Kik-Piotrowski" && name != "EKP, area") continue;
+    StripMemory owned(60);
+    NormalSolution solution;
+    double area = 0.0, peak = 0.0, approach = 0.0, leap_at = 0.0;
+    double worst = 0.0, widest = 0.0, narrowest = 1.0;
+    for (double load = 10e3; load < 200e3; load *= 1.001) {
+      const Fault fault = method.solve(test::under_load(gap, load), owned.strips, solution);
+      if (fault.status == WRC_FLAG_PATCH_AT_EDGE) break;
+      ASSERT_EQ(fault.status, WRC_OK) << load;
+      const StripTotals sum = totals(owned.strips);
+      EXPECT_NEAR(sum.normal_force, load, 1e-9 * load);
+      if (area > 0.0) {
+        worst = std::max(
+            {worst, std::abs(solution.area / area - 1.0), std::abs(solution.peak_pressure / peak - 1.0)});
+        if (std::abs(solution.approach / approach - 1.0) < 2e-5) leap_at = load;
+      }
+      area = solution.area;
+      peak = solution.peak_pressure;
+      approach = solution.approach;
+      widest = std::max(widest, sum.y_max - sum.y_min);
+      narrowest = std::min(narrowest, sum.y_max - sum.y_min);
+    }
+    EXPECT_GT(widest, 1.5 * narrowest);
+    EXPECT_GT(leap_at, 0.0);  // the approach stands still while the second region comes in
+    EXPECT_LT(worst, 0.04);   // the new region's area sets in like the root of its load; a leap has 0.5
+  }
 }
 
 }  // namespace

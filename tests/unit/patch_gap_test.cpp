@@ -39,6 +39,22 @@ TEST(Gap, InterpolationIsExactForParabolasBetweenUnevenRows) {
   }
 }
 
+TEST(Gap, ReaderGivesTheSameBitsInAnyOrder) {
+  EllipticRows gap(1.0, 3.0, 0.0017, 0.1, 41);
+  for (std::size_t j = 0; j < gap.y.size(); ++j) gap.height[j] += 1e-6 * std::sin(3e3 * gap.y[j]);
+  GapReader reader(gap.rows());
+  double y = 0.0;
+  for (int n = 0; n < 400; ++n) {
+    y = n < 200 ? -0.021 + 2.1e-4 * n : -0.022 + std::fmod(y + 0.0271, 0.044);  // along, then anywhere
+    const GapRow there = interpolate(gap.rows(), y), read = reader.at(y);
+    EXPECT_EQ(read.height, there.height) << y;
+    EXPECT_EQ(read.slope, there.slope) << y;
+    EXPECT_EQ(read.centre, there.centre) << y;
+    EXPECT_EQ(read.curvature, there.curvature) << y;
+    EXPECT_EQ(reader.height(y), there.height) << y;
+  }
+}
+
 TEST(Gap, MinimumLiesBetweenRows) {
   const EllipticRows gap(1.0, 3.0, 0.00171, 0.0, 41);
   const GapMinimum lowest = minimum(gap.rows());
