@@ -11,7 +11,7 @@ namespace wrc::halfspace {
 namespace {
 
 struct Strip {
-  double y = 0.0, trail = 0.0, length = 0.0;  // length of one cell
+  double y = 0.0, width = 0.0, trail = 0.0, length = 0.0;  // length of one cell
 };
 
 double corner(double x, double y) { return x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x)); }
@@ -32,11 +32,11 @@ Edge edge(double x, double y_low, double y_high, double poisson) {
 // Fills the block of slips in strip `to` from tractions in strip `from`. The displacements of a strip are
 // needed at the n cell centres and one cell upstream of the last; each cell of `from` has two edges: (n +
 // 1)^2 edge functions, differenced both ways.
-void fill(Eigen::MatrixXd& matrix, const std::vector<Strip>& strips, int to, int from, int n, double width,
+void fill(Eigen::MatrixXd& matrix, const std::vector<Strip>& strips, int to, int from, int n,
           double poisson) {
   const Strip& t = strips[static_cast<std::size_t>(to)];
   const Strip& f = strips[static_cast<std::size_t>(from)];
-  const double y_low = t.y - f.y - 0.5 * width, y_high = t.y - f.y + 0.5 * width;
+  const double y_low = t.y - f.y - 0.5 * f.width, y_high = t.y - f.y + 0.5 * f.width;
   std::vector<Edge> before(static_cast<std::size_t>(n) + 1), here(before);
   for (int i = 0; i <= n; ++i) {
     for (int k = 0; k <= n; ++k) {
@@ -68,23 +68,26 @@ LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poi
                                        int n) {
   const double a = std::sqrt(axis_ratio), b = 1.0 / a;  // c = 1, G = 1
   const SdecPatch patch{.a = a, .b = b, .psi = psi};
-  const double width = 2.0 * b / strip_count;
+  // As many strips in the narrow half as in the wide one: with strips of one width the joint falls inside a
+  // strip and the narrow half has next to none, which costs 2 % at psi = 0.95 instead of 0.05 %.
+  const int half = strip_count / 2;
   std::vector<Strip> strips;
   for (int j = 0; j < strip_count; ++j) {
-    const double y = -b * (1.0 - psi) + (j + 0.5) * width;
+    const double width = b * (j < half ? 1.0 - psi : 1.0 + psi) / half;
+    const double y = (j - half + 0.5) * width;
     const double l = patch.half_length(y);
-    strips.push_back({.y = y, .trail = -l, .length = 2.0 * l / n});
+    strips.push_back({.y = y, .width = width, .trail = -l, .length = 2.0 * l / n});
   }
   const Eigen::Index size = 2 * static_cast<Eigen::Index>(strip_count) * n;
   Eigen::MatrixXd matrix(size, size);
   for (int to = 0; to < strip_count; ++to) {
-    for (int from = 0; from < strip_count; ++from) fill(matrix, strips, to, from, n, width, poisson);
+    for (int from = 0; from < strip_count; ++from) fill(matrix, strips, to, from, n, poisson);
   }
   Eigen::MatrixXd rigid(size, 3),
       force = Eigen::MatrixXd::Zero(3, size);  // of nu_x, nu_y, phi; F_x, F_y, M_z
   for (int j = 0; j < strip_count; ++j) {
     const Strip& s = strips[static_cast<std::size_t>(j)];
-    const double area = s.length * width;
+    const double area = s.length * s.width;
     for (int i = 0; i < n; ++i) {
       const Eigen::Index k = 2 * (static_cast<Eigen::Index>(j) * n + i);
       const double slip_x = s.trail + (i + 0.75) * s.length, traction_x = s.trail + (i + 0.25) * s.length;

@@ -2,7 +2,7 @@
 /// dependence, computed from the half-space equations, extrapolated in the grid, with an error estimate for
 /// each.
 ///
-/// The patch is divided into equal strips along x and each strip into equally many cells of its own length,
+/// Each half of the patch is divided into equally many equal strips along x and each strip into equally many cells of its own length,
 /// so that leading and trailing edges are met exactly and the discretisation error is a smooth function of
 /// the number of cells (on a common rectangular grid the staircase border makes it jump). Collocation as in
 /// tangential.hpp, quarter_point; a dense system, unknowns 2 strips cells.
@@ -18,7 +18,7 @@ struct LinearCoefficients {
   double c11 = 0.0, c22 = 0.0, c13 = 0.0, c23 = 0.0, c31 = 0.0, c32 = 0.0, c33 = 0.0;
 };
 
-/// Of the patch with a/b = axis_ratio on `strips` strips of `cells` cells each. Memory: 32 (strips cells)^2
+/// Of the patch with a/b = axis_ratio on `strips` (even) strips of `cells` cells each. Memory: 32 (strips cells)^2
 /// bytes, 34 MB for 32 x 32.
 LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int strips, int cells);
 
