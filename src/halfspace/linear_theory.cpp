@@ -114,7 +114,8 @@ ExtrapolatedCoefficients extrapolated_coefficients(double axis_ratio, double psi
   // being short: of equal counts and of more cells than strips the former changes less from one division to
   // the next.
   const double stretch = axis_ratio < 1.0 ? std::sqrt(std::sqrt(axis_ratio)) : 1.0;
-  const int strips = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest / stretch)));
+  // A multiple of 8, so that three quarters are even: each half has its own strips.
+  const int strips = 8 * std::max(1, static_cast<int>(std::lround(0.125 * finest / stretch)));
   const int cells = 4 * std::max(2, static_cast<int>(std::lround(0.25 * finest * stretch)));
   const LinearCoefficients coarse = linear_coefficients(axis_ratio, psi, poisson, strips / 2, cells / 2);
   const LinearCoefficients middle =

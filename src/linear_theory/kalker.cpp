@@ -2,30 +2,24 @@
 
 #include <cmath>
 
+#include "linear_theory/node_values.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::size_t rows = tables::kalker.size();
+using Reciprocal = HermiteTable<tables::used_ratios>;
 
-/// Reciprocal of a coefficient of one row: quadratic in the Poisson ratio through the three reciprocals.
-double reciprocal(const std::array<double, 3>& c, double poisson) {
-  const double t = poisson / tables::kalker_poisson[1];  // 0, 1, 2 at the table's columns
-  return 0.5 * (t - 1.0) * (t - 2.0) / c[0] - t * (t - 2.0) / c[1] + 0.5 * t * (t - 1.0) / c[2];
-}
-
-HermiteTable<rows> reciprocals(std::array<double, 3> tables::KalkerRow::*coefficient, double poisson) {
-  std::array<double, rows> u{}, flexibility{};
-  for (std::size_t i = 0; i < rows; ++i) {
-    u[i] = slenderness(tables::kalker[i].ratio);
-    flexibility[i] = reciprocal(tables::kalker[i].*coefficient, poisson);
+Reciprocal reciprocals(tables::Coefficient coefficient, double poisson) {
+  tables::OverRatio flexibility{};
+  for (std::size_t i = 0; i < tables::used_ratios; ++i) {
+    flexibility[i] = tables::reciprocal(coefficient, i, 0, poisson);
   }
-  return {u, flexibility};
+  return {tables::slenderness_nodes(), flexibility};
 }
 
 /// The coefficient and its derivative with respect to a/b inside the table.
-Interpolated in_table(const HermiteTable<rows>& table, double ratio) {
+Interpolated in_table(const Reciprocal& table, double ratio) {
   const Interpolated f = table(slenderness(ratio));
   const double du = 2.0 / ((ratio + 1.0) * (ratio + 1.0));
   return {1.0 / f.value, -f.slope * du / (f.value * f.value)};
@@ -78,12 +72,12 @@ double continued(double g, double g0, const Interpolated& asymptote, const Inter
 
 KalkerTable::KalkerTable(double poisson)
     : poisson_(poisson),
-      c11_(reciprocals(&tables::KalkerRow::c11, poisson)),
-      c22_(reciprocals(&tables::KalkerRow::c22, poisson)),
-      c23_(reciprocals(&tables::KalkerRow::c23, poisson)) {}
+      c11_(reciprocals(tables::c11s, poisson)),
+      c22_(reciprocals(tables::c22s, poisson)),
+      c23_(reciprocals(tables::c23s, poisson)) {}
 
 KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
-  const double lowest = tables::kalker.front().ratio, highest = tables::kalker.back().ratio;
+  const double lowest = tables::lowest_ratio, highest = tables::highest_ratio;
   if (ratio >= lowest && ratio <= highest) {
     return {in_table(c11_, ratio).value, in_table(c22_, ratio).value, in_table(c23_, ratio).value};
   }
