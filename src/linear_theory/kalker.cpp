@@ -8,11 +8,11 @@
 namespace wrc {
 namespace {
 
-using Reciprocal = HermiteTable<tables::used_ratios>;
+using Reciprocal = HermiteTable<tables::ratio_count>;
 
 Reciprocal reciprocals(tables::Coefficient coefficient, double poisson) {
   tables::OverRatio flexibility{};
-  for (std::size_t i = 0; i < tables::used_ratios; ++i) {
+  for (std::size_t i = 0; i < tables::ratio_count; ++i) {
     flexibility[i] = tables::reciprocal(coefficient, i, 0, poisson);
   }
   return {tables::slenderness_nodes(), flexibility};

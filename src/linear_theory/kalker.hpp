@@ -17,7 +17,7 @@ struct KalkerCoefficients {
 
 /// The coefficients over a/b for one Poisson ratio in [0, 0.5].
 ///
-/// Inside the table (psi = 0 of generated_tables.hpp, a/b from 0.05 to 10) the reciprocals 1/C are
+/// Inside the table (psi = 0 of generated_tables.hpp, a/b from 0.05 to 20) the reciprocals 1/C are
 /// interpolated, C1 in log(a/b) and quadratic in the Poisson ratio. Beyond it Kalker's asymptotes for slender
 /// ellipses take over, multiplied by a factor that continues the table in value and slope and fades to 1
 /// linearly in the axis ratio: nothing jumps.
@@ -30,7 +30,7 @@ class KalkerTable {
   KalkerCoefficients at(double ratio, Fault& fault) const;
 
  private:
-  using Reciprocal = HermiteTable<tables::used_ratios>;
+  using Reciprocal = HermiteTable<tables::ratio_count>;
   double poisson_ = 0.0;
   Reciprocal c11_, c22_, c23_;  ///< 1/C over the slenderness
 };

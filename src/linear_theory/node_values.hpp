@@ -14,17 +14,14 @@ namespace wrc::tables {
 /// Columns of LinearTheoryEntry::value.
 enum Coefficient : std::size_t { c11s, c22s, c23s, c13s };
 
-/// The last node, a/b = 20, is left out: its error estimates reach 100 % and more for C23s and C13s at nu =
-/// 0.5 and 35 % at nu = 0.25.
-inline constexpr std::size_t used_ratios = ratio_count - 1;
-using OverRatio = std::array<double, used_ratios>;
+using OverRatio = std::array<double, ratio_count>;
 
 constexpr const LinearTheoryEntry& entry(std::size_t poisson, std::size_t ratio, std::size_t shape) {
   return linear_theory[(poisson * ratio_count + ratio) * shape_count + shape];
 }
 constexpr double ratio_node(std::size_t i) { return entry(0, i, 0).ratio; }
 constexpr double shape_node(std::size_t i) { return entry(0, 0, i).psi; }
-constexpr double lowest_ratio = ratio_node(0), highest_ratio = ratio_node(used_ratios - 1);
+constexpr double lowest_ratio = ratio_node(0), highest_ratio = ratio_node(ratio_count - 1);
 constexpr double highest_shape = shape_node(shape_count - 1);
 
 /// The parabola in the Poisson ratio through values at its nodes 0, 0.25, 0.5.
@@ -54,7 +51,7 @@ inline double weight(Coefficient c, std::size_t ratio, std::size_t shape) {
 
 inline OverRatio slenderness_nodes() {
   OverRatio u{};
-  for (std::size_t i = 0; i < used_ratios; ++i) u[i] = slenderness(ratio_node(i));
+  for (std::size_t i = 0; i < ratio_count; ++i) u[i] = slenderness(ratio_node(i));
   return u;
 }
 

@@ -7,31 +7,31 @@
 namespace wrc {
 namespace {
 
+using tables::ratio_count;
 using tables::shape_count;
-using tables::used_ratios;
-using Nodes = std::array<double, used_ratios + 2>;
+using Nodes = std::array<double, ratio_count + 2>;
 
 /// The table's nodes between the limits -1 (a/b = 0) and 1 (infinity).
 Nodes with_limits(const tables::OverRatio& inside, double lowest, double highest) {
   Nodes out{};
   out.front() = lowest;
-  for (std::size_t i = 0; i < used_ratios; ++i) out[i + 1] = inside[i];
+  for (std::size_t i = 0; i < ratio_count; ++i) out[i + 1] = inside[i];
   out.back() = highest;
   return out;
 }
 
-HermiteTable<used_ratios + 2> fading(const tables::OverRatio& values) {
+HermiteTable<ratio_count + 2> fading(const tables::OverRatio& values) {
   return {with_limits(tables::slenderness_nodes(), -1.0, 1.0), with_limits(values, 0.0, 0.0)};
 }
 
 /// Continued to the limits along the straight lines through the last two nodes.
-HermiteTable<used_ratios + 2> extended(const tables::OverRatio& values) {
+HermiteTable<ratio_count + 2> extended(const tables::OverRatio& values) {
   const tables::OverRatio u = tables::slenderness_nodes();
   const auto line = [&](std::size_t first, std::size_t second, double at) {
     return values[first] + (values[second] - values[first]) / (u[second] - u[first]) * (at - u[first]);
   };
   return {with_limits(u, -1.0, 1.0),
-          with_limits(values, line(0, 1, -1.0), line(used_ratios - 1, used_ratios - 2, 1.0))};
+          with_limits(values, line(0, 1, -1.0), line(ratio_count - 1, ratio_count - 2, 1.0))};
 }
 
 /// Weighted least-squares coefficients p, q of  p f_k + q g_k = y_k.
@@ -72,7 +72,7 @@ void check_range(const char* field, double value, double low, double high, Fault
 SdecTable::Influence SdecTable::influence(std::size_t coefficient, double poisson) {
   const auto c = static_cast<tables::Coefficient>(coefficient);
   tables::OverRatio second{}, fourth{};
-  for (std::size_t i = 0; i < used_ratios; ++i) {
+  for (std::size_t i = 0; i < ratio_count; ++i) {
     std::array<double, shape_count> psi2{}, psi4{}, change{}, weight{};
     for (std::size_t k = 0; k < shape_count; ++k) {
       psi2[k] = tables::shape_node(k) * tables::shape_node(k);
@@ -93,7 +93,7 @@ SdecTable::SdecTable(double poisson)
       c22_(influence(tables::c22s, poisson)),
       c23_(influence(tables::c23s, poisson)) {
   tables::OverRatio constant{}, second{};
-  for (std::size_t i = 0; i < used_ratios; ++i) {
+  for (std::size_t i = 0; i < ratio_count; ++i) {
     std::array<double, shape_count> one{}, psi2{}, k13{}, weight{};
     for (std::size_t k = 1; k < shape_count; ++k) {
       one[k] = 1.0;

@@ -23,13 +23,13 @@ struct SdecCoefficients {
 /// generated_tables.hpp, is fitted over psi = 0.2 to 0.95 by
 ///     C11s = C11 (1 + b psi^2 + d psi^4) and likewise C22s, C23s;  K13 = 0.75 C11 sqrt(b/a) (k + m psi^2),
 /// so is smooth in psi; b, d, k, m are interpolated C1 in log(a/b) (quadratic in the Poisson ratio). Beyond
-/// a/b = 0.05 and 10, b and d fade to zero, k and m follow their end slopes.
+/// a/b = 0.05 and 20, b and d fade to zero, k and m follow their end slopes.
 class SdecTable {
  public:
   SdecTable() = default;
   explicit SdecTable(double poisson);
 
-  /// For any a/b > 0 and |psi| < 1; flags WRC_FLAG_TABLE_RANGE beyond a/b = 0.05 to 10 and |psi| = 0.95.
+  /// For any a/b > 0 and |psi| < 1; flags WRC_FLAG_TABLE_RANGE beyond a/b = 0.05 to 20 and |psi| = 0.95.
   SdecCoefficients at(double ratio, double shape_number, Fault& fault) const;
 
   /// Those of an ellipse of the same material.
@@ -37,7 +37,7 @@ class SdecTable {
 
  private:
   /// The table's nodes and the two limits of slender patches.
-  using Shape = HermiteTable<tables::used_ratios + 2>;
+  using Shape = HermiteTable<tables::ratio_count + 2>;
   /// Relative influence of psi^2 and psi^4.
   struct Influence {
     Shape second, fourth;
