@@ -179,13 +179,10 @@ LinearTheory::LinearTheory(double axis_ratio, double poisson, int finest)
 
 LinearTheory::Divisions LinearTheory::divisions(double psi) const {
   const double middle = psi / std::sqrt(axis_ratio_);  // psi b
-  Divisions out;
-  const int counts[] = {finest_ / 2, 3 * finest_ / 4, finest_};
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = reciprocal(
-        about(strip_linear_coefficients(axis_ratio_, psi, poisson_, counts[i], counts[i]), middle));
-  }
-  return out;
+  const auto divided = [&](int n) {
+    return reciprocal(about(strip_linear_coefficients(axis_ratio_, psi, poisson_, n, n), middle));
+  };
+  return {divided(finest_ / 2), divided(3 * finest_ / 4), divided(finest_)};
 }
 
 EstimatedCoefficients LinearTheory::at(double psi) const {
