@@ -31,8 +31,8 @@ Edge edge(double x, double y_low, double y_high, double poisson) {
           .xy = poisson * xy_over_r3 / pi};
 }
 
-// Borders of the strips, at nearly equal angles of the half circle over the width: as many eighths of the strips
-// in the narrow half as its part of the half circle has, so that a strip begins at the joint.
+// Borders of the strips, at nearly equal angles of the half circle over the width: as many eighths of the
+// strips in the narrow half as its part of the half circle has, so that a strip begins at the joint.
 std::vector<Strip> divide(const SdecPatch& patch, int strips) {
   const double joint = std::acos(patch.psi);  // the half circle's angle, from the end at -b (1 - psi)
   const int below = strips / 8 * std::clamp(static_cast<int>(std::lround(8.0 * joint / pi)), 1, 7);
@@ -96,7 +96,9 @@ constexpr Member of_the_ellipse[] = {&LinearCoefficients::c11, &LinearCoefficien
                                      &LinearCoefficients::c23, &LinearCoefficients::c32,
                                      &LinearCoefficients::c33};
 
-/// The same about a point at y; c = 1. Spin about it is spin about the old one and longitudinal creepage y phi.
+/// c13, c31 and c33 about a point at y, the others as they are; c = 1. Spin about it is spin about the old
+/// one and longitudinal creepage y phi. (C23 would move by y C21: an asymmetric patch has small C12 = -C21,
+/// which SDEC leaves out.)
 LinearCoefficients about(LinearCoefficients c, double y) {
   c.c33 += y * (c.c13 + c.c31) + y * y * c.c11;
   c.c13 += y * c.c11;

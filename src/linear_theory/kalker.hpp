@@ -17,10 +17,11 @@ struct KalkerCoefficients {
 
 /// The coefficients over a/b for one Poisson ratio in [0, 0.5].
 ///
-/// Inside the table (psi = 0 of generated_tables.hpp, a/b from 0.05 to 20) the reciprocals 1/C are
-/// interpolated, C1 in log(a/b) and quadratic in the Poisson ratio. Beyond it Kalker's asymptotes for slender
-/// ellipses take over, multiplied by a factor that continues the table in value and slope and fades to 1
-/// linearly in the axis ratio: nothing jumps.
+/// Inside the table (psi = 0 of generated_tables.hpp, a/b from 0.05 to 20) the reciprocals 1/C (of C23 with a
+/// factor sqrt(a/b)) are interpolated, C1 in (a - b) / (a + b) and quadratic in the Poisson ratio, to 0.1 %
+/// at usual Poisson ratios. Beyond it Kalker's asymptotes for slender ellipses take over, multiplied by a
+/// factor that continues the table in value and slope and fades to 1 linearly in the axis ratio: nothing
+/// jumps.
 class KalkerTable {
  public:
   KalkerTable() = default;
@@ -32,7 +33,7 @@ class KalkerTable {
  private:
   using Reciprocal = HermiteTable<tables::ratio_count>;
   double poisson_ = 0.0;
-  Reciprocal c11_, c22_, c23_;  ///< 1/C over the slenderness
+  Reciprocal c11_, c22_, c23_;  ///< 1/C11, 1/C22, sqrt(a/b)/C23 over the slenderness
 };
 
 }  // namespace wrc

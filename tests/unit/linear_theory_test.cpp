@@ -82,22 +82,26 @@ TEST(Kalker, StaysPositiveAndMonotoneInTheSlenderLimits) {
 
 TEST(Sdec, AgreesWithTheReferenceProgramAndIsSymmetric) {
   // CONTACT on exact double ellipses in full adhesion, nu = 0.25, fitted over psi: C11s = C11 + b11 psi^2 and
-  // so on, C13s = -k13 psi; its own uncertainty is 0.2 % of C11, C22, C23 and 1 % of C13.
+  // so on, C13s = -k13 psi about the joint. Its C23s is about the middle of the width; moving it takes C12s =
+  // c12 psi, which the model leaves out. On grids of 29 to 41 cells a side it is good for 0.2 % of C11, C22,
+  // twice that of C23 and 1 % of C13.
   struct Row {
-    double ratio, b11, b22, b23, k13;
+    double ratio, b11, b22, b23, k13, c12;
   };
   const SdecTable table(0.25);
-  for (const Row& r : {Row{0.2, .053, .062, .0108, 6.298}, Row{0.5, .104, .095, .0346, 4.139},
-                       Row{2.0 / 3.0, .118, .100, .0424, 3.679}, Row{1.0, .132, .101, .0522, 3.177},
-                       Row{2.0, .130, .084, .0593, 2.608}, Row{5.0, .089, .044, .0454, 2.307}}) {
+  for (const Row& r :
+       {Row{0.2, .053, .062, .0108, 6.298, .0035}, Row{0.5, .104, .095, .0346, 4.139, .0052},
+        Row{2.0 / 3.0, .118, .100, .0424, 3.679, .0054}, Row{1.0, .132, .101, .0522, 3.177, .0052},
+        Row{2.0, .130, .084, .0593, 2.608, .0046}, Row{5.0, .089, .044, .0454, 2.307, .0032}}) {
     for (double psi : {0.2, 0.4, 0.6, 0.8}) {
       Fault fault;
       const SdecCoefficients s = table.at(r.ratio, psi, fault);
       const KalkerCoefficients ellipse = kalker(r.ratio, 0.25);
+      const double c23 = ellipse.c23 + (r.b23 + r.c12 / std::sqrt(r.ratio)) * psi * psi;
       EXPECT_EQ(fault.status, WRC_OK);
       EXPECT_NEAR(s.c11, ellipse.c11 + r.b11 * psi * psi, 0.002 * ellipse.c11) << r.ratio << " " << psi;
       EXPECT_NEAR(s.c22, ellipse.c22 + r.b22 * psi * psi, 0.002 * ellipse.c22) << r.ratio << " " << psi;
-      EXPECT_NEAR(s.c23, ellipse.c23 + r.b23 * psi * psi, 0.003 * ellipse.c23) << r.ratio << " " << psi;
+      EXPECT_NEAR(s.c23, c23, 0.004 * c23) << r.ratio << " " << psi;
       EXPECT_NEAR(s.c13, -r.k13 * psi, 0.015 * r.k13 * psi) << r.ratio << " " << psi;
       const SdecCoefficients mirrored = table.at(r.ratio, -psi, fault);
       EXPECT_EQ(mirrored.c13, -s.c13);
