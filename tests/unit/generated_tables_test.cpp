@@ -80,7 +80,7 @@ TEST(GeneratedTables, AgreeWithKalkersPrint) {
 TEST(GeneratedTables, AreInterpolatedAsWellAsTheyAreComputed) {
   // Between the nodes in a/b at usual Poisson ratios; far from the nodes in nu the parabola costs more.
   for (const double nu : {0.0, 0.12, 0.25, 0.28, 0.3, 0.4, 0.5}) {
-    const double tolerance = nu == 0.12 || nu == 0.4 ? 2e-3 : 1e-3;
+    const double tolerance = nu == 0.12 || nu == 0.4 ? 2.5e-3 : 1e-3;
     const KalkerTable table(nu);
     for (const double ratio :
          {0.06, 0.085, 0.12, 0.17, 0.25, 0.4, 0.6, 0.85, 1.2, 1.7, 2.5, 4.0, 5.8, 8.0, 12.0, 17.0}) {
