@@ -14,11 +14,11 @@ namespace {
 // Coordinates xi = x/a, eta = y/b (unit disk), c = sqrt(a b) = 1, G = 1. Seen as functions on the unit
 // hemisphere above the disk, polynomials split into spherical harmonics even in height. With
 // q_m the Fourier coefficients of P on the border (m = -n, -n + 2, ..., n for harmonics of degree n),
-//     k_m = (1/2 pi) Int k(t) e^(-i m t) dt,   k = Fourier transform of the half-space's compliance on the unit
-//     circle of wave vectors in these coordinates,
-// the harmonics' transforms, spherical Bessel functions orthogonal to each other, leave one Toeplitz system for each
-// degree:   Sum_m k_(m' - m) q_m = (2 / pi) u e^(-i m' alpha)   for the displacement u P_n(xi cos(alpha) + eta
-// sin(alpha)), P_n Legendre's polynomial: a zonal harmonic.
+//     k_m = (1/2 pi) Int k(t) e^(-i m t) dt,   k = Fourier transform of the half-space's compliance on the
+//     unit circle of wave vectors in these coordinates,
+// the harmonics' transforms, spherical Bessel functions orthogonal to each other, leave one Toeplitz system
+// for each degree:   Sum_m k_(m' - m) q_m = (2 / pi) u e^(-i m' alpha)   for the displacement u P_n(xi
+// cos(alpha) + eta sin(alpha)), P_n Legendre's polynomial: a zonal harmonic.
 using Complex = std::complex<double>;
 
 /// u P_n along a direction of the plane.
@@ -28,7 +28,8 @@ struct Displacement {
   double ux = 0.0, uy = 0.0;
 };
 
-/// What a displacement needs: tractions on the leading border (x, then y, at every sample), and their resultants.
+/// What a displacement needs: tractions on the leading border (x, then y, at every sample), and their
+/// resultants.
 struct Response {
   Eigen::VectorXd border;
   Eigen::Vector3d force;  // F_x, F_y, M_z
@@ -77,9 +78,9 @@ class Ellipse {
   }
 
  private:
-  /// Fourier coefficients of orders 0, 2, 4, ... of the compliance's transform, the rows and columns x, y. Before
-  /// stretching, two equal bodies have (2 / |k|) (1 - nu cos^2, -nu sin cos; ..., 1 - nu sin^2) of the wave
-  /// vector's direction. The trapezoidal rule converges geometrically on periodic functions.
+  /// Fourier coefficients of orders 0, 2, 4, ... of the compliance's transform, the rows and columns x, y.
+  /// Before stretching, two equal bodies have (2 / |k|) (1 - nu cos^2, -nu sin cos; ..., 1 - nu sin^2) of the
+  /// wave vector's direction. The trapezoidal rule converges geometrically on periodic functions.
   std::vector<Eigen::Matrix2cd> compliance(double poisson, int degree) const {
     const int points = 128 * (8 + degree / 4);
     std::vector<Eigen::Matrix2cd> k(static_cast<std::size_t>(degree) + 1, Eigen::Matrix2cd::Zero());
@@ -108,12 +109,12 @@ LinearCoefficients ellipse_linear_coefficients(double axis_ratio, double poisson
   const Ellipse ellipse(axis_ratio, poisson, degree);
   const double a = ellipse.a(), b = ellipse.b();
   // No slip: du/dx = (nu_x - phi y, nu_y + phi x), so u = (x nu_x - x y phi, x nu_y + x^2/2 phi) and a
-  // function of y; x^2/2 is a^2/3 P_2(xi) and a constant, xi eta a third of the difference of P_2 along both diagonals.
-  const std::vector<Displacement> prescribed[] = {{{1, 0.0, a, 0.0}},
-                                                  {{1, 0.0, 0.0, a}},
-                                                  {{2, 0.25 * pi, -a * b / 3.0, 0.0},
-                                                   {2, -0.25 * pi, a * b / 3.0, 0.0},
-                                                   {2, 0.0, 0.0, a * a / 3.0}}};
+  // function of y; x^2/2 is a^2/3 P_2(xi) and a constant, xi eta a third of the difference of P_2 along both
+  // diagonals.
+  const std::vector<Displacement> prescribed[] = {
+      {{1, 0.0, a, 0.0}},
+      {{1, 0.0, 0.0, a}},
+      {{2, 0.25 * pi, -a * b / 3.0, 0.0}, {2, -0.25 * pi, a * b / 3.0, 0.0}, {2, 0.0, 0.0, a * a / 3.0}}};
   std::vector<Response> open;  // P_n(y/b) of u_x and of u_y
   for (int n = 0; n <= degree; ++n) {
     open.push_back(ellipse.respond({n, 0.5 * pi, 1.0, 0.0}));
@@ -138,7 +139,8 @@ LinearCoefficients ellipse_linear_coefficients(double axis_ratio, double poisson
     }
     c.col(creepage) += force * leading.solve(traction);
   }
-  return {.c11 = c(0, 0), .c22 = c(1, 1), .c13 = 0.0, .c23 = c(1, 2), .c31 = 0.0, .c32 = c(2, 1), .c33 = c(2, 2)};
+  return {
+      .c11 = c(0, 0), .c22 = c(1, 1), .c13 = 0.0, .c23 = c(1, 2), .c31 = 0.0, .c32 = c(2, 1), .c33 = c(2, 2)};
 }
 
 }  // namespace wrc::halfspace

@@ -8,8 +8,8 @@
 
 namespace wrc::tables {
 
-/// C11s, C22s, C23s, C13s, C33s about the joint of the half-ellipses; those of -psi are the same but for the sign of
-/// C13s. C31s = C13s and C32s = -C23s.
+/// C11s, C22s, C23s, C13s, C33s about the joint of the half-ellipses; those of -psi are the same but for
+/// the sign of C13s. C31s = C13s and C32s = -C23s.
 struct LinearTheoryEntry {
   double poisson, ratio, psi;  ///< ratio = a/b
   int finest;                  ///< strips and cells of the finest division
