@@ -1,34 +1,53 @@
 /// Linear theory (full adhesion) of SDEC patches: Kalker's creepage coefficients and their shape-number
-/// dependence, computed from the half-space equations, extrapolated in the grid, with an error estimate for
-/// each.
+/// dependence, computed from the half-space equations, with an error estimate for each.
 ///
-/// The patch is divided into equal strips along x and each strip into equally many cells of its own length,
-/// so that leading and trailing edges are met exactly and the discretisation error is a smooth function of
-/// the number of cells (on a common rectangular grid the staircase border makes it jump). Collocation as in
-/// tangential.hpp, quarter_point; a dense system, unknowns 2 strips cells.
+/// Ellipses are solved without a grid (ellipse_linear_theory.hpp). What the shape number adds is computed on
+/// strips along x, each divided into cells: collocation of the displacements at the cells' middles,
+/// differences from one to the next give the slips at their borders, the trailing edge left out (singular)
+/// and the leading edge kept (no traction); a dense system, unknowns 2 strips cells. Strips and cells shorten
+/// towards the edges as equal angles on a circle do, which suits tractions with square-root edges and patches
+/// of any slenderness.
 #pragma once
 
-#include "halfspace/pressure.hpp"
+#include <array>
+
+#include "halfspace/linear_coefficients.hpp"
 
 namespace wrc::halfspace {
 
-/// F_x = -G c^2 c11 nu_x - G c^3 c13 phi,  F_y = -G c^2 c22 nu_y - G c^3 c23 phi,
-/// M_z = -G c^3 (c31 nu_x + c32 nu_y) - G c^4 c33 phi,  c = sqrt(a b), about the joint of the half ellipses.
-struct LinearCoefficients {
-  double c11 = 0.0, c22 = 0.0, c13 = 0.0, c23 = 0.0, c31 = 0.0, c32 = 0.0, c33 = 0.0;
-};
-
-/// Of the patch with a/b = axis_ratio on `strips` strips of `cells` cells each. Memory: 32 (strips cells)^2
+/// On the strips, of the patch with a/b = axis_ratio; `strips` divisible by 8. Memory: 32 (strips cells)^2
 /// bytes, 34 MB for 32 x 32.
-LinearCoefficients linear_coefficients(double axis_ratio, double psi, double poisson, int strips, int cells);
+LinearCoefficients strip_linear_coefficients(double axis_ratio, double psi, double poisson, int strips,
+                                             int cells);
 
-struct ExtrapolatedCoefficients {
+struct EstimatedCoefficients {
   LinearCoefficients value;
-  LinearCoefficients error;  ///< estimate, from linear extrapolations of two of the three divisions
+  LinearCoefficients error;  ///< estimate of the absolute error
 };
 
-/// Extrapolated from n = finest/2, 3/4 finest and finest with error terms 1/n and 1/n^2; finest divisible
-/// by 4.
-ExtrapolatedCoefficients extrapolated_coefficients(double axis_ratio, double psi, double poisson, int finest);
+/// The double ellipses of one axis ratio and Poisson ratio.
+///
+/// On the strips C11, C22, C23, and C33 about the middle of the width are wrong by nearly the same factor for
+/// every shape: they are those of the ellipse, exact, times the ratio of both on the same strips,
+/// extrapolated linearly in 1/n from n = 3/4 finest and finest. C13 about the middle, zero for the ellipse,
+/// is extrapolated itself; moving the point to the joint then adds psi b C11.
+class LinearTheory {
+ public:
+  /// finest: strips and cells of the finest of three divisions (1/2, 3/4 and 1 times it), divisible by 32.
+  LinearTheory(double axis_ratio, double poisson, int finest);
+
+  /// |psi| < 1. The error estimate is the larger of what extrapolation adds to the finest division and how
+  /// far extrapolation from the coarser two is off; of an ellipse, what halving the degree changes.
+  EstimatedCoefficients at(double psi) const;
+
+ private:
+  using Divisions = std::array<LinearCoefficients, 3>;  ///< coarse to fine; c13, c31, c33 about the middle
+  Divisions divisions(double psi) const;
+
+  double axis_ratio_, poisson_;
+  int finest_;
+  EstimatedCoefficients ellipse_;
+  Divisions ellipse_on_strips_;
+};
 
 }  // namespace wrc::halfspace

@@ -2,33 +2,37 @@
 
 #include <cmath>
 
+#include "linear_theory/node_values.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::size_t rows = tables::kalker.size();
+using Reciprocal = HermiteTable<tables::ratio_count>;
 
-/// Reciprocal of a coefficient of one row: quadratic in the Poisson ratio through the three reciprocals.
-double reciprocal(const std::array<double, 3>& c, double poisson) {
-  const double t = poisson / tables::kalker_poisson[1];  // 0, 1, 2 at the table's columns
-  return 0.5 * (t - 1.0) * (t - 2.0) / c[0] - t * (t - 2.0) / c[1] + 0.5 * t * (t - 1.0) / c[2];
+/// What a coefficient is divided by before its reciprocal is tabulated, and the derivative with respect to
+/// a/b: C23 ~ sqrt(a/b) for narrow ellipses, so sqrt(a/b) / C23 stays finite and smooth there as 1/C11 and
+/// 1/C22 do.
+Interpolated scale(tables::Coefficient coefficient, double ratio) {
+  if (coefficient != tables::c23s) return {1.0, 0.0};
+  const double root = std::sqrt(ratio);
+  return {root, 0.5 / root};
 }
 
-HermiteTable<rows> reciprocals(std::array<double, 3> tables::KalkerRow::*coefficient, double poisson) {
-  std::array<double, rows> u{}, flexibility{};
-  for (std::size_t i = 0; i < rows; ++i) {
-    u[i] = slenderness(tables::kalker[i].ratio);
-    flexibility[i] = reciprocal(tables::kalker[i].*coefficient, poisson);
+Reciprocal reciprocals(tables::Coefficient coefficient, double poisson) {
+  tables::OverRatio flexibility{};
+  for (std::size_t i = 0; i < tables::ratio_count; ++i) {
+    flexibility[i] =
+        scale(coefficient, tables::ratio_node(i)).value * tables::reciprocal(coefficient, i, 0, poisson);
   }
-  return {u, flexibility};
+  return {tables::slenderness_nodes(), flexibility};
 }
 
 /// The coefficient and its derivative with respect to a/b inside the table.
-Interpolated in_table(const HermiteTable<rows>& table, double ratio) {
-  const Interpolated f = table(slenderness(ratio));
+Interpolated in_table(tables::Coefficient coefficient, const Reciprocal& table, double ratio) {
+  const Interpolated s = scale(coefficient, ratio), f = table(slenderness(ratio));
   const double du = 2.0 / ((ratio + 1.0) * (ratio + 1.0));
-  return {1.0 / f.value, -f.slope * du / (f.value * f.value)};
+  return {s.value / f.value, (s.slope - s.value * f.slope * du / f.value) / f.value};
 }
 
 /// Kalker's asymptotes; the derivative is with respect to g = min(a/b, b/a).
@@ -78,14 +82,15 @@ double continued(double g, double g0, const Interpolated& asymptote, const Inter
 
 KalkerTable::KalkerTable(double poisson)
     : poisson_(poisson),
-      c11_(reciprocals(&tables::KalkerRow::c11, poisson)),
-      c22_(reciprocals(&tables::KalkerRow::c22, poisson)),
-      c23_(reciprocals(&tables::KalkerRow::c23, poisson)) {}
+      c11_(reciprocals(tables::c11s, poisson)),
+      c22_(reciprocals(tables::c22s, poisson)),
+      c23_(reciprocals(tables::c23s, poisson)) {}
 
 KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
-  const double lowest = tables::kalker.front().ratio, highest = tables::kalker.back().ratio;
+  const double lowest = tables::lowest_ratio, highest = tables::highest_ratio;
   if (ratio >= lowest && ratio <= highest) {
-    return {in_table(c11_, ratio).value, in_table(c22_, ratio).value, in_table(c23_, ratio).value};
+    return {in_table(tables::c11s, c11_, ratio).value, in_table(tables::c22s, c22_, ratio).value,
+            in_table(tables::c23s, c23_, ratio).value};
   }
 
   worsen(fault, Fault{.status = WRC_FLAG_TABLE_RANGE,
@@ -102,13 +107,13 @@ KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
   const Asymptotes here = is_narrow ? narrow(g, poisson_) : wide(g, poisson_);
   const Asymptotes there = is_narrow ? narrow(g0, poisson_) : wide(g0, poisson_);
   const double dratio_dg = is_narrow ? 1.0 : -end * end;  // g is a/b or its reciprocal
-  const auto at_end = [&](const Reciprocal& table) {
-    const Interpolated c = in_table(table, end);
+  const auto at_end = [&](tables::Coefficient coefficient, const Reciprocal& table) {
+    const Interpolated c = in_table(coefficient, table, end);
     return Interpolated{c.value, c.slope * dratio_dg};
   };
-  return {continued(g, g0, here.c11, there.c11, at_end(c11_)),
-          continued(g, g0, here.c22, there.c22, at_end(c22_)),
-          continued(g, g0, here.c23, there.c23, at_end(c23_))};
+  return {continued(g, g0, here.c11, there.c11, at_end(tables::c11s, c11_)),
+          continued(g, g0, here.c22, there.c22, at_end(tables::c22s, c22_)),
+          continued(g, g0, here.c23, there.c23, at_end(tables::c23s, c23_))};
 }
 
 }  // namespace wrc

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "fault.hpp"
-#include "linear_theory/coefficient_tables.hpp"
 #include "linear_theory/hermite.hpp"
+#include "linear_theory/node_values.hpp"
 
 namespace wrc {
 
@@ -17,11 +17,11 @@ struct KalkerCoefficients {
 
 /// The coefficients over a/b for one Poisson ratio in [0, 0.5].
 ///
-/// Inside Kalker's table (a/b from 0.1 to 10) the reciprocals 1/C are interpolated, C1 in a/b and quadratic
-/// in the Poisson ratio; the table's three digits limit the accuracy to about 0.3 %. Beyond it Kalker's
-/// asymptotes for slender ellipses take over. They differ from the table's ends by up to 9 %, so they are
-/// multiplied by a factor that continues the table in value and slope and fades to 1 linearly in the axis
-/// ratio: nothing jumps.
+/// Inside the table (psi = 0 of generated_tables.hpp, a/b from 0.05 to 20) the reciprocals 1/C (of C23 with a
+/// factor sqrt(a/b)) are interpolated, C1 in (a - b) / (a + b) and quadratic in the Poisson ratio, to 0.1 %
+/// at usual Poisson ratios. Beyond it Kalker's asymptotes for slender ellipses take over, multiplied by a
+/// factor that continues the table in value and slope and fades to 1 linearly in the axis ratio: nothing
+/// jumps.
 class KalkerTable {
  public:
   KalkerTable() = default;
@@ -31,9 +31,9 @@ class KalkerTable {
   KalkerCoefficients at(double ratio, Fault& fault) const;
 
  private:
-  using Reciprocal = HermiteTable<tables::kalker.size()>;
+  using Reciprocal = HermiteTable<tables::ratio_count>;
   double poisson_ = 0.0;
-  Reciprocal c11_, c22_, c23_;  ///< 1/C over the slenderness
+  Reciprocal c11_, c22_, c23_;  ///< 1/C11, 1/C22, sqrt(a/b)/C23 over the slenderness
 };
 
 }  // namespace wrc

@@ -2,62 +2,58 @@
 
 #include <cmath>
 
+#include "linear_theory/node_values.hpp"
+
 namespace wrc {
 namespace {
 
-constexpr std::size_t rows = tables::sdec.size();
-constexpr std::size_t nodes = rows + 2;
-using Column = std::array<double, 3>;
-using Nodes = std::array<double, nodes>;
+using tables::ratio_count;
+using tables::shape_count;
+using Nodes = std::array<double, ratio_count + 2>;
 
-Nodes slenderness_of_nodes() {
-  Nodes u{};
-  u.front() = -1.0;
-  for (std::size_t i = 0; i < rows; ++i) u[i + 1] = slenderness(tables::sdec[i].ratio);
-  u.back() = 1.0;
-  return u;
+/// The table's nodes between the limits -1 (a/b = 0) and 1 (infinity).
+Nodes with_limits(const tables::OverRatio& inside, double lowest, double highest) {
+  Nodes out{};
+  out.front() = lowest;
+  for (std::size_t i = 0; i < ratio_count; ++i) out[i + 1] = inside[i];
+  out.back() = highest;
+  return out;
 }
 
-/// Least-squares line in the Poisson ratio through a row's three columns. They are so close together (0.25 to
-/// 0.30) and so nearly straight that a parabola would only carry their last digit out to 0 and 0.5.
-double line(const Column& column, double poisson) {
-  const auto& nu = tables::sdec_poisson;
-  const double mean_nu = (nu[0] + nu[1] + nu[2]) / 3.0;
-  const double mean = (column[0] + column[1] + column[2]) / 3.0;
-  double sxx = 0.0, sxy = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    sxx += (nu[k] - mean_nu) * (nu[k] - mean_nu);
-    sxy += (nu[k] - mean_nu) * column[k];
-  }
-  return mean + sxy / sxx * (poisson - mean_nu);
+HermiteTable<ratio_count + 2> fading(const tables::OverRatio& values) {
+  return {with_limits(tables::slenderness_nodes(), -1.0, 1.0), with_limits(values, 0.0, 0.0)};
 }
 
-HermiteTable<nodes> fading(Column tables::SdecRow::*coefficient, double poisson) {
-  Nodes values{};  // zero at both limits
-  for (std::size_t i = 0; i < rows; ++i) values[i + 1] = line(tables::sdec[i].*coefficient, poisson);
-  return {slenderness_of_nodes(), values};
-}
-
-HermiteTable<nodes> relative_k13(double poisson) {
-  std::array<KalkerTable, 3> ellipse;
-  for (std::size_t k = 0; k < 3; ++k) ellipse[k] = KalkerTable(tables::sdec_poisson[k]);
-  const Nodes u = slenderness_of_nodes();
-  Nodes values{};
-  for (std::size_t i = 0; i < rows; ++i) {
-    const tables::SdecRow& row = tables::sdec[i];
-    Column relative;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Fault inside;
-      relative[k] = row.k13[k] * std::sqrt(row.ratio) / (0.75 * ellipse[k].at(row.ratio, inside).c11);
-    }
-    values[i + 1] = line(relative, poisson);
-  }
-  const auto extended = [&](std::size_t end, std::size_t first, std::size_t second) {
-    return values[first] + (values[second] - values[first]) / (u[second] - u[first]) * (u[end] - u[first]);
+/// Continued to the limits along the straight lines through the last two nodes.
+HermiteTable<ratio_count + 2> extended(const tables::OverRatio& values) {
+  const tables::OverRatio u = tables::slenderness_nodes();
+  const auto line = [&](std::size_t first, std::size_t second, double at) {
+    return values[first] + (values[second] - values[first]) / (u[second] - u[first]) * (at - u[first]);
   };
-  values.front() = extended(0, 1, 2);
-  values.back() = extended(nodes - 1, rows, rows - 1);
-  return {u, values};
+  return {with_limits(u, -1.0, 1.0),
+          with_limits(values, line(0, 1, -1.0), line(ratio_count - 1, ratio_count - 2, 1.0))};
+}
+
+/// Weighted least-squares coefficients p, q of  p f_k + q g_k = y_k.
+std::array<double, 2> least_squares(const std::array<double, shape_count>& f,
+                                    const std::array<double, shape_count>& g,
+                                    const std::array<double, shape_count>& y,
+                                    const std::array<double, shape_count>& weight) {
+  double ff = 0.0, fg = 0.0, gg = 0.0, fy = 0.0, gy = 0.0;
+  for (std::size_t k = 1; k < shape_count; ++k) {  // k = 0 is psi = 0, without influence
+    ff += weight[k] * f[k] * f[k];
+    fg += weight[k] * f[k] * g[k];
+    gg += weight[k] * g[k] * g[k];
+    fy += weight[k] * f[k] * y[k];
+    gy += weight[k] * g[k] * y[k];
+  }
+  const double determinant = ff * gg - fg * fg;
+  return {(fy * gg - gy * fg) / determinant, (gy * ff - fy * fg) / determinant};
+}
+
+/// -C13s / (0.75 C11 sqrt(b/a) psi) of one entry.
+double relative_k13(const tables::LinearTheoryEntry& entry, double c11) {
+  return -entry.value[tables::c13s] * std::sqrt(entry.ratio) / (0.75 * c11 * entry.psi);
 }
 
 void check_range(const char* field, double value, double low, double high, Fault& fault) {
@@ -73,26 +69,63 @@ void check_range(const char* field, double value, double low, double high, Fault
 
 }  // namespace
 
+SdecTable::Influence SdecTable::influence(std::size_t coefficient, double poisson) {
+  const auto c = static_cast<tables::Coefficient>(coefficient);
+  tables::OverRatio second{}, fourth{};
+  for (std::size_t i = 0; i < ratio_count; ++i) {
+    std::array<double, shape_count> psi2{}, psi4{}, change{}, weight{};
+    for (std::size_t k = 0; k < shape_count; ++k) {
+      psi2[k] = tables::shape_node(k) * tables::shape_node(k);
+      weight[k] = tables::weight(c, i, k);
+      psi4[k] = psi2[k] * psi2[k];
+      change[k] = tables::reciprocal(c, i, 0, poisson) / tables::reciprocal(c, i, k, poisson) - 1.0;
+    }
+    const auto [b, d] = least_squares(psi2, psi4, change, weight);
+    second[i] = b;
+    fourth[i] = d;
+  }
+  return {fading(second), fading(fourth)};
+}
+
 SdecTable::SdecTable(double poisson)
-    : poisson_(poisson),
-      ellipse_(poisson),
-      b11_(fading(&tables::SdecRow::b11, poisson)),
-      b22_(fading(&tables::SdecRow::b22, poisson)),
-      b23_(fading(&tables::SdecRow::b23, poisson)),
-      relative_k13_(relative_k13(poisson)) {}
+    : ellipse_(poisson),
+      c11_(influence(tables::c11s, poisson)),
+      c22_(influence(tables::c22s, poisson)),
+      c23_(influence(tables::c23s, poisson)) {
+  tables::OverRatio constant{}, second{};
+  for (std::size_t i = 0; i < ratio_count; ++i) {
+    std::array<double, shape_count> one{}, psi2{}, k13{}, weight{};
+    for (std::size_t k = 1; k < shape_count; ++k) {
+      one[k] = 1.0;
+      weight[k] = tables::weight(tables::c13s, i, k);
+      psi2[k] = tables::shape_node(k) * tables::shape_node(k);
+      std::array<double, 3> at_node{};
+      for (std::size_t n = 0; n < 3; ++n) {
+        at_node[n] = relative_k13(tables::entry(n, i, k), tables::entry(n, i, 0).value[tables::c11s]);
+      }
+      k13[k] = tables::at_poisson(at_node, poisson);
+    }
+    const auto [k, m] = least_squares(one, psi2, k13, weight);
+    constant[i] = k;
+    second[i] = m;
+  }
+  k13_ = extended(constant);
+  k13_second_ = extended(second);
+}
 
 SdecCoefficients SdecTable::at(double ratio, double shape_number, Fault& fault) const {
-  check_range("patch axis ratio a/b", ratio, tables::sdec.front().ratio, tables::sdec.back().ratio, fault);
-  check_range("Poisson ratio", poisson_, tables::sdec_poisson.front(), tables::sdec_poisson.back(), fault);
-
-  const KalkerCoefficients ellipse = ellipse_.at(ratio, fault);
+  const KalkerCoefficients ellipse = ellipse_.at(ratio, fault);  // flags the axis ratio
+  check_range("shape number psi", shape_number, -tables::highest_shape, tables::highest_shape, fault);
   const double u = slenderness(ratio);
   const double psi2 = shape_number * shape_number;
+  const auto factor = [&](const Influence& influence) {
+    return 1.0 + psi2 * (influence.second(u).value + psi2 * influence.fourth(u).value);
+  };
   SdecCoefficients c;
-  c.c11 = ellipse.c11 + b11_(u).value * psi2;
-  c.c22 = ellipse.c22 + b22_(u).value * psi2;
-  c.c23 = ellipse.c23 + b23_(u).value * psi2;
-  c.k13 = relative_k13_(u).value * 0.75 * ellipse.c11 / std::sqrt(ratio);
+  c.c11 = ellipse.c11 * factor(c11_);
+  c.c22 = ellipse.c22 * factor(c22_);
+  c.c23 = ellipse.c23 * factor(c23_);
+  c.k13 = (k13_(u).value + k13_second_(u).value * psi2) * 0.75 * ellipse.c11 / std::sqrt(ratio);
   c.c13 = -c.k13 * shape_number;
   return c;
 }

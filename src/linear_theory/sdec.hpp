@@ -19,16 +19,17 @@ struct SdecCoefficients {
 
 /// The coefficients over a/b and psi for one Poisson ratio in [0, 0.5].
 ///
-/// The shape's influence is tabulated for a/b from 0.2 to 5 and Poisson ratios from 0.25 to 0.30. Outside,
-/// its interpolants continue smoothly: b11, b22, b23 fade to zero as a/b -> 0 or infinity, K13 keeps its
-/// ratio to the one-flexibility value 0.75 C11 sqrt(b/a) along the ratio's end slope, and the Poisson ratio
-/// enters as a straight line.
+/// For psi = 0 C11s, C22s, C23s are exactly the ellipse's. The shape's influence, at every a/b of
+/// generated_tables.hpp, is fitted over psi = 0.2 to 0.95 by
+///     C11s = C11 (1 + b psi^2 + d psi^4) and likewise C22s, C23s;  K13 = 0.75 C11 sqrt(b/a) (k + m psi^2),
+/// so is smooth in psi; b, d, k, m are interpolated C1 in log(a/b) (quadratic in the Poisson ratio). Beyond
+/// a/b = 0.05 and 20, b and d fade to zero, k and m follow their end slopes.
 class SdecTable {
  public:
   SdecTable() = default;
   explicit SdecTable(double poisson);
 
-  /// For any a/b > 0 and |psi| < 1; flags WRC_FLAG_TABLE_RANGE where the shape's influence is extrapolated.
+  /// For any a/b > 0 and |psi| < 1; flags WRC_FLAG_TABLE_RANGE beyond a/b = 0.05 to 20 and |psi| = 0.95.
   SdecCoefficients at(double ratio, double shape_number, Fault& fault) const;
 
   /// Those of an ellipse of the same material.
@@ -38,12 +39,17 @@ class SdecTable {
   double poisson() const { return poisson_; }
 
  private:
-  /// The table's rows and the two limits of slender patches.
-  using Shape = HermiteTable<tables::sdec.size() + 2>;
-  double poisson_ = 0.0;
+  /// The table's nodes and the two limits of slender patches.
+  using Shape = HermiteTable<tables::ratio_count + 2>;
+  /// Relative influence of psi^2 and psi^4.
+  struct Influence {
+    Shape second, fourth;
+  };
   KalkerTable ellipse_;
-  Shape b11_, b22_, b23_;
-  Shape relative_k13_;  ///< K13 / (0.75 C11 sqrt(b/a))
+  Influence c11_, c22_, c23_;
+  Shape k13_, k13_second_;  ///< k and m
+
+  static Influence influence(std::size_t coefficient, double poisson);
 };
 
 }  // namespace wrc

@@ -33,35 +33,12 @@ RollingSolution solve(const Case& contact, const Creepage& creepage) {
   return RollingSolver(grid, steel).solve(rolling(contact, grid, creepage));
 }
 
-// Kalker's printed coefficients for nu = 0.25 (theory manual, table of Kalker coefficients); the band
-// of 0.7 %.
-TEST(HalfspaceLinearTheory, KalkersPrintedCoefficients) {
-  struct Row {
-    double ratio, c11, c22, c23;
-  };
-  for (const Row& r : {Row{0.2, 3.37, 2.63, 0.603}, Row{0.5, 3.62, 3.01, 0.929}, Row{1.0, 4.12, 3.67, 1.47},
-                       Row{2.0, 5.10, 4.90, 2.62}, Row{5.0, 7.78, 8.14, 6.63}}) {
-    const LinearCoefficients c = extrapolated_coefficients(r.ratio, 0.0, 0.25, 24).value;
-    EXPECT_NEAR(c.c11 / r.c11, 1.0, 7e-3) << r.ratio;
-    EXPECT_NEAR(c.c22 / r.c22, 1.0, 7e-3) << r.ratio;
-    EXPECT_NEAR(c.c23 / r.c23, 1.0, 7e-3) << r.ratio;
-  }
-}
-
-// Full adhesion, reciprocity of the exact theory: F_x from spin equals M_z from nu_x, F_y from spin is
-// opposite to M_z from nu_y (Kalker 1967).
-TEST(HalfspaceLinearTheory, IsReciprocal) {
-  const LinearCoefficients c = extrapolated_coefficients(0.7, 0.5, 0.28, 16).value;
-  EXPECT_NEAR(c.c13, c.c31, 1e-3 * std::abs(c.c13));
-  EXPECT_NEAR(c.c23, -c.c32, 2e-3 * c.c23);
-}
-
 // Two independent discretisations: Coulomb friction on a common rectangular grid, extrapolated from two
 // grids, and full adhesion on strips with cells of their own.
 TEST(HalfspaceRolling, TinyCreepageGivesLinearTheory) {
   const Case coarse{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.3}, .n = 24};
   const Case fine{.patch = coarse.patch, .n = 48};
-  const LinearCoefficients c = extrapolated_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16).value;
+  const LinearCoefficients c = strip_linear_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16, 16);
   const double area = 24e-6;  // c^2 = a b
   const double nu = 1e-3 * coarse.friction * coarse.load() / (steel.shear_modulus * area);
   const Creepage creepage{.longitudinal = nu};
