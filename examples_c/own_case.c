@@ -200,11 +200,22 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
 
-  wrc_pose pose = {sizeof pose, 0, given.lateral, 0.0, given.yaw};
-  wrc_load load = {sizeof load, WRC_PRESCRIBE_LOAD, given.load, 0.0};
-  wrc_creepage creepage = {sizeof creepage,   0,          given.creepage[0], given.creepage[1],
-                           given.creepage[2], given.speed};
-  wrc_friction friction = {sizeof friction, 0, given.friction};
+  wrc_pose pose = {.struct_size = sizeof pose};
+  wrc_load load = {.struct_size = sizeof load};
+  wrc_creepage creepage = {.struct_size = sizeof creepage};
+  wrc_friction friction = {.struct_size = sizeof friction};
+  wrc_pose_init(&pose); /* defaults first: a newer header may have more members */
+  wrc_load_init(&load);
+  wrc_creepage_init(&creepage);
+  wrc_friction_init(&friction);
+  pose.lateral = given.lateral;
+  pose.yaw = given.yaw;
+  load.normal_force = given.load;
+  creepage.longitudinal = given.creepage[0];
+  creepage.lateral = given.creepage[1];
+  creepage.spin = given.creepage[2];
+  creepage.speed = given.speed;
+  friction.coefficient = given.friction;
   wrc_contact_point point;
   wrc_patch patch;
   wrc_forces forces;

@@ -53,12 +53,12 @@ module wrc
 
   type, bind(C) :: wrc_load
     integer(c_int32_t) :: struct_size, prescribed
-    real(c_double) :: normal_force, approach
+    real(c_double) :: normal_force, approach, approach_velocity, damping
   end type
 
   type, bind(C) :: wrc_creepage
     integer(c_int32_t) :: struct_size, reserved
-    real(c_double) :: longitudinal, lateral, spin, speed
+    real(c_double) :: longitudinal, lateral, spin, speed, approach_velocity
   end type
 
   type, bind(C) :: wrc_friction
@@ -69,6 +69,7 @@ module wrc
   type, bind(C) :: wrc_patch
     integer(c_int32_t) :: struct_size, strips, iterations, patches
     real(c_double) :: a, b, psi, normal_force, approach, stiffness, peak_pressure, area, length, width, y_min, y_max
+    real(c_double) :: damping_force
   end type
 
   type, bind(C) :: wrc_forces

@@ -426,14 +426,14 @@ int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_ro
 
 int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                         wrc_exact_check_result* result) {
+  const Fault cleared = abi::clear(result);
   if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
   inside.last = abi::guarded([&]() -> Fault {
-    Fault fault = abi::clear(result);
-    if (fault.failed()) return fault;
+    if (cleared.failed()) return cleared;
     abi::Reporter reporter{.progress = progress, .user = user};
     wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
-    fault = abi::check_contact(inside, nx, ny, reporter, ours);
+    const Fault fault = abi::check_contact(inside, nx, ny, reporter, ours);
     if (!fault.failed()) abi::write(ours, result);
     return fault;
   });
