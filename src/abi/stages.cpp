@@ -507,9 +507,8 @@ int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_i
                             : reinterpret_cast<Element>(reinterpret_cast<const char*>(first) + offset);
   };
   for (uint32_t i = 0; i < count; ++i) {
-    const int32_t status =
-        abi::step(contacts == nullptr ? nullptr : contacts[i], element(inputs, i * input_stride),
-                  element(outputs, i * output_stride));
+    const int32_t status = abi::step(contacts == nullptr ? nullptr : contacts[i],
+                                     element(inputs, i * input_stride), element(outputs, i * output_stride));
     if (statuses != nullptr) statuses[i] = status;
     worsen(gravest, Fault{.status = status});
   }

@@ -7,17 +7,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace {
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  EXPECT_EQ(init(&value), WRC_OK);
-  return value;
-}
 
 /// Where a wheelset is and how it creeps.
 struct Motion {

@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "choices.hpp"
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace hostile {
-
-/// A struct with its size and defaults.
-template <typename Struct>
-Struct made(std::int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 struct ProfilePoints {
   std::vector<double> y, z;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <initializer_list>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 extern "C" {
@@ -42,14 +43,6 @@ void operator delete(void* memory, size_t) noexcept { free(memory); }
 namespace {
 
 constexpr int steps_per_combination = 10000;
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 /// Everything a step takes and gives, and the stages called alone, with inputs that vary from call to call.
 struct Run {

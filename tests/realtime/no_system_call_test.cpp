@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace {
@@ -47,14 +48,6 @@ bool forbid_system_calls() {
   const sock_fprog filter = {sizeof program / sizeof *program, program};
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
-}
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
 }
 
 /// Steps, stages, refused input, saved and restored state, fields and messages; how many calls failed that
