@@ -194,10 +194,10 @@ typedef struct wrc_profile {
   uint32_t reserved;    /**< 0 */
   const double* y;      /**< [m] */
   const double* z;      /**< [m] */
-  double smoothing;     /**< of points: waves of this length [m] keep half their height, shorter ones next to nothing
-                             (a sixteenth at half the length), longer ones nearly all; 0..0.05 m, 0: the points are
-                             interpolated. Tested: 5e-3 on points every 0.5 mm with 5 um of noise. See
-                             wrc_model_profile() [0] */
+  double smoothing;     /**< of points: waves of this length [m] along the curve keep half their height, shorter ones
+                             next to nothing (a seventeenth at half the length), longer ones nearly all; 0..0.05 m, 0:
+                             the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on
+                             both bodies. See wrc_model_profile() [0] */
 } wrc_profile;
 
 /** Everything a model is made of. wrc_config_init() fills the values in brackets. */
