@@ -320,8 +320,8 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   result.mz = exact.forces.mz;
   result.power = exact.power_by_balance * contact.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
-  result.force_error = std::hypot(contact.forces.fx - result.fx, contact.forces.fy - result.fy) /
-                       (contact.friction * contact.extent.normal_force);
+  const double dx = contact.forces.fx - result.fx, dy = contact.forces.fy - result.fy;
+  result.force_error = std::sqrt(dx * dx + dy * dy) / (contact.friction * contact.extent.normal_force);
   result.power_error =
       exact.power_by_balance > 0.0 ? contact.forces.power_per_speed / exact.power_by_balance - 1.0 : 0.0;
   return exact.fault;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "patch/material.hpp"
+#include "elementary.hpp"
 
 namespace wrc {
 namespace {

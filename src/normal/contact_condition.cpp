@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
 #include "normal/elliptic_integrals.hpp"
-#include "normal/logarithm.hpp"
 
 namespace wrc {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "elementary.hpp"
 #include "normal/check.hpp"
 #include "normal/collocation_grid.hpp"
 #include "normal/linear_solve.hpp"
 #include "normal/load_search.hpp"
-#include "normal/logarithm.hpp"
 #include "normal/penetration.hpp"
 #include "normal/recut_strips.hpp"
 
