@@ -100,6 +100,8 @@ Fault roll(Contact& contact, Patch& patch) {
       break;
   }
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
+  // A difference of sums of areas: rounding may leave it just below zero.
+  patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
 
   const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
   Strips region = region_strips(contact, patch);

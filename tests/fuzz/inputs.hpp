@@ -30,6 +30,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
                        const wrc_profile* rail);
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
+wrc_motion make_motion(Choices& choices);
+wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 wrc_friction make_friction(Choices& choices);
 wrc_patch make_patch(Choices& choices);

@@ -54,6 +54,10 @@ struct Run {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  wrc_creepage rigid = made<wrc_creepage>(wrc_creepage_init);
+  wrc_wear_laws laws = made<wrc_wear_laws>(wrc_wear_laws_init);
+  wrc_wear wear = made<wrc_wear>(wrc_wear_init);
   int failures = 0;
 
   void vary(int i) {
@@ -63,6 +67,11 @@ struct Run {
     load.prescribed = i % 4 == 3 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
     load.normal_force = 80e3 + 40e3 * std::sin(11.0 * t);
     load.approach = 60e-6 + 61e-6 * std::sin(5.0 * t);  // now and then apart
+    load.damping = 0.2 * (i % 3);
+    load.approach_velocity = 4.0 * std::sin(23.0 * t);  // now and then damped to nothing
+    motion.speed = 20.0;
+    motion.pitch_rate = -43.5;
+    motion.vertical_velocity = load.approach_velocity;
     creepage.longitudinal = 2e-3 * std::sin(13.0 * t);
     creepage.lateral = 2e-3 * std::cos(17.0 * t);
     creepage.spin = 0.6 * std::sin(19.0 * t);
@@ -74,14 +83,20 @@ struct Run {
     failures += wrc_step(contact, &input, &output) < 0;
   }
 
-  void stages(wrc_contact* contact) {
+  void stages(const wrc_model* model, wrc_contact* contact) {
     wrc_view view = made<wrc_view>(wrc_view_init);
     failures += wrc_geometry(contact, &pose, &point) < 0;
     failures += wrc_normal(contact, nullptr, &load, &patch) < 0;
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
+    failures += wrc_wear_numbers(contact, &laws, &wear) < 0;
+    failures += wrc_creepages(contact, &motion, &rigid) < 0;
+    failures += wrc_model_profile(model, WRC_BODY_WHEEL, &view, nullptr, nullptr) < 0;
+    if (forces.fn > 0.0) {
+      failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
+      failures += wrc_contact_patch(contact, 0, &patch, &forces) < 0;
+    }
     wrc_creepage wrong = creepage;
     wrong.spin = NAN;  // an error is reported without allocating either
     char text[256];
@@ -145,7 +160,7 @@ int main() {
         for (int i = 0; i < steps_per_combination; ++i) {
           run.vary(i);
           if (i % 8 == 0) {
-            run.stages(contact);
+            run.stages(model, contact);
           } else {
             run.step(contact);
           }
