@@ -233,10 +233,12 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
 constexpr double smallest_approach = 1e-12;  // [m]
 
 /// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
-/// slender than a strip that the strip's own displacement has no digits left.
+/// slender than a strip that the strip's own displacement has no digits left, nor where the patch is narrower
+/// than an atom, so that the borders of its strips are the same number.
 bool carries_load(const StripTotals& patch) {
+  constexpr double least_width = 1e-11;  // [m]
   return std::isfinite(patch.normal_force) && std::isfinite(patch.area) && std::isfinite(patch.length) &&
-         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max > patch.y_min;
+         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max - patch.y_min >= least_width;
 }
 
 /// The same patch under `share` times the pressure.
