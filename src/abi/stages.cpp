@@ -147,6 +147,7 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
       fault = check_finite(gap.h + j * gap.row_stride, gap.columns, "gap.h", "m");
+      fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
     return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.columns), gap.x, gap.y, gap.h,

@@ -62,6 +62,16 @@ TEST_F(Interface, FrictionMustBePositive) {
   expect_refused(WRC_ERROR_RANGE, {"friction.coefficient = 35", "per cent"});
 }
 
+TEST_F(Interface, PureNumbersHaveNoUnitInSentences) {
+  wrc_patch slender = patch;
+  slender.a = 1e-2;
+  slender.b = 1e-3;
+  slender.normal_force = 80e3;
+  EXPECT_EQ(wrc_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
+  expect_words(error(), {" = 10 is outside "});
+  EXPECT_EQ(error().find(" 1:"), std::string::npos) << error();
+}
+
 TEST_F(Interface, PoseInMillimetresIsNoticed) {
   pose.lateral = 3.0;
   expect_refused(WRC_ERROR_RANGE, {"pose.lateral = 3 m", "mm"});
