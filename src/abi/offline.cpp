@@ -15,12 +15,6 @@
 
 namespace wrc::abi {
 
-#define WRC_STRUCT(type, pinned_size)                   \
-  template <>                                           \
-  struct Version<type> {                                \
-    static constexpr const char* name = #type;          \
-    static constexpr std::size_t first = (pinned_size); \
-  };
 WRC_STRUCT(wrc_grid, 48)
 WRC_STRUCT(wrc_materials, 40)
 WRC_STRUCT(wrc_exact_normal_problem, 80)
@@ -28,20 +22,11 @@ WRC_STRUCT(wrc_exact_normal_solution, 56)
 WRC_STRUCT(wrc_exact_rolling_problem, 88)
 WRC_STRUCT(wrc_exact_rolling_solution, 96)
 WRC_STRUCT(wrc_exact_check_result, 64)
-#undef WRC_STRUCT
 
-#define WRC_ZERO_DEFAULTS(type)       \
-  template <>                         \
-  type defaults<type>() {             \
-    type value{};                     \
-    value.struct_size = sizeof(type); \
-    return value;                     \
-  }
-WRC_ZERO_DEFAULTS(wrc_grid)
-WRC_ZERO_DEFAULTS(wrc_exact_normal_solution)
-WRC_ZERO_DEFAULTS(wrc_exact_rolling_solution)
-WRC_ZERO_DEFAULTS(wrc_exact_check_result)
-#undef WRC_ZERO_DEFAULTS
+WRC_EMPTY_BY_DEFAULT(wrc_grid)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_normal_solution)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_rolling_solution)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_check_result)
 
 template <>
 wrc_materials defaults<wrc_materials>() {
@@ -50,8 +35,7 @@ wrc_materials defaults<wrc_materials>() {
 
 template <>
 wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
-  wrc_exact_normal_problem value{};
-  value.struct_size = sizeof value;
+  wrc_exact_normal_problem value = empty<wrc_exact_normal_problem>();
   value.max_iterations = 1000;
   value.tolerance = 1e-6;
   return value;
@@ -59,8 +43,7 @@ wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
 
 template <>
 wrc_exact_rolling_problem defaults<wrc_exact_rolling_problem>() {
-  wrc_exact_rolling_problem value{};
-  value.struct_size = sizeof value;
+  wrc_exact_rolling_problem value = empty<wrc_exact_rolling_problem>();
   value.max_iterations = 60;
   value.tolerance = 1e-4;
   value.coefficient = 0.3;
@@ -102,13 +85,6 @@ struct Reporter {
     return progress == nullptr ? halfspace::ProgressCallback{} : halfspace::ProgressCallback{report, this};
   }
 };
-
-Fault first_of(std::initializer_list<Fault> faults) {
-  for (const Fault& each : faults) {
-    if (each.failed()) return each;
-  }
-  return {};
-}
 
 Fault read_grid(const wrc_grid* theirs, halfspace::Grid& grid) {
   wrc_grid ours;
@@ -332,15 +308,6 @@ double gap_at(const GapRows& rows, double x, double y) {
   const double inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
   const GapRow row = interpolate(rows, inside);
   return row.height + row.slope * (y - inside) + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
-}
-
-template <typename Struct>
-int32_t init(Struct* theirs) {
-  if (theirs == nullptr) return WRC_ERROR_NULL;
-  const Fault fault = check_size(*theirs);
-  if (fault.failed()) return fault.status;
-  write(defaults<Struct>(), theirs);
-  return WRC_OK;
 }
 
 /// Only where the caller wants the fields; every number zero.

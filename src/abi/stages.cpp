@@ -9,13 +9,6 @@ namespace {
 // ------------------------------------------------------------------------------------------------ reading
 // arguments
 
-Fault first_of(std::initializer_list<Fault> faults) {
-  for (const Fault& each : faults) {
-    if (each.failed()) return each;
-  }
-  return {};
-}
-
 Fault read_pose(const wrc_pose* theirs, Pose& pose) {
   wrc_pose ours;
   const Fault fault = read(theirs, "pose", ours);

@@ -81,7 +81,7 @@ struct Contact {
   ContactPoint point;
   NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one
-  StripTotals extent;  ///< of all patches together
+  StripTotals extent;           ///< of all patches together
   std::int32_t patches = 0;
   Patch patch[patch_capacity];
   std::int32_t main_patch = 0;  ///< the one that carries most
