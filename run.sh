@@ -17,6 +17,7 @@ if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
     FILE may also be a built-in shape: S1002 for the wheel; 60E1 or UIC60 (canted 1:40 already) for the rail.
 
       --unit mm|m           of the points                                       [mm]
+      --smoothing L         of measured points: half of a wave of L m remains     [0]
       --inclination T       cant of the rail to apply, 0.025 for 1:40           [0]
       --radius R            nominal wheel radius in m                           [0.46]
       --gauge G             track gauge in m                                    [1.435]

@@ -48,27 +48,11 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
     ++count;
   }
   fclose(file);
-  return count;
-}
-
-/* A built-in shape by name, or points from a file. */
-static wrc_profile profile_from(const char* source, double scale, double* y, double* z) {
-  wrc_profile profile;
-  profile.struct_size = sizeof profile;
-  wrc_profile_init(&profile);
-  if (strcmp(source, "S1002") == 0) {
-    profile.kind = WRC_PROFILE_S1002;
-  } else if (strcmp(source, "60E1") == 0) {
-    profile.kind = WRC_PROFILE_60E1;
-  } else if (strcmp(source, "UIC60") == 0) {
-    profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  } else {
-    profile.kind = WRC_PROFILE_POINTS;
-    profile.count = read_points(source, scale, y, z);
-    profile.y = y;
-    profile.z = z;
+  if (count == 0) {
+    fprintf(stderr, "%s has no points: a profile file has one per line, y and z\n", path);
+    exit(EXIT_FAILURE);
   }
-  return profile;
+  return count;
 }
 
 /* -----------------------------------------------------------------------------------------------------
@@ -77,7 +61,8 @@ static wrc_profile profile_from(const char* source, double scale, double* y, dou
 typedef struct options {
   const char *wheel, *rail, *csv;
   double scale, load;
-  double inclination, radius, gauge, flange_back, lateral, yaw, friction, speed, shear_modulus, poisson;
+  double smoothing, inclination, radius, gauge, flange_back, lateral, yaw, friction, speed, shear_modulus,
+      poisson;
   double creepage[3];
 } options;
 
@@ -92,16 +77,24 @@ static double number(const char* option, const char* text) {
 }
 
 static options parse(int argc, char** argv) {
-  options given = {"S1002", "UIC60", NULL, 1e-3, 80e3, 0.0,  0.46, 1.435,
-                   1.360,   0.0,     0.0,  0.35, 1.0,  80e9, 0.25, {1e-3, 0.0, 0.0}};
+  options given = {"S1002",         "UIC60", NULL, 1e-3, 80e3, 0.0, 0.0,  0.46,
+                   1.435,           1.360,   0.0,  0.0,  0.35, 1.0, 80e9, 0.25,
+                   {1e-3, 0.0, 0.0}};
   const struct {
     const char* name;
     double* value;
-  } numbers[] = {
-      {"--load", &given.load},       {"--inclination", &given.inclination},    {"--radius", &given.radius},
-      {"--gauge", &given.gauge},     {"--flange-back", &given.flange_back},    {"--lateral", &given.lateral},
-      {"--yaw", &given.yaw},         {"--friction", &given.friction},          {"--speed", &given.speed},
-      {"--poisson", &given.poisson}, {"--shear-modulus", &given.shear_modulus}};
+  } numbers[] = {{"--load", &given.load},
+                 {"--smoothing", &given.smoothing},
+                 {"--inclination", &given.inclination},
+                 {"--radius", &given.radius},
+                 {"--gauge", &given.gauge},
+                 {"--flange-back", &given.flange_back},
+                 {"--lateral", &given.lateral},
+                 {"--yaw", &given.yaw},
+                 {"--friction", &given.friction},
+                 {"--speed", &given.speed},
+                 {"--poisson", &given.poisson},
+                 {"--shear-modulus", &given.shear_modulus}};
   for (int i = 1; i < argc; ++i) {
     const char* option = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : NULL;
@@ -139,6 +132,27 @@ static options parse(int argc, char** argv) {
 /* ----------------------------------------------------------------------------------------------------------
  * the job */
 
+/* A built-in shape by name, or points from a file. */
+static wrc_profile profile_from(const char* source, const options* given, double* y, double* z) {
+  wrc_profile profile;
+  profile.struct_size = sizeof profile;
+  wrc_profile_init(&profile);
+  if (strcmp(source, "S1002") == 0) {
+    profile.kind = WRC_PROFILE_S1002;
+  } else if (strcmp(source, "60E1") == 0) {
+    profile.kind = WRC_PROFILE_60E1;
+  } else if (strcmp(source, "UIC60") == 0) {
+    profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  } else {
+    profile.kind = WRC_PROFILE_POINTS;
+    profile.count = read_points(source, given->scale, y, z);
+    profile.y = y;
+    profile.z = z;
+    profile.smoothing = given->smoothing;
+  }
+  return profile;
+}
+
 static void write_csv(const wrc_contact* contact, const char* path) {
   static const int32_t fields[] = {
       WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
@@ -174,8 +188,8 @@ static void write_csv(const wrc_contact* contact, const char* path) {
 int main(int argc, char** argv) {
   static double points[4][MOST_POINTS];
   const options given = parse(argc, argv);
-  const wrc_profile wheel = profile_from(given.wheel, given.scale, points[0], points[1]);
-  const wrc_profile rail = profile_from(given.rail, given.scale, points[2], points[3]);
+  const wrc_profile wheel = profile_from(given.wheel, &given, points[0], points[1]);
+  const wrc_profile rail = profile_from(given.rail, &given, points[2], points[3]);
 
   wrc_config config;
   config.struct_size = sizeof config;
@@ -200,13 +214,21 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
 
-  wrc_pose pose = {sizeof pose, 0, given.lateral, 0.0, given.yaw};
-  wrc_load load = {sizeof load, WRC_PRESCRIBE_LOAD, given.load, 0.0};
-  wrc_creepage creepage = {sizeof creepage,   0,          given.creepage[0], given.creepage[1],
-                           given.creepage[2], given.speed};
-  wrc_friction friction;
-  friction.struct_size = sizeof friction;
+  wrc_pose pose = {.struct_size = sizeof pose};
+  wrc_load load = {.struct_size = sizeof load};
+  wrc_creepage creepage = {.struct_size = sizeof creepage};
+  wrc_friction friction = {.struct_size = sizeof friction};
+  wrc_pose_init(&pose); /* defaults first: a newer header may have more members */
+  wrc_load_init(&load);
+  wrc_creepage_init(&creepage);
   wrc_friction_init(&friction);
+  pose.lateral = given.lateral;
+  pose.yaw = given.yaw;
+  load.normal_force = given.load;
+  creepage.longitudinal = given.creepage[0];
+  creepage.lateral = given.creepage[1];
+  creepage.spin = given.creepage[2];
+  creepage.speed = given.speed;
   friction.coefficient = given.friction;
   wrc_contact_point point;
   wrc_patch patch;

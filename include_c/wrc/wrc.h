@@ -226,10 +226,10 @@ typedef struct wrc_profile {
   uint32_t reserved;    /**< 0 */
   const double* y;      /**< [m] */
   const double* z;      /**< [m] */
-  double smoothing;     /**< of points: waves of this length [m] keep half their height, shorter ones next to nothing
-                             (a sixteenth at half the length), longer ones nearly all; 0..0.05 m, 0: the points are
-                             interpolated. Tested: 5e-3 on points every 0.5 mm with 5 um of noise. See
-                             wrc_model_profile() [0] */
+  double smoothing;     /**< of points: waves of this length [m] along the curve keep half their height, shorter ones
+                             next to nothing (a seventeenth at half the length), longer ones nearly all; 0..0.05 m, 0:
+                             the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on
+                             both bodies. See wrc_model_profile() [0] */
 } wrc_profile;
 
 /** Everything a model is made of. wrc_config_init() fills the values in brackets. */
@@ -306,12 +306,20 @@ typedef struct wrc_gap {
   uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
 } wrc_gap;
 
-/** What presses the bodies together. */
+/** What presses the bodies together, and damping of the approach if wanted (Hunt and Crossley, J. Appl. Mech. 42
+ * (1975) 440-445): every pressure is the elastic one times
+ *     1 + 3/2 damping * approach_velocity,   never below 0,
+ * on the elastic patch. The force so grows from zero at first touch and never pulls. Everything downstream (traction
+ * bound, forces.fn, fields, damage) sees this pressure; wrc_patch.damping_force is its share of the normal force.
+ * An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
 typedef struct wrc_load {
   uint32_t struct_size; /**< sizeof this struct */
   int32_t prescribed;   /**< enum wrc_prescribed [load] */
   double normal_force;  /**< along the contact normal, 1e2..1e6 N, with WRC_PRESCRIBE_LOAD [0: must be set] */
   double approach;      /**< beyond first touch, -1..0.01 m, with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0] */
+  double approach_velocity; /**< d approach / dt, -20..20 m/s, with WRC_PRESCRIBE_APPROACH; positive while the bodies
+                                 near each other, as wrc_creepage.approach_velocity of wrc_creepages() [0] */
+  double damping;       /**< 0..10 s/m, with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0] */
 } wrc_load;
 
 /** Rigid slip per unit rolled length and rolling speed. A creepage below 1e-100 counts as none. */
@@ -322,6 +330,8 @@ typedef struct wrc_creepage {
   double lateral;       /**< nu_y, -10..10 [0] */
   double spin;          /**< phi, -1000..1000 1/m [0] */
   double speed;         /**< rolling speed V, 0..200 m/s; scales the power only [1] */
+  double approach_velocity; /**< result of wrc_creepages(), not read: velocity of the wheel's point along the contact
+                                 normal into the rail [m/s], for wrc_load [0] */
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
@@ -357,15 +367,17 @@ typedef struct wrc_patch {
   double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
   double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
   double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
-  double normal_force;  /**< compressive positive [N] */
+  double normal_force;  /**< compressive positive, damping included [N] */
   double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
-  double stiffness;     /**< d normal_force / d approach [N/m] */
+  double stiffness;     /**< d normal_force / d approach [N/m]; d normal_force / d approach_velocity is
+                             3/2 load.damping * (normal_force - damping_force) [N s/m] */
   double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
   double width;         /**< extent along y [m] */
   double y_min; /**< lateral borders [m] */
   double y_max; /**< see y_min */
+  double damping_force; /**< share of normal_force that comes from load.damping; < 0 while the bodies part [N] */
 } wrc_patch;
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
@@ -385,7 +397,7 @@ typedef struct wrc_forces {
   uint32_t reserved;        /**< 0 */
   double fx; /**< creep forces [N] */
   double fy; /**< see fx */
-  double fn;                /**< normal force, compressive positive [N] */
+  double fn;                /**< normal force, compressive positive, damping included [N] */
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed [W], >= 0 */
   double adhesion_fraction; /**< share of the patch's area that sticks */
@@ -666,7 +678,8 @@ WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_con
 
 /** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
  * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
- * and rail material pass through the contact. All zero at standstill. Theory manual, section 7.
+ * and rail material pass through the contact. All zero at standstill, but for approach_velocity. Theory manual,
+ * section 7.
  * @param contact the contact
  * @param motion of the wheelset, track frame
  * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
@@ -680,7 +693,7 @@ WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wr
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
  * _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
  * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);

@@ -28,6 +28,13 @@ class Sentence {
     add(digits);
   }
 
+  /// Nothing for a pure number, whose unit is "" or "1".
+  void add_unit(const char* unit) {
+    if (unit == nullptr || unit[0] == '\0' || std::strcmp(unit, "1") == 0) return;
+    add(" ");
+    add(unit);
+  }
+
   void add(std::int32_t number) {
     char digits[16] = {};
     const auto result = std::to_chars(digits, digits + sizeof digits - 1, number);
@@ -82,18 +89,14 @@ void write_sentence(const Fault& fault, char* text, std::size_t size) {
     if (fault.unit != nullptr) {
       out.add(" = ");
       out.add(fault.value);
-      if (fault.unit[0] != '\0') out.add(" ");
-      out.add(fault.unit);
+      out.add_unit(fault.unit);
     }
     if (fault.low < fault.high) {
       out.add(" is outside ");
       out.add(fault.low);
       out.add(" .. ");
       out.add(fault.high);
-      if (fault.unit != nullptr && fault.unit[0] != '\0') {
-        out.add(" ");
-        out.add(fault.unit);
-      }
+      out.add_unit(fault.unit);
     } else {
       out.add(": ");
       out.add(status_text(fault.status));

@@ -32,8 +32,8 @@ Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& s
       return {.status = WRC_ERROR_UNSUPPORTED,
               .field = name,
               .value = static_cast<double>(profile.kind),
-              .unit = "(kind)",
-              .cause = "see enum wrc_profile_kind"};
+              .unit = "",
+              .cause = "its kind is none of enum wrc_profile_kind"};
   }
   if (profile.y == nullptr || profile.z == nullptr) {
     return {

@@ -16,12 +16,6 @@
 
 namespace wrc::abi {
 
-#define WRC_STRUCT(type, pinned_size)                   \
-  template <>                                           \
-  struct Version<type> {                                \
-    static constexpr const char* name = #type;          \
-    static constexpr std::size_t first = (pinned_size); \
-  };
 WRC_STRUCT(wrc_grid, 48)
 WRC_STRUCT(wrc_materials, 40)
 WRC_STRUCT(wrc_exact_normal_problem, 80)
@@ -29,20 +23,11 @@ WRC_STRUCT(wrc_exact_normal_solution, 56)
 WRC_STRUCT(wrc_exact_rolling_problem, 88)
 WRC_STRUCT(wrc_exact_rolling_solution, 96)
 WRC_STRUCT(wrc_exact_check_result, 64)
-#undef WRC_STRUCT
 
-#define WRC_ZERO_DEFAULTS(type)       \
-  template <>                         \
-  type defaults<type>() {             \
-    type value{};                     \
-    value.struct_size = sizeof(type); \
-    return value;                     \
-  }
-WRC_ZERO_DEFAULTS(wrc_grid)
-WRC_ZERO_DEFAULTS(wrc_exact_normal_solution)
-WRC_ZERO_DEFAULTS(wrc_exact_rolling_solution)
-WRC_ZERO_DEFAULTS(wrc_exact_check_result)
-#undef WRC_ZERO_DEFAULTS
+WRC_EMPTY_BY_DEFAULT(wrc_grid)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_normal_solution)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_rolling_solution)
+WRC_EMPTY_BY_DEFAULT(wrc_exact_check_result)
 
 template <>
 wrc_materials defaults<wrc_materials>() {
@@ -51,8 +36,7 @@ wrc_materials defaults<wrc_materials>() {
 
 template <>
 wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
-  wrc_exact_normal_problem value{};
-  value.struct_size = sizeof value;
+  wrc_exact_normal_problem value = empty<wrc_exact_normal_problem>();
   value.max_iterations = 1000;
   value.tolerance = 1e-6;
   return value;
@@ -60,8 +44,7 @@ wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
 
 template <>
 wrc_exact_rolling_problem defaults<wrc_exact_rolling_problem>() {
-  wrc_exact_rolling_problem value{};
-  value.struct_size = sizeof value;
+  wrc_exact_rolling_problem value = empty<wrc_exact_rolling_problem>();
   value.max_iterations = 60;
   value.tolerance = 1e-4;
   value.coefficient = 0.3;
@@ -103,13 +86,6 @@ struct Reporter {
     return progress == nullptr ? halfspace::ProgressCallback{} : halfspace::ProgressCallback{report, this};
   }
 };
-
-Fault first_of(std::initializer_list<Fault> faults) {
-  for (const Fault& each : faults) {
-    if (each.failed()) return each;
-  }
-  return {};
-}
 
 Fault read_grid(const wrc_grid* theirs, halfspace::Grid& grid) {
   wrc_grid ours;
@@ -343,8 +319,8 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   result.power = exact.power_by_balance * contact.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
   const double limit = contact.friction * contact.extent.normal_force;
-  const double off = std::hypot(contact.forces.fx - result.fx, contact.forces.fy - result.fy);
-  result.force_error = limit > 0.0 ? off / limit : 0.0;
+  const double dx = contact.forces.fx - result.fx, dy = contact.forces.fy - result.fy;
+  result.force_error = limit > 0.0 ? std::sqrt(dx * dx + dy * dy) / limit : 0.0;
   result.power_error =
       exact.power_by_balance > 0.0 ? contact.forces.power_per_speed / exact.power_by_balance - 1.0 : 0.0;
   return exact.fault;
@@ -355,15 +331,6 @@ double gap_at(const GapRows& rows, double x, double y) {
   const double inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
   const GapRow row = interpolate(rows, inside);
   return row.height + row.slope * (y - inside) + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
-}
-
-template <typename Struct>
-int32_t init(Struct* theirs) {
-  if (theirs == nullptr) return WRC_ERROR_NULL;
-  const Fault fault = check_size(*theirs);
-  if (fault.failed()) return fault.status;
-  write(defaults<Struct>(), theirs);
-  return WRC_OK;
 }
 
 /// Only where the caller wants the fields; every number zero.
@@ -449,14 +416,14 @@ int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_ro
 
 int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                         wrc_exact_check_result* result) {
+  const Fault cleared = abi::clear(result);
   if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
   inside.last = abi::guarded([&]() -> Fault {
-    Fault fault = abi::clear(result);
-    if (fault.failed()) return fault;
+    if (cleared.failed()) return cleared;
     abi::Reporter reporter{.progress = progress, .user = user};
     wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
-    fault = abi::check_contact(inside, nx, ny, reporter, ours);
+    const Fault fault = abi::check_contact(inside, nx, ny, reporter, ours);
     if (!fault.failed()) abi::write(ours, result);
     return fault;
   });

@@ -2,34 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "abi/fp_environment.hpp"
+#include "abi/call.hpp"
 #include "abi/friction.hpp"
-#include "abi/handles.hpp"
-#include "abi/structs.hpp"
 
 namespace wrc::abi {
 namespace {
 
-/// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
-/// wrc_last_error.
-template <typename Work>
-int32_t call(wrc_contact* handle, Work&& work) noexcept {
-  if (!valid(handle)) return WRC_ERROR_NULL;
-  const FloatingPointScope scope;
-  Contact& contact = *handle->contact;
-  contact.last = work(contact);
-  return contact.last.status;
-}
-
 // ------------------------------------------------------------------------------------------------ reading
 // arguments
-
-Fault first_of(std::initializer_list<Fault> faults) {
-  for (const Fault& each : faults) {
-    if (each.failed()) return each;
-  }
-  return {};
-}
 
 Fault read_pose(const wrc_pose* theirs, Pose& pose) {
   wrc_pose ours;
@@ -57,8 +37,13 @@ Fault read_load(const wrc_load* theirs, Load& load) {
                        : "did you pass kN? near lift-off prescribe the approach instead",
                    "did you pass a pressure, or grams?");
     case WRC_PRESCRIBE_APPROACH:
-      load = {Prescribed::approach, ours.approach};
-      return check(ours.approach, "load.approach", "m", -1.0, 0.01, nullptr, "did you pass mm or um?");
+      load = {Prescribed::approach, ours.approach, ours.approach_velocity, ours.damping};
+      return first_of(
+          {check(ours.approach, "load.approach", "m", -1.0, 0.01, nullptr, "did you pass mm or um?"),
+           check(ours.approach_velocity, "load.approach_velocity", "m/s", -20.0, 20.0, "did you pass mm/s?",
+                 "did you pass mm/s?"),
+           check(ours.damping, "load.damping", "s/m", 0.0, 10.0, "damping takes energy out",
+                 "it is not a viscous constant: that over 3/2 of the force it was found at")});
     default:
       return {.status = WRC_ERROR_UNSUPPORTED,
               .field = "load.prescribed",
@@ -151,6 +136,7 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
       fault = check_finite(gap.h + j * gap.row_stride, gap.columns, "gap.h", "m");
+      fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
     return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.columns), gap.x, gap.y, gap.h,
@@ -267,6 +253,7 @@ wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patc
   ours.width = extent.y_max - extent.y_min;
   ours.y_min = extent.y_min;
   ours.y_max = extent.y_max;
+  ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
   return ours;
 }
 
@@ -315,15 +302,16 @@ void give(Struct ours, Struct* theirs) {
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
-Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
-  wrc_output out;
-  Fault outcome = read(output, "output", out);
-  if (outcome.failed()) return outcome;
-  outcome = first_of({clear(out.point), clear(out.patch), clear(out.forces), clear(out.damage)});
-  if (outcome.failed()) return outcome;
+/// The outputs of a step, zeroed; as read from the caller's struct.
+Fault clear_outputs(const wrc_output* output, wrc_output& out) {
+  const Fault fault = read(output, "output", out);
+  if (fault.failed()) return fault;
+  return first_of({clear(out.point), clear(out.patch), clear(out.forces), clear(out.damage)});
+}
 
+Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out) {
   wrc_input in;
-  outcome = read(input, "input", in);
+  Fault outcome = read(input, "input", in);
   if (outcome.failed()) return outcome;
   if (in.pose == nullptr && in.gap == nullptr) {
     return {.status = WRC_ERROR_NULL, .field = "input", .cause = "give a pose, or a gap of your own"};
@@ -353,6 +341,12 @@ Fault step(Contact& contact, const wrc_input* input, const wrc_output* output) {
   give(forces_of(contact), out.forces);
   give(damage_of(contact), out.damage);
   return outcome;
+}
+
+std::int32_t step(wrc_contact* handle, const wrc_input* input, const wrc_output* output) {
+  wrc_output out;
+  const Fault cleared = clear_outputs(output, out);
+  return call(handle, cleared, [&](Contact& contact) { return solve_step(contact, input, out); });
 }
 
 /// Where a field lies and how long it is.
@@ -411,11 +405,9 @@ namespace abi = wrc::abi;
 extern "C" {
 
 int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
-  return abi::call(handle, [&](Contact& contact) {
-    Fault outcome = abi::clear(point);
-    if (outcome.failed()) return outcome;
+  return abi::call(handle, abi::clear(point), [&](Contact& contact) {
     wrc::Pose ours;
-    outcome = abi::read_pose(pose, ours);
+    Fault outcome = abi::read_pose(pose, ours);
     if (outcome.failed()) return outcome;
     outcome = wrc::find_gap(contact, ours);
     if (!outcome.failed()) abi::give(abi::point_of(contact), point);
@@ -424,11 +416,9 @@ int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_poin
 }
 
 int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepage* creepage) {
-  return abi::call(handle, [&](Contact& contact) -> Fault {
-    Fault outcome = abi::clear(creepage);
-    if (outcome.failed()) return outcome;
+  return abi::call(handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
     wrc_motion ours;
-    outcome = abi::read(motion, "motion", ours);
+    Fault outcome = abi::read(motion, "motion", ours);
     if (!outcome.failed()) outcome = abi::check_motion(ours);
     if (outcome.failed()) return outcome;
     wrc::RigidCreepage rigid;
@@ -446,17 +436,16 @@ int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepag
     result.lateral = rigid.lateral;
     result.spin = rigid.spin;
     result.speed = rigid.rolling_speed;
+    result.approach_velocity = rigid.normal_velocity;
     abi::give(result, creepage);
     return outcome;
   });
 }
 
 int32_t wrc_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch) {
-  return abi::call(handle, [&](Contact& contact) {
-    Fault outcome = abi::clear(patch);
-    if (outcome.failed()) return outcome;
+  return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
     wrc::Load ours;
-    outcome = abi::read_load(load, ours);
+    Fault outcome = abi::read_load(load, ours);
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap);
     if (!outcome.failed()) worsen(outcome, wrc::solve_normal(contact, ours));
     if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
@@ -466,9 +455,8 @@ int32_t wrc_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load
 }
 
 int32_t wrc_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch* patch) {
-  return abi::call(handle, [&](Contact& contact) {
-    Fault outcome = abi::clear(patch);
-    if (outcome.failed()) return outcome;
+  return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
+    Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
     if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
     if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
@@ -478,13 +466,12 @@ int32_t wrc_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch*
 
 int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_creepage* creepage,
                        const wrc_friction* friction, wrc_forces* forces) {
-  return abi::call(handle, [&](Contact& contact) {
-    Fault outcome = abi::clear(forces);
-    if (outcome.failed()) return outcome;
+  return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
     wrc::Creepage ours;
     wrc::Friction law;
     double speed = 0.0;
-    outcome = abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, law)});
+    Fault outcome =
+        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
     if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, speed));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
@@ -493,31 +480,31 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
 }
 
 int32_t wrc_damage_numbers(wrc_contact* handle, wrc_damage* damage) {
-  return abi::call(handle, [&](Contact& contact) {
-    Fault outcome = abi::clear(damage);
-    if (outcome.failed()) return outcome;
-    outcome = wrc::assess_damage(contact);
+  return abi::call(handle, abi::clear(damage), [&](Contact& contact) {
+    const Fault outcome = wrc::assess_damage(contact);
     if (!outcome.failed()) abi::give(abi::damage_of(contact), damage);
     return outcome;
   });
 }
 
 int32_t wrc_step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
-  return abi::call(handle, [&](Contact& contact) { return abi::step(contact, input, output); });
+  return abi::step(handle, input, output);
 }
 
 int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
                        uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
                        int32_t* statuses) {
-  if (contacts == nullptr || inputs == nullptr || outputs == nullptr) return WRC_ERROR_NULL;
-  Fault gravest;
+  // An array that is missing is a NULL in every step, so that what there is of outputs gets zeroed.
+  const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
+  Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
+  const auto element = [](const auto* first, uint64_t offset) {
+    using Element = decltype(first);
+    return first == nullptr ? nullptr
+                            : reinterpret_cast<Element>(reinterpret_cast<const char*>(first) + offset);
+  };
   for (uint32_t i = 0; i < count; ++i) {
-    const auto* input =
-        reinterpret_cast<const wrc_input*>(reinterpret_cast<const char*>(inputs) + i * input_stride);
-    const auto* output =
-        reinterpret_cast<const wrc_output*>(reinterpret_cast<const char*>(outputs) + i * output_stride);
-    const int32_t status =
-        abi::call(contacts[i], [&](Contact& contact) { return abi::step(contact, input, output); });
+    const int32_t status = abi::step(contacts == nullptr ? nullptr : contacts[i],
+                                     element(inputs, i * input_stride), element(outputs, i * output_stride));
     if (statuses != nullptr) statuses[i] = status;
     worsen(gravest, Fault{.status = status});
   }
@@ -526,7 +513,7 @@ int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_i
 
 int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
   if (out != nullptr) std::fill_n(out, WRC_FLAT_OUTPUTS, 0.0);
-  return abi::call(handle, [&](Contact& contact) -> Fault {
+  return abi::call(handle, {}, [&](Contact& contact) -> Fault {
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
     if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
     wrc_pose pose = abi::defaults<wrc_pose>();
@@ -547,7 +534,7 @@ int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
     input.creepage = &creepage;
     input.friction = &friction;
     const wrc_output nothing = abi::defaults<wrc_output>();
-    const Fault outcome = abi::step(contact, &input, &nothing);
+    const Fault outcome = abi::solve_step(contact, &input, nothing);
     if (outcome.failed()) return outcome;
     const wrc_forces forces = abi::forces_of(contact);
     const wrc_patch patch = abi::patch_of(contact);
@@ -561,12 +548,11 @@ int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
 }
 
 int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch, wrc_forces* forces) {
-  return abi::call(handle, [&](Contact& contact) -> Fault {
-    Fault outcome = abi::first_of({abi::clear(patch), abi::clear(forces)});
-    if (outcome.failed()) return outcome;
+  const Fault cleared = abi::first_of({abi::clear(patch), abi::clear(forces)});
+  return abi::call(handle, cleared, [&](Contact& contact) -> Fault {
     if (contact.patches == 0)
       return {.status = WRC_ERROR_SEQUENCE, .field = "patch", .cause = "there is no patch yet"};
-    outcome = abi::check(static_cast<double>(index), "index", "", 0.0, contact.patches - 1.0);
+    const Fault outcome = abi::check(static_cast<double>(index), "index", "", 0.0, contact.patches - 1.0);
     if (outcome.failed()) return outcome;
     const wrc::Patch& one = contact.patch[index];
     abi::give(abi::patch_of(contact, one.extent, one, one.count), patch);
@@ -578,9 +564,9 @@ int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch, 
 }
 
 int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
+  const Fault cleared = abi::clear(view);
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
-  const Fault sized = abi::clear(view);
-  if (sized.failed()) return sized.status;
+  if (cleared.failed()) return cleared.status;
   if (field < 0 || field > WRC_FIELD_STRIP_FRICTION) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
   const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;

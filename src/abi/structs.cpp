@@ -4,44 +4,33 @@
 
 namespace wrc::abi {
 
-// Structs whose default is all zero.
-#define WRC_ZERO_DEFAULTS(type)       \
-  template <>                         \
-  type defaults<type>() {             \
-    type value{};                     \
-    value.struct_size = sizeof(type); \
-    return value;                     \
-  }
-WRC_ZERO_DEFAULTS(wrc_profile)
-WRC_ZERO_DEFAULTS(wrc_pose)
-WRC_ZERO_DEFAULTS(wrc_contact_point)
-WRC_ZERO_DEFAULTS(wrc_gap)
-WRC_ZERO_DEFAULTS(wrc_load)
-WRC_ZERO_DEFAULTS(wrc_patch)
-WRC_ZERO_DEFAULTS(wrc_strips)
-WRC_ZERO_DEFAULTS(wrc_forces)
-WRC_ZERO_DEFAULTS(wrc_motion)
-WRC_ZERO_DEFAULTS(wrc_damage)
-WRC_ZERO_DEFAULTS(wrc_wear)
-WRC_ZERO_DEFAULTS(wrc_coefficients)
-WRC_ZERO_DEFAULTS(wrc_input)
-WRC_ZERO_DEFAULTS(wrc_output)
-WRC_ZERO_DEFAULTS(wrc_view)
-WRC_ZERO_DEFAULTS(wrc_allocator)
-#undef WRC_ZERO_DEFAULTS
+WRC_EMPTY_BY_DEFAULT(wrc_profile)
+WRC_EMPTY_BY_DEFAULT(wrc_pose)
+WRC_EMPTY_BY_DEFAULT(wrc_contact_point)
+WRC_EMPTY_BY_DEFAULT(wrc_gap)
+WRC_EMPTY_BY_DEFAULT(wrc_load)
+WRC_EMPTY_BY_DEFAULT(wrc_patch)
+WRC_EMPTY_BY_DEFAULT(wrc_strips)
+WRC_EMPTY_BY_DEFAULT(wrc_forces)
+WRC_EMPTY_BY_DEFAULT(wrc_motion)
+WRC_EMPTY_BY_DEFAULT(wrc_damage)
+WRC_EMPTY_BY_DEFAULT(wrc_wear)
+WRC_EMPTY_BY_DEFAULT(wrc_coefficients)
+WRC_EMPTY_BY_DEFAULT(wrc_input)
+WRC_EMPTY_BY_DEFAULT(wrc_output)
+WRC_EMPTY_BY_DEFAULT(wrc_view)
+WRC_EMPTY_BY_DEFAULT(wrc_allocator)
 
 template <>
 wrc_creepage defaults<wrc_creepage>() {
-  wrc_creepage value{};
-  value.struct_size = sizeof value;
+  wrc_creepage value = empty<wrc_creepage>();
   value.speed = 1.0;
   return value;
 }
 
 template <>
 wrc_friction defaults<wrc_friction>() {
-  wrc_friction value{};
-  value.struct_size = sizeof value;
+  wrc_friction value = empty<wrc_friction>();
   value.coefficient = 0.3;
   value.kinetic_ratio = 0.4;
   value.fall_rate = 0.6;
@@ -56,8 +45,7 @@ wrc_wear_laws defaults<wrc_wear_laws>() {
   const TGammaWearLaw t_gamma;
   const SheffieldWearLaw sheffield;
   const ArchardWearLaw archard;
-  wrc_wear_laws value{};
-  value.struct_size = sizeof value;
+  wrc_wear_laws value = empty<wrc_wear_laws>();
   value.t_gamma_mild_end = t_gamma.t1;
   value.t_gamma_severe_start = t_gamma.t2;
   value.t_gamma_mild_slope = t_gamma.slope_mild;
@@ -82,8 +70,7 @@ wrc_wear_laws defaults<wrc_wear_laws>() {
 
 template <>
 wrc_config defaults<wrc_config>() {
-  wrc_config value{};
-  value.struct_size = sizeof value;
+  wrc_config value = empty<wrc_config>();
   value.side = WRC_SIDE_RIGHT;
   value.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
   value.regularisation = WRC_REGULARISE_KEEP_WIDTH;
@@ -110,19 +97,7 @@ wrc_config defaults<wrc_config>() {
 
 }  // namespace wrc::abi
 
-namespace {
-
-/// Writes the defaults over as much of the struct as the caller's version has.
-template <typename Struct>
-int32_t init(Struct* theirs) {
-  if (theirs == nullptr) return WRC_ERROR_NULL;
-  const wrc::Fault fault = wrc::abi::check_size(*theirs);
-  if (fault.failed()) return fault.status;
-  wrc::abi::write(wrc::abi::defaults<Struct>(), theirs);
-  return WRC_OK;
-}
-
-}  // namespace
+using wrc::abi::init;
 
 extern "C" {
 int32_t wrc_profile_init(wrc_profile* profile) { return init(profile); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 
 #include "fault.hpp"
 #include "wrc/wrc.h"
@@ -43,11 +44,24 @@ WRC_STRUCT(wrc_input, 48)
 WRC_STRUCT(wrc_output, 40)
 WRC_STRUCT(wrc_view, 48)
 WRC_STRUCT(wrc_allocator, 32)
-#undef WRC_STRUCT
+
+/// All zero but for struct_size.
+template <typename Struct>
+Struct empty() {
+  Struct value{};
+  value.struct_size = sizeof(Struct);
+  return value;
+}
 
 /// Today's defaults of a struct, struct_size included.
 template <typename Struct>
 Struct defaults();
+
+#define WRC_EMPTY_BY_DEFAULT(type) \
+  template <>                      \
+  type defaults<type>() {          \
+    return empty<type>();          \
+  }
 
 /// Is the caller's struct_size one we know? Larger than ours is a newer header than this library.
 template <typename Struct>
@@ -90,9 +104,25 @@ Fault clear(Struct* theirs) {
   if (theirs == nullptr) return {};
   const Fault fault = check_size(*theirs);
   if (fault.failed()) return fault;
-  Struct zero{};
-  zero.struct_size = sizeof(Struct);
-  write(zero, theirs);
+  write(empty<Struct>(), theirs);
+  return {};
+}
+
+/// The wrc_..._init of a struct: its defaults over as much of it as the caller's version has.
+template <typename Struct>
+std::int32_t init(Struct* theirs) {
+  if (theirs == nullptr) return WRC_ERROR_NULL;
+  const Fault fault = check_size(*theirs);
+  if (fault.failed()) return fault.status;
+  write(defaults<Struct>(), theirs);
+  return WRC_OK;
+}
+
+/// The first that failed, or none.
+inline Fault first_of(std::initializer_list<Fault> faults) {
+  for (const Fault& each : faults) {
+    if (each.failed()) return each;
+  }
   return {};
 }
 

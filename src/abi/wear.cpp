@@ -1,7 +1,5 @@
 /// Wear by three laws: parameters checked and translated, results handed back.
-#include "abi/fp_environment.hpp"
-#include "abi/handles.hpp"
-#include "abi/structs.hpp"
+#include "abi/call.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -65,20 +63,17 @@ Fault read_laws(const wrc_wear_laws* theirs, WearLaws& laws) {
 
 extern "C" int32_t wrc_wear_numbers(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
   namespace abi = wrc::abi;
-  if (!abi::valid(handle)) return WRC_ERROR_NULL;
-  const abi::FloatingPointScope scope;
-  wrc::Contact& contact = *handle->contact;
-  wrc::WearLaws ours;
-  wrc::WearNumbers numbers;
-  wrc::Fault outcome = abi::clear(wear);
-  if (!outcome.failed()) outcome = abi::read_laws(laws, ours);
-  if (!outcome.failed()) outcome = wrc::assess_wear(contact, ours, numbers);
-  contact.last = outcome;
-  if (outcome.failed()) return outcome.status;
-  wrc_wear result = abi::defaults<wrc_wear>();
-  result.worn_area_rate = numbers.worn_area_rate;
-  result.largest_depth_rate = numbers.largest_depth_rate;
-  result.largest_depth_velocity = numbers.largest_depth_velocity;
-  abi::write(result, wear);
-  return outcome.status;
+  return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
+    wrc::WearLaws ours;
+    wrc::WearNumbers numbers;
+    wrc::Fault outcome = abi::read_laws(laws, ours);
+    if (!outcome.failed()) outcome = wrc::assess_wear(contact, ours, numbers);
+    if (outcome.failed()) return outcome;
+    wrc_wear result = abi::defaults<wrc_wear>();
+    result.worn_area_rate = numbers.worn_area_rate;
+    result.largest_depth_rate = numbers.largest_depth_rate;
+    result.largest_depth_velocity = numbers.largest_depth_velocity;
+    abi::write(result, wear);
+    return outcome;
+  });
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/gap_rows.hpp"
 #include "normal/analyn.hpp"
+#include "normal/damping.hpp"
 #include "normal/ekp.hpp"
 #include "normal/hertz.hpp"
 #include "normal/kik_piotrowski.hpp"
@@ -43,6 +44,7 @@ void back_to(Contact& contact, Stage stage) {
   contact.patches = 0;
   contact.main_patch = 0;
   contact.normal = {};
+  contact.damping_factor = 1.0;
   contact.extent = {};
   contact.forces = {};
   contact.damage = {};
@@ -231,11 +233,24 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
 constexpr double smallest_approach = 1e-12;  // [m]
 
 /// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
-/// slender than a strip that the strip's own displacement has no digits left.
+/// slender than a strip that the strip's own displacement has no digits left, nor where the patch is narrower
+/// than an atom, so that the borders of its strips are the same number.
 bool carries_load(const StripTotals& patch) {
+  constexpr double least_width = 1e-11;  // [m]
   return std::isfinite(patch.normal_force) && std::isfinite(patch.area) && std::isfinite(patch.length) &&
-         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max > patch.y_min;
+         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max - patch.y_min >= least_width;
 }
+
+/// The same patch under `share` times the pressure.
+void scale_pressure(Contact& contact, Strips& strips, double share) {
+  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
+  contact.normal.normal_force *= share;
+  contact.normal.peak_pressure *= share;
+}
+
+/// A pressure is taken for none below this share of the elastic one: far beneath any force that counts, and
+/// far above where the numbers lose their digits.
+constexpr double least_damping_factor = 1e-9;
 
 }  // namespace
 
@@ -294,12 +309,19 @@ Fault solve_normal(Contact& contact, const Load& load) {
   // An unfinished search may have ended beside the load: its patch is kept, but carries what was asked for,
   // so that a host's equilibrium does not see the search. The flag tells.
   if (fault.status == WRC_FLAG_ITERATION_CAP && load.prescribed == Prescribed::load) {
-    const double share = load.value / contact.normal.normal_force;
-    for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
-    contact.normal.normal_force *= share;
-    contact.normal.peak_pressure *= share;
+    scale_pressure(contact, strips, load.value / contact.normal.normal_force);
   }
   contact.reached = Stage::patch;
+  if (load.prescribed == Prescribed::approach && load.damping > 0.0) {
+    const double factor = damping_factor(load.approach_velocity, load.damping);
+    if (factor < least_damping_factor) {
+      back_to(contact, Stage::patch);
+      return {.status = WRC_FLAG_NO_CONTACT, .field = "approach_velocity"};
+    }
+    scale_pressure(contact, strips, factor);
+    contact.normal.stiffness *= factor;
+    contact.damping_factor = factor;
+  }
   contact.strips = strips.count;
   contact.touching = strips.count > 0;
   worsen(fault, find_patches(contact));

@@ -90,7 +90,8 @@ struct Contact {
   Pose pose;           ///< of the last geometry stage
   ContactPoint point;
   NormalSolution normal;
-  StripTotals extent;  ///< of all patches together
+  double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one
+  StripTotals extent;           ///< of all patches together
   std::int32_t patches = 0;
   Patch patch[patch_capacity];
   std::int32_t main_patch = 0;  ///< the one that carries most
@@ -102,10 +103,12 @@ struct Contact {
   bool worn = false;  ///< strip_wear belongs to the present tractions
 };
 
-/// What presses the bodies together.
+/// What presses the bodies together. Damping acts on a prescribed approach.
 struct Load {
   Prescribed prescribed = Prescribed::load;
-  double value = 0.0;  ///< [N] or [m]
+  double value = 0.0;              ///< [N] or [m]
+  double approach_velocity = 0.0;  ///< [m/s]
+  double damping = 0.0;            ///< alpha of normal/damping.hpp [s/m]
 };
 
 std::size_t contact_bytes(const Model& model);

@@ -52,9 +52,19 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
     return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
   const Fault fault = check_points(body, source.count, source.y, source.z);
   if (fault.failed()) return fault;
-  double* const z = scratch + smoothing_scratch * source.count;
-  deviation = smooth_points(source.count, source.y, source.z, source.smoothing, scratch, z);
-  return spline_through(body, source.count, source.y, z, scratch, memory, profile);
+  const SmoothedPoints smooth =
+      smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
+  for (std::int32_t i = 1; i < source.count; ++i) {
+    if (!(smooth.y[i] > smooth.y[i - 1]))
+      return {.status = WRC_ERROR_PROFILE,
+              .field = "profile.smoothing",
+              .value = source.smoothing,
+              .unit = "m",
+              .cause = "so long a smoothing folds the steep part of the profile at this point",
+              .index = i};
+  }
+  deviation = smooth.deviation;
+  return spline_through(body, source.count, smooth.y, smooth.z, scratch, memory, profile);
 }
 
 /// The profile in its own coordinates. `scratch`: scratch_size(source) doubles.

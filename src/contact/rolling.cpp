@@ -93,7 +93,6 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   rolling.b = patch.sdec.b;
   rolling.shape_number = patch.sdec.psi;
   rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
-  rolling.poisson = model.options.material.poisson;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
   rolling.creepage = contact.creepage;
@@ -139,6 +138,8 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   }
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
+  // A difference of sums of areas: rounding may leave it just below zero.
+  patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
 
   patch.friction = rolling.friction.mean;
   Strips region = region_strips(contact, patch);

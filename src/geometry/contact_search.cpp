@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "elementary.hpp"
+
 namespace wrc {
 namespace {
 
@@ -72,7 +74,7 @@ ContactPoint contact_point(const Rail& rail, const PosedWheel& wheel, const Stat
   contact.z = on_wheel.z + station.gap;
   contact.vertical_gap = station.gap;
   const double tangent = on_wheel.dz_dy();
-  contact.angle = std::atan(tangent);
+  contact.angle = arctangent(tangent);
   contact.cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
   contact.sine = tangent * contact.cosine;
   contact.y_rail = rail.outward * (on_wheel.y - rail.origin_y);
@@ -177,7 +179,7 @@ ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
     const double weight = depth * depth * std::sqrt(depth) * station.outline.dy_ds;
     sums.weight += weight;
     sums.y += weight * (station.outline.y - first_contact.y);
-    sums.angle += weight * (std::atan(evaluate(rail.profile, station.outline.y, search.rail_piece).slope) -
+    sums.angle += weight * (arctangent(evaluate(rail.profile, station.outline.y, search.rail_piece).slope) -
                             first_contact.angle);
     return true;
   };
@@ -199,8 +201,9 @@ ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
   ContactPoint point = contact_point(rail, wheel, station);
   point.vertical_gap = first_contact.vertical_gap;
   point.angle = first_contact.angle + sums.angle / sums.weight;
-  point.cosine = std::cos(point.angle);
-  point.sine = std::sin(point.angle);
+  const auto [sine, cosine] = sine_cosine(point.angle);
+  point.cosine = cosine;
+  point.sine = sine;
   return point;
 }
 

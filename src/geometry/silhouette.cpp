@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
+
 namespace wrc {
 namespace {
 
@@ -25,8 +27,8 @@ Fault check(const Pose& pose) {
 }
 
 Attitude attitude(const Pose& pose) {
-  const double cy = std::cos(pose.yaw), sy = std::sin(pose.yaw);
-  const double cr = std::cos(pose.roll), sr = std::sin(pose.roll);
+  const auto [sy, cy] = sine_cosine(pose.yaw);
+  const auto [sr, cr] = sine_cosine(pose.roll);
   Attitude a{{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0.0, sr, cr}}};
   // e = R^T x_track is the first row of R.
   const double in_plane = std::sqrt(a.r[0][0] * a.r[0][0] + a.r[0][2] * a.r[0][2]);

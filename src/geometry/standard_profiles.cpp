@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "elementary.hpp"
 #include "geometry/placement.hpp"
 
 namespace wrc {
@@ -93,9 +94,12 @@ double section_y(const Section& section, std::int32_t i) {
   if (i == 0) return section.from;
   const double t = static_cast<double>(i) / static_cast<double>(section.pieces);
   if (section.radius == 0.0) return section.from + t * (section.to - section.from);
-  const double first = std::atanh((section.from - section.centre) / section.radius);
-  const double last = std::atanh((section.to - section.centre) / section.radius);
-  return section.centre + section.radius * std::tanh(first + t * (last - first));
+  // exp(2 artanh(u)) = (1 + u) / (1 - u) at u = (y - centre) / radius, and back.
+  const double first = (section.from - section.centre) / section.radius;
+  const double last = (section.to - section.centre) / section.radius;
+  const double e_first = (1.0 + first) / (1.0 - first), e_last = (1.0 + last) / (1.0 - last);
+  const double e = e_first * natural_exp(t * natural_log(e_last / e_first));
+  return section.centre + section.radius * (e - 1.0) / (e + 1.0);
 }
 
 /// Nodes at the ends of every piece of every section; `curve(y)` gives value and slope.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "elementary.hpp"
 #include "linear_theory/node_values.hpp"
 #include "patch/material.hpp"
 
@@ -42,7 +43,7 @@ struct Asymptotes {
 
 /// a << b, g = a/b.
 Asymptotes narrow(double g, double nu) {
-  const double bracket = 1.0 + nu * (std::log(16.0 / g) - 5.0);
+  const double bracket = 1.0 + nu * (natural_log(16.0 / g) - 5.0);
   const double scale = pi * std::sqrt(g) / (3.0 * (1.0 - nu));
   return {{pi * pi / (4.0 * (1.0 - nu)), 0.0},
           {pi * pi / 4.0, 0.0},
@@ -58,8 +59,8 @@ Interpolated slender_form(double g, double D, double d0, double k) {
 
 /// a >> b, g = b/a.
 Asymptotes wide(double g, double nu) {
-  const double L = std::log(16.0 / (g * g));
-  const double k = 3.0 - std::log(4.0);
+  const double L = natural_log(16.0 / (g * g));
+  const double k = 3.0 - natural_log(4.0);
   const double D23 = (1.0 - nu) * L - 2.0 + 4.0 * nu;
   const double c23 = 2.0 * pi / (3.0 * g * std::sqrt(g) * D23);
   return {slender_form(g, L - 2.0 * nu, 1.0, k),

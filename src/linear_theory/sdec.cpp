@@ -88,7 +88,8 @@ SdecTable::Influence SdecTable::influence(std::size_t coefficient, double poisso
 }
 
 SdecTable::SdecTable(double poisson)
-    : ellipse_(poisson),
+    : poisson_(poisson),
+      ellipse_(poisson),
       c11_(influence(tables::c11s, poisson)),
       c22_(influence(tables::c22s, poisson)),
       c23_(influence(tables::c23s, poisson)) {

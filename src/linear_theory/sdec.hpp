@@ -45,6 +45,7 @@ class SdecTable {
   struct Influence {
     Shape second, fourth;
   };
+  double poisson_ = 0.0;
   KalkerTable ellipse_;
   Influence c11_, c22_, c23_;
   Shape k13_, k13_second_;  ///< k and m

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "elementary.hpp"
 #include "normal/elliptic_integrals.hpp"
-#include "normal/logarithm.hpp"
 #include "normal/octave_axis.hpp"
 
 namespace wrc {

@@ -11,11 +11,12 @@
 
 namespace wrc {
 
-/// N (1 + (3/2) alpha d(approach)/dt), never below zero [N]. `elastic_force` from any normal method [N],
-/// `approach_rate` positive while the bodies near each other [m/s], `alpha` >= 0 [s/m]: for small alpha v the
-/// coefficient of restitution at the impact speed v is 1 - alpha v.
-inline double damped_normal_force(double elastic_force, double approach_rate, double alpha) noexcept {
-  return std::max(0.0, elastic_force * (1.0 + 1.5 * alpha * approach_rate));
+/// What the elastic force of any normal method, its pressure and its stiffness are multiplied by:
+/// 1 + (3/2) alpha d(approach)/dt, never below zero [-]. `approach_rate` positive while the bodies near each
+/// other [m/s], `alpha` >= 0 [s/m]: for small alpha v the coefficient of restitution at the impact speed v is
+/// 1 - alpha v.
+inline double damping_factor(double approach_rate, double alpha) noexcept {
+  return std::max(0.0, 1.0 + 1.5 * alpha * approach_rate);
 }
 
 }  // namespace wrc

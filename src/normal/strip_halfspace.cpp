@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
 #include "normal/check.hpp"
 #include "normal/load_search.hpp"
-#include "normal/logarithm.hpp"
 #include "normal/penetration.hpp"
 #include "normal/recut_strips.hpp"
 #include "normal/strip_edges.hpp"

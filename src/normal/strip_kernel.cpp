@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
 #include "normal/contact_condition.hpp"
-#include "normal/logarithm.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {

@@ -114,7 +114,9 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
     while (first > 0 && h[first - 1] - h[lowest] < depth) --first;
     while (last < grid.columns - 1 && h[last + 1] - h[lowest] < depth) ++last;
     const Parabola fit = fit_parabola(grid.x, h, first, last);
-    if (!(fit.curvature > 0.0)) {
+    // Heights of an absurd size overflow in the fit.
+    if (!(fit.curvature > 0.0) || !std::isfinite(fit.curvature) || !std::isfinite(fit.at) ||
+        !std::isfinite(fit.lowest)) {
       return {
           .status = WRC_ERROR_GAP,
           .field = "gap.h row",

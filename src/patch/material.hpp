@@ -1,9 +1,9 @@
 /// Elastic constants of the pair of bodies, as the half-space theory needs them.
 #pragma once
 
-namespace wrc {
+#include "elementary.hpp"
 
-inline constexpr double pi = 3.14159265358979323846264338327950288;
+namespace wrc {
 
 /// Two bodies of the same material (quasi-identical: normal and tangential problems do not couple).
 struct Material {

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "normal/logarithm.hpp"
+#include "elementary.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {

@@ -82,7 +82,9 @@ void deal_out(const RollingContact& contact, CoarseRolling<n>& rolling) {
   }
   const double own = grid.xx[n - 1][n - 1];
   for (int at = 0; at < n * n; ++at) {
-    const double covered = std::clamp(area[at], 1e-6, 1.0);
+    constexpr double sliver = 1e-6;  // what rounding makes of a border that two cells share is no contact
+    if (area[at] < sliver) bound[at] = 0.0;
+    const double covered = std::clamp(area[at], sliver, 1.0);
     rolling.border_compliance[at] = own * (1.0 / std::sqrt(covered) - 1.0);
   }
 }
@@ -196,8 +198,8 @@ TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace
   const Box box = box_around(strips);
   lay_over(box, coarse.grid);
   lay_over(box, fine.grid);
-  fill_coefficients(contact.shear_modulus, contact.poisson, coarse.grid);
-  fill_coefficients(contact.shear_modulus, contact.poisson, fine.grid);
+  fill_coefficients(contact.shear_modulus, contact.linear_theory->poisson(), coarse.grid);
+  fill_coefficients(contact.shear_modulus, contact.linear_theory->poisson(), fine.grid);
   deal_out(contact, coarse);
   deal_out(contact, fine);
 

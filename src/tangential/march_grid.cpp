@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
+
 namespace wrc {
 
 MarchGrid make_march_grid(std::int32_t cells, double* memory) {
@@ -16,7 +18,7 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory) {
   const auto ellipse = [](double s) { return std::sqrt(std::max(0.0, 1.0 - s * s)); };
   const auto parabola_integral = [](double s) { return s - s * s * s / 3.0; };
   const auto ellipse_integral = [&](double s) {
-    return 0.5 * (s * ellipse(s) + std::asin(std::clamp(s, -1.0, 1.0)));
+    return 0.5 * (s * ellipse(s) + arcsine(std::clamp(s, -1.0, 1.0)));
   };
   const auto half_square_rise = [](double lead, double trail, double mean) {
     return 0.5 * (trail * trail - lead * lead) / mean;

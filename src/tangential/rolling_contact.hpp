@@ -30,7 +30,6 @@ struct RollingContact {
   TractionBound bound = TractionBound::parabolic;
   FlexibilityForm form = FlexibilityForm::separate;
   SlopeFall slope{};
-  double poisson = 0.0;  ///< nu, where the half-space itself is solved [-]
 };
 
 }  // namespace wrc

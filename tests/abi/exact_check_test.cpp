@@ -8,56 +8,23 @@
 #include <vector>
 
 #include "offline_helpers.hpp"
+#include "reference_contact.hpp"
 
 namespace {
 
 using namespace offline_helpers;
 
-class ExactCheck : public testing::Test {
+class ExactCheck : public ReferenceContact {
  protected:
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
-  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_exact_check_result result = made<wrc_exact_check_result>(wrc_exact_check_result_init);
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
 
   void SetUp() override {
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.wheel = &wheel;
-    config.rail = &rail;
-    load.normal_force = 80e3;
-    creepage.longitudinal = -0.49e-3;
-    creepage.lateral = -0.22e-3;
-    creepage.spin = 0.29;
+    ReferenceContact::SetUp();
     creepage.speed = 20.0;
-    friction.coefficient = 0.35;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
-  }
-  void TearDown() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-  int32_t step() {
-    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-    wrc_output output = {sizeof output, 0, nullptr, nullptr, &forces, nullptr};
-    return wrc_step(contact, &input, &output);
   }
   int32_t check(Listener* listener = nullptr) {
     return wrc_exact_check(contact, 32, 48, listener == nullptr ? nullptr : Listener::hear, listener,
                            &result);
-  }
-  std::string error() const {
-    char text[256];
-    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
-    return text;
   }
 };
 
@@ -89,7 +56,6 @@ TEST_F(ExactCheck, LeavesTheContactAsItWas) {
 }
 
 TEST_F(ExactCheck, SolvesADoubleEllipseOfTheCaller) {
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   patch.a = 4e-3;
   patch.b = 6e-3;
   patch.psi = 0.4;
@@ -142,7 +108,6 @@ TEST_F(ExactCheck, IsCancelled) {
 // The rows as the contact shows them: height + curvature/2 (x - centre)^2, over their smallest height.
 TEST_F(ExactCheck, GapReproducesItsRows) {
   pose.yaw = 0.01;
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
   ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
   wrc_view view[4];
   const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
@@ -205,7 +170,6 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
   creepage = made<wrc_creepage>(wrc_creepage_init);
   creepage.longitudinal = 0.05;  // all slips
   const wrc_input input = {sizeof input, 0, nullptr, &gap, &load, &creepage, &friction};
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
   ASSERT_EQ(wrc_step(contact, &input, &output), WRC_OK) << error();
   ASSERT_EQ(patch.patches, 2);
@@ -239,7 +203,6 @@ TEST_F(ExactCheck, ExactNormalOfTheProfilesCarriesTheLoad) {
   problem.normal_force = 80e3;
   char text[256];
   ASSERT_EQ(wrc_exact_normal(&problem, &solution, text, sizeof text), WRC_OK) << text;
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   ASSERT_EQ(wrc_contact_patch(contact, 0, &patch, nullptr), WRC_OK);
   EXPECT_NEAR(patch.approach / solution.approach, 1.0, 0.02);
   EXPECT_NEAR(patch.peak_pressure / solution.peak_pressure, 1.0, 0.05);

@@ -5,101 +5,14 @@
 #include <cfenv>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "wrc/wrc.h"
+#include "reference_contact.hpp"
 
 namespace {
 
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  EXPECT_EQ(init(&value), WRC_OK);
-  return value;
-}
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// S1002 on UIC60, 80 kN, the paper's Case 2: a contact that works, to break one thing at a time.
-class Interface : public testing::Test {
- protected:
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
-  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
-
-  void SetUp() override {
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.wheel = &wheel;
-    config.rail = &rail;
-    load.normal_force = 80e3;
-    creepage.longitudinal = -0.49e-3;
-    creepage.lateral = -0.22e-3;
-    creepage.spin = 0.29;
-    friction.coefficient = 0.35;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
-  }
-  void TearDown() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-
-  int32_t step() {
-    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-    return wrc_step(contact, &input, &output);
-  }
-  std::string error() const {
-    char text[256];
-    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
-    return text;
-  }
-  /// The step fails with this status and a sentence that contains all these words, leaves zeros, and the next
-  /// one works.
-  void expect_refused(int32_t status, const std::vector<std::string>& words) {
-    EXPECT_EQ(step(), status);
-    const std::string sentence = error();
-    for (const std::string& word : words)
-      EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
-    EXPECT_EQ(forces.fx, 0.0);
-    EXPECT_EQ(forces.fn, 0.0);
-    EXPECT_EQ(patch.area, 0.0);
-    EXPECT_EQ(damage.power, 0.0);
-    EXPECT_EQ(forces.struct_size, sizeof forces);
-  }
-  void expect_works() {
-    ASSERT_EQ(step(), WRC_OK) << error();
-    EXPECT_GT(forces.power, 0.0);
-    EXPECT_NEAR(forces.fn, 80e3, 1.0);
-    EXPECT_EQ(error(), "");
-  }
-  /// The configuration is refused, and says these words.
-  void expect_config_refused(int32_t status, const std::vector<std::string>& words) {
-    char text[256];
-    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
-    const std::string sentence = text;
-    for (const std::string& word : words)
-      EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
-    wrc_model* none = model;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &none), status);
-    EXPECT_EQ(none, nullptr);
-  }
-};
+using Interface = ReferenceContact;
 
 // ------------------------------------------------------------------------------------------------------- bad
 // values
@@ -147,6 +60,16 @@ TEST_F(Interface, FrictionMustBePositive) {
   }
   friction.coefficient = 35.0;
   expect_refused(WRC_ERROR_RANGE, {"friction.coefficient = 35", "per cent"});
+}
+
+TEST_F(Interface, PureNumbersHaveNoUnitInSentences) {
+  wrc_patch slender = patch;
+  slender.a = 1e-2;
+  slender.b = 1e-3;
+  slender.normal_force = 80e3;
+  EXPECT_EQ(wrc_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
+  expect_words(error(), {" = 10 is outside "});
+  EXPECT_EQ(error().find(" 1:"), std::string::npos) << error();
 }
 
 TEST_F(Interface, PoseInMillimetresIsNoticed) {
@@ -408,113 +331,6 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
 }
 
-// ------------------------------------------------------------------------------------------------ memory and
-// handles
-
-TEST_F(Interface, MemoryOfTheCallerFitsExactly) {
-  uint64_t bytes = 0, alignment = 0;
-  ASSERT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_OK);
-  std::vector<unsigned char> storage(bytes + alignment);
-  auto* memory = reinterpret_cast<unsigned char*>(
-      (reinterpret_cast<std::uintptr_t>(storage.data()) + alignment - 1) / alignment * alignment);
-  wrc_model* own = nullptr;
-  EXPECT_EQ(wrc_model_init(&config, memory, bytes - 1, &own), WRC_ERROR_BUFFER);
-  EXPECT_EQ(own, nullptr);
-  EXPECT_EQ(wrc_model_init(&config, memory + 8, bytes, &own), WRC_ERROR_BUFFER);
-  EXPECT_EQ(wrc_model_init(&config, nullptr, bytes, &own), WRC_ERROR_NULL);
-  ASSERT_EQ(wrc_model_init(&config, memory, bytes, &own), WRC_OK);
-
-  uint64_t contact_bytes = 0;
-  ASSERT_EQ(wrc_contact_size(own, &contact_bytes, &alignment), WRC_OK);
-  std::vector<unsigned char> contact_storage(contact_bytes + alignment);
-  auto* contact_memory = reinterpret_cast<unsigned char*>(
-      (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
-  wrc_contact* own_contact = nullptr;
-  EXPECT_EQ(wrc_contact_init(own, contact_memory, contact_bytes - 1, &own_contact), WRC_ERROR_BUFFER);
-  EXPECT_EQ(own_contact, nullptr);
-  ASSERT_EQ(wrc_contact_init(own, contact_memory, contact_bytes, &own_contact), WRC_OK);
-  expect_works();
-  const wrc_forces expected = forces;
-  std::swap(contact, own_contact);
-  expect_works();
-  EXPECT_EQ(std::memcmp(&expected, &forces, sizeof forces), 0);
-  std::swap(contact, own_contact);
-  wrc_contact_destroy(own_contact);  // memory of the caller: nothing to release, and harmless
-  wrc_model_destroy(own);
-}
-
-struct Counter {
-  int live = 0, left = 1000;
-};
-void* counting_allocate(void* user, uint64_t bytes, uint64_t alignment) {
-  auto* counter = static_cast<Counter*>(user);
-  if (counter->left-- <= 0) return nullptr;
-  ++counter->live;
-  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-}
-void counting_release(void* user, void* memory) {
-  --static_cast<Counter*>(user)->live;
-  std::free(memory);
-}
-
-TEST_F(Interface, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
-  wrc_allocator allocator = made<wrc_allocator>(wrc_allocator_init);
-  Counter counter;
-  allocator.user = &counter;
-  allocator.allocate = counting_allocate;
-  allocator.release = counting_release;
-  for (int allowed = 0; allowed <= 2; ++allowed) {
-    counter = {0, allowed};
-    wrc_model* own = nullptr;
-    wrc_contact* own_contact = nullptr;
-    EXPECT_EQ(wrc_model_create(&config, &allocator, &own), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
-    EXPECT_EQ(own != nullptr, allowed > 0);
-    if (own != nullptr) {
-      EXPECT_EQ(wrc_contact_create(own, &allocator, &own_contact), allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
-    }
-    wrc_contact_destroy(own_contact);
-    wrc_model_destroy(own);
-    EXPECT_EQ(counter.live, 0);
-  }
-  counter = {0, 1000};
-  config.poisson = 9.0;
-  wrc_model* own = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_RANGE);
-  EXPECT_EQ(counter.live, 0);
-  config.poisson = 0.25;
-  allocator.release = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_NULL);
-}
-
-TEST_F(Interface, SavedStateRestoresBitForBit) {
-  expect_works();
-  uint64_t bytes = 0, alignment = 0;
-  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
-  std::vector<unsigned char> saved(bytes + 1);
-  ASSERT_EQ(wrc_contact_save(contact, saved.data() + 1, bytes), WRC_OK);  // any alignment
-  const wrc_forces before = forces;
-  pose.lateral = 2e-3;
-  creepage.spin = -0.7;
-  ASSERT_EQ(step(), WRC_OK);
-  EXPECT_NE(forces.fx, before.fx);
-  ASSERT_EQ(wrc_contact_restore(contact, saved.data() + 1, bytes), WRC_OK);
-  creepage.spin = 0.29;
-  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
-
-  wrc_contact* other = nullptr;  // relocatable: into another contact of the model
-  ASSERT_EQ(wrc_contact_create(model, nullptr, &other), WRC_OK);
-  ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
-  ASSERT_EQ(wrc_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
-  wrc_contact_destroy(other);
-
-  EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
-  std::vector<unsigned char> rubbish(bytes, 0x5a);
-  EXPECT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
-  expect_works();
-}
-
 TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_config_init(nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_config_check(nullptr, nullptr, 0), WRC_ERROR_NULL);
@@ -546,6 +362,61 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_shakedown_limit(0.3, nullptr), WRC_ERROR_NULL);
   wrc_model_destroy(nullptr);
   wrc_contact_destroy(nullptr);
+}
+
+/// No contact, or something else in its place: refused like any bad input, and no old number is left.
+TEST_F(Interface, WithoutAContactOutputsAreZero) {
+  alignas(64) unsigned char foreign[256] = {};
+  for (wrc_contact* wrong : {static_cast<wrc_contact*>(nullptr), reinterpret_cast<wrc_contact*>(foreign)}) {
+    const auto refill = [&] {
+      expect_works();
+      ASSERT_NE(forces.fn, 0.0);
+    };
+    refill();
+    std::swap(contact, wrong);
+    EXPECT_EQ(step(), WRC_ERROR_NULL);
+    expect_zeros();
+    std::swap(contact, wrong);
+
+    refill();
+    EXPECT_EQ(wrc_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_normal(wrong, nullptr, &load, &patch), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_damage_numbers(wrong, &damage), WRC_ERROR_NULL);
+    expect_zeros();
+
+    refill();
+    EXPECT_EQ(wrc_regularise(wrong, nullptr, &patch), WRC_ERROR_NULL);
+    EXPECT_EQ(patch.area, 0.0);
+    refill();
+    EXPECT_EQ(wrc_contact_patch(wrong, 0, &patch, &forces), WRC_ERROR_NULL);
+    EXPECT_EQ(patch.area, 0.0);
+    EXPECT_EQ(forces.fn, 0.0);
+
+    wrc_wear wear = made<wrc_wear>(wrc_wear_init);
+    wear.worn_area_rate = 1.0;
+    EXPECT_EQ(wrc_wear_numbers(wrong, nullptr, &wear), WRC_ERROR_NULL);
+    EXPECT_EQ(wear.worn_area_rate, 0.0);
+    wrc_creepage result = creepage;
+    EXPECT_EQ(wrc_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
+    EXPECT_EQ(result.spin, 0.0);
+    wrc_view view = made<wrc_view>(wrc_view_init);
+    view.count[0] = 7;
+    EXPECT_EQ(wrc_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
+    EXPECT_EQ(view.count[0], 0U);
+    double out[WRC_FLAT_OUTPUTS] = {1.0, 2.0, 3.0};
+    EXPECT_EQ(wrc_step_flat(wrong, out, out), WRC_ERROR_NULL);
+    EXPECT_EQ(out[2], 0.0);
+
+    refill();
+    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+    const wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+    EXPECT_EQ(wrc_step_batch(&wrong, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
+    expect_zeros();
+    refill();
+    EXPECT_EQ(wrc_step_batch(nullptr, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
+    expect_zeros();
+  }
 }
 
 TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {

@@ -1,25 +1,14 @@
 /// What the tests of wrc_offline.h share.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <limits>
 #include <vector>
 
+#include "made.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace offline_helpers {
 
 inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  EXPECT_EQ(init(&value), WRC_OK);
-  return value;
-}
 
 /// Calls cancelled after `allowed` reports; remembers what was reported.
 struct Listener {

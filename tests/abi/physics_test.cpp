@@ -7,17 +7,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace {
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  EXPECT_EQ(init(&value), WRC_OK);
-  return value;
-}
 
 /// Where a wheelset is and how it creeps.
 struct Motion {
@@ -302,7 +295,9 @@ TEST_P(Physics, FullSlidingOpposesTheCreepageWithAllTheFriction) {
     const double limit = wheel.friction * wheel.forces.fn;
     EXPECT_NEAR(wheel.creep_force(), limit, 1e-3 * limit) << degrees;
     const double across = wheel.forces.fx * std::sin(angle) - wheel.forces.fy * std::cos(angle);
-    EXPECT_NEAR(across, 0.0, (degrees % 90 == 0 ? 1e-9 : 0.11) * limit) << degrees;
+    // In the half-space tractions along one axis also move the surface along the other, a trace of the slip.
+    const double along_axes = GetParam().tangential == WRC_TANGENTIAL_COARSE_HALFSPACE ? 1e-5 : 1e-9;
+    EXPECT_NEAR(across, 0.0, (degrees % 90 == 0 ? along_axes : 0.11) * limit) << degrees;
     EXPECT_LT(wheel.forces.fx * std::cos(angle) + wheel.forces.fy * std::sin(angle), 0.0) << degrees;
   }
 }
@@ -396,83 +391,6 @@ TEST(Continuity, NoStepOfALateralScanFails) {
           100.0 * largest_fy, 1e3 * at_fy, capped);
     }
   }
-}
-
-/// Points every 0.5 mm with 5 um of noise: a lateral sweep flickers less when they are smoothed, and the
-/// caller sees how far the curve stays from the points.
-TEST(MeasuredProfiles, SmoothingCalmsASweepOverNoisyPoints) {
-  struct Flicker {
-    double peak = 0.0, area = 0.0, deviation = 0.0;
-    int split = 0;
-  };
-  const auto sweep = [](double smoothing) {
-    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    config.wheel = &wheel;
-    config.rail = &rail;
-    wrc_model* exact = nullptr;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &exact), WRC_OK);
-    wrc_view from_y = made<wrc_view>(wrc_view_init), from_z = made<wrc_view>(wrc_view_init);
-    EXPECT_EQ(wrc_model_profile(exact, WRC_BODY_WHEEL, &from_y, &from_z, nullptr), WRC_OK);
-    std::vector<double> y, z;
-    uint32_t state = 12345;
-    std::size_t at = 0;
-    for (double where = -0.045; where < 0.055; where += 0.5e-3) {
-      const double placed = where + 0.750;  // running circle of the wheelset
-      while (at + 2 < from_y.count[0] && from_y.data[at + 1] < placed) ++at;
-      const double t = (placed - from_y.data[at]) / (from_y.data[at + 1] - from_y.data[at]);
-      double noise = -6.0;  // twelve uniform numbers make a normal one
-      for (int i = 0; i < 12; ++i) {
-        state = 1664525u * state + 1013904223u;
-        noise += static_cast<double>(state) / 4294967296.0;
-      }
-      y.push_back(where);
-      z.push_back(from_z.data[at] + t * (from_z.data[at + 1] - from_z.data[at]) + 5e-6 * noise);
-    }
-    wrc_model_destroy(exact);
-    wheel.kind = WRC_PROFILE_POINTS;
-    wheel.count = static_cast<uint32_t>(y.size());
-    wheel.y = y.data();
-    wheel.z = z.data();
-    wheel.smoothing = smoothing;
-    wrc_model* model = nullptr;
-    wrc_contact* contact = nullptr;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    EXPECT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
-    Flicker flicker;
-    EXPECT_EQ(wrc_model_profile(model, WRC_BODY_WHEEL, nullptr, nullptr, &flicker.deviation), WRC_OK);
-    wrc_load load = made<wrc_load>(wrc_load_init);
-    load.normal_force = 80e3;
-    double peak[2] = {}, area[2] = {};
-    for (int i = 0; i <= 100; ++i) {
-      wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-      pose.lateral = -2e-3 + 0.04e-3 * i;
-      wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-      EXPECT_GE(wrc_geometry(contact, &pose, nullptr), 0);
-      EXPECT_GE(wrc_normal(contact, nullptr, &load, &patch), 0);
-      if (i >= 2) {
-        flicker.peak += std::fabs(patch.peak_pressure - 2.0 * peak[1] + peak[0]);
-        flicker.area += std::fabs(patch.area - 2.0 * area[1] + area[0]);
-      }
-      flicker.split += patch.patches > 1;
-      peak[0] = peak[1], peak[1] = patch.peak_pressure;
-      area[0] = area[1], area[1] = patch.area;
-    }
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-    return flicker;
-  };
-  const Flicker noisy = sweep(0.0), calm = sweep(5e-3);
-  std::printf(
-      "flicker, noisy over smoothed: peak pressure %.1f, area %.1f; split patches %d and %d of 101; "
-      "curve within %.1f um of the points\n",
-      noisy.peak / calm.peak, noisy.area / calm.area, noisy.split, calm.split, 1e6 * calm.deviation);
-  EXPECT_GT(noisy.peak, 3.0 * calm.peak);
-  EXPECT_GT(noisy.area, 3.0 * calm.area);
-  EXPECT_LT(10 * calm.split, noisy.split);  // waves longer than the smoothing remain
-  EXPECT_EQ(noisy.deviation, 0.0);
 }
 
 }  // namespace

@@ -3,18 +3,11 @@
 #include <stdexcept>
 
 #include "bench/halfspace_report.hpp"
+#include "made.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace wrc::halfspace::report {
 namespace {
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 void demand(bool holds, const char* what) {
   if (!holds) throw std::runtime_error(what);

@@ -13,17 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace {
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 const char* const method_names[] = {"hertz",   "kik_piotrowski", "ekp", "ekp_ellipse", "analyn",
                                     "stripes", "strip_halfspace"};

@@ -6,18 +6,10 @@
 #include <string>
 
 #include "csv.hpp"
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace compare {
-
-/// A struct with struct_size and defaults set: made<wrc_load>(wrc_load_init).
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 /// Inputs of wrc_tangential for one row of a file with the columns of sdec_cases.csv.
 struct Rolling {

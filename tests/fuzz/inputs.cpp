@@ -109,6 +109,8 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
+  if (choices.one_in(3)) made.profile.smoothing = choices.magnitude(1e-6, 0.05);
+  if (choices.one_in(100)) made.profile.smoothing = choices.poison();
 }
 
 }  // namespace
@@ -135,10 +137,11 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   config.normal_method = static_cast<std::int32_t>(choices.below(7));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
   constexpr std::int32_t tangential_methods[] = {
-      WRC_TANGENTIAL_FASTSIM,      WRC_TANGENTIAL_FASTSIM_EQE,      WRC_TANGENTIAL_FASTSIM_EQL,
-      WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM,    WRC_TANGENTIAL_MODIFIED_FASTSIM,
-      WRC_TANGENTIAL_FASTRIP,      WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC};
-  config.tangential_method = tangential_methods[choices.below(9)];
+      WRC_TANGENTIAL_FASTSIM,         WRC_TANGENTIAL_FASTSIM_EQE,      WRC_TANGENTIAL_FASTSIM_EQL,
+      WRC_TANGENTIAL_FASTSIM_SDEC,    WRC_TANGENTIAL_STRIP_FASTSIM,    WRC_TANGENTIAL_MODIFIED_FASTSIM,
+      WRC_TANGENTIAL_FASTRIP,         WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC,
+      WRC_TANGENTIAL_COARSE_HALFSPACE};
+  config.tangential_method = tangential_methods[choices.below(10)];
   config.traction_bound = static_cast<std::int32_t>(choices.below(3));
   config.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.strips = count(4.0, finest);
@@ -185,7 +188,40 @@ wrc_load make_load(Choices& choices) {
     load.normal_force = choices.magnitude(1e2, 1e6);
   }
   if (choices.one_in(40)) load.normal_force = load.approach = choices.poison();
+  if (choices.one_in(3)) {
+    load.damping = choices.magnitude(1e-9, 10.0);
+    load.approach_velocity = choices.signed_magnitude(1e-9, 20.0);
+    // Damped to next to nothing: 1 + 3/2 damping * velocity of the last digits.
+    if (choices.one_in(4))
+      load.approach_velocity = -2.0 / 3.0 / load.damping * (1.0 - choices.magnitude(1e-16, 1e-2));
+    load.approach_velocity = std::clamp(load.approach_velocity, -20.0, 20.0);
+    if (choices.one_in(40)) load.damping = choices.poison();
+    if (choices.one_in(40)) load.approach_velocity = choices.poison();
+  }
   return load;
+}
+
+wrc_motion make_motion(Choices& choices) {
+  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  motion.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  motion.lateral_velocity = choices.signed_magnitude(1e-9, 20.0);
+  motion.vertical_velocity = choices.signed_magnitude(1e-9, 20.0);
+  motion.roll_rate = choices.signed_magnitude(1e-9, 100.0);
+  motion.yaw_rate = choices.signed_magnitude(1e-9, 100.0);
+  motion.pitch_rate = choices.signed_magnitude(1e-9, 2000.0);
+  if (choices.one_in(40)) motion.pitch_rate = choices.poison();
+  return motion;
+}
+
+wrc_wear_laws make_wear_laws(Choices& choices) {
+  wrc_wear_laws laws = made<wrc_wear_laws>(wrc_wear_laws_init);
+  double* const parameters = &laws.t_gamma_mild_end;
+  const auto count = static_cast<std::uint32_t>(&laws.seizure_pressure - parameters) + 1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (choices.one_in(4)) parameters[i] *= choices.magnitude(1e-6, 1e6);
+    if (choices.one_in(200)) parameters[i] = choices.poison();
+  }
+  return laws;
 }
 
 wrc_creepage make_creepage(Choices& choices) {

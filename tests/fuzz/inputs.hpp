@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "choices.hpp"
+#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace hostile {
-
-/// A struct with its size and defaults.
-template <typename Struct>
-Struct made(std::int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 struct ProfilePoints {
   std::vector<double> y, z;
@@ -44,6 +36,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
                        const wrc_profile* rail);
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
+wrc_motion make_motion(Choices& choices);
+wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, FrictionArrays& made);
 wrc_patch make_patch(Choices& choices);

@@ -3,11 +3,11 @@
 /// This program defines malloc and its family itself, so every call from libwrc arrives here and is counted.
 /// The library carries its own copy of operator new (libstdc++ is linked into it), which ends in malloc too.
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
 
+#include "realtime/varied_run.hpp"
 #include "wrc/wrc.h"
 
 extern "C" {
@@ -42,72 +42,6 @@ void operator delete(void* memory, size_t) noexcept { free(memory); }
 namespace {
 
 constexpr int steps_per_combination = 10000;
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
-
-/// Everything a step takes and gives, and the stages called alone, with inputs that vary from call to call.
-struct Run {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-  int failures = 0;
-
-  /// Steps in turn: constant, falling, and falling friction with zones.
-  void vary_friction(int i) {
-    static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
-    friction.kind = i % 3;
-    friction.slope_fall = 0.6;
-    friction.zones = i % 3 == 2 ? 4 : 0;
-    friction.zone_y = zone_y;
-    friction.zone_coefficient = zone_coefficient;
-    friction.zone_frame = i % 2;
-  }
-
-  void vary(int i) {
-    vary_friction(i);
-    const double t = 0.001 * i;
-    pose.lateral = 3e-3 * std::sin(7.0 * t);
-    pose.yaw = 5e-3 * std::sin(3.0 * t);
-    load.prescribed = i % 4 == 3 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
-    load.normal_force = 80e3 + 40e3 * std::sin(11.0 * t);
-    load.approach = 60e-6 + 61e-6 * std::sin(5.0 * t);  // now and then apart
-    creepage.longitudinal = 2e-3 * std::sin(13.0 * t);
-    creepage.lateral = 2e-3 * std::cos(17.0 * t);
-    creepage.spin = 0.6 * std::sin(19.0 * t);
-  }
-
-  void step(wrc_contact* contact) {
-    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-    failures += wrc_step(contact, &input, &output) < 0;
-  }
-
-  void stages(wrc_contact* contact) {
-    wrc_view view = made<wrc_view>(wrc_view_init);
-    failures += wrc_geometry(contact, &pose, &point) < 0;
-    failures += wrc_normal(contact, nullptr, &load, &patch) < 0;
-    failures += wrc_regularise(contact, nullptr, &patch) < 0;
-    failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
-    failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
-    wrc_creepage wrong = creepage;
-    wrong.spin = NAN;  // an error is reported without allocating either
-    char text[256];
-    failures += wrc_tangential(contact, nullptr, &wrong, &friction, &forces) != WRC_ERROR_NOT_FINITE;
-    failures += wrc_last_error(contact, text, sizeof text) < 0;
-  }
-};
 
 struct Choice {
   const char* name;
@@ -166,15 +100,15 @@ int main() {
           return 1;
         }
         const bool counts = heap_calls > before_create;  // the interposition itself works
-        Run run;
+        VariedRun run;
         // A method that takes most of a millisecond gets a tenth of the steps.
         const bool slow = tangential.value == WRC_TANGENTIAL_COARSE_HALFSPACE;
         const int steps = slow ? steps_per_combination / 10 : steps_per_combination;
         const long before = heap_calls;
         for (int i = 0; i < steps; ++i) {
-          run.vary(i);
+          run.vary(0.001 * i, i);
           if (i % 8 == 0) {
-            run.stages(contact);
+            run.stages(model, contact);
           } else {
             run.step(contact);
           }

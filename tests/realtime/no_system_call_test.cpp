@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +17,7 @@
 #include <cstring>
 #include <initializer_list>
 
+#include "realtime/varied_run.hpp"
 #include "wrc/wrc.h"
 
 namespace {
@@ -50,60 +50,17 @@ bool forbid_system_calls() {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
 }
 
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
-
-/// Steps, stages, refused input, saved and restored state, fields and messages; how many calls failed that
-/// should not have.
-int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
-  friction.zone_y = zone_y;
-  friction.zone_coefficient = zone_coefficient;
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-  wrc_view view = made<wrc_view>(wrc_view_init);
-  char text[256];
-  int failures = 0;
+/// How many calls failed that should not have.
+int use(const wrc_model* model, wrc_contact* contact, void* saved, std::uint64_t bytes) {
+  VariedRun run;
   for (int i = 0; i < 100; ++i) {
-    const double t = 0.1 * i;
-    pose.lateral = 4e-3 * std::sin(7.0 * t);
-    pose.yaw = 5e-3 * std::sin(3.0 * t);
-    load.prescribed = i % 4 == 3 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
-    load.normal_force = 80e3 + 40e3 * std::sin(11.0 * t);
-    load.approach = 60e-6 + 61e-6 * std::sin(5.0 * t);  // now and then apart
-    creepage.longitudinal = 2e-3 * std::sin(13.0 * t);
-    creepage.lateral = 2e-3 * std::cos(17.0 * t);
-    creepage.spin = 0.6 * std::sin(19.0 * t);
-    friction.kind = i % 3;
-    friction.zones = i % 3 == 2 ? 4 : 0;
-    friction.zone_frame = i % 2;
-    failures += wrc_contact_save(contact, saved, bytes) < 0;
-    failures += wrc_step(contact, &input, &output) < 0;
-    failures += wrc_contact_restore(contact, saved, bytes) < 0;
-    failures += wrc_geometry(contact, &pose, &point) < 0;
-    failures += wrc_normal(contact, nullptr, &load, &patch) < 0;
-    failures += wrc_regularise(contact, nullptr, &patch) < 0;
-    failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
-    failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
-    creepage.spin = NAN;
-    failures += wrc_step(contact, &input, &output) != WRC_ERROR_NOT_FINITE;
-    failures += wrc_last_error(contact, text, sizeof text) < 0;
+    run.vary(0.1 * i, i);
+    run.failures += wrc_contact_save(contact, saved, bytes) < 0;
+    run.step(contact);
+    run.failures += wrc_contact_restore(contact, saved, bytes) < 0;
+    run.stages(model, contact);
   }
-  return failures;
+  return run.failures;
 }
 
 enum class End { good, killed, cannot_filter, failed };
@@ -146,7 +103,8 @@ int main() {
     for (int32_t tangential :
          {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTSIM_EQE, WRC_TANGENTIAL_FASTSIM_EQL,
           WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_MODIFIED_FASTSIM,
-          WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC}) {
+          WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC,
+          WRC_TANGENTIAL_COARSE_HALFSPACE}) {
       wrc_config config = made<wrc_config>(wrc_config_init);
       config.normal_method = normal;
       config.tangential_method = tangential;
@@ -162,7 +120,7 @@ int main() {
         return 1;
       }
       auto* saved = new char[bytes]();
-      const End end = in_filtered_child([&] { return use(contact, saved, bytes); });
+      const End end = in_filtered_child([&] { return use(model, contact, saved, bytes); });
       ++(end == End::good ? passed : failed);
       if (end != End::good)
         std::printf("normal method %d, tangential method %d: %s\n", normal, tangential,

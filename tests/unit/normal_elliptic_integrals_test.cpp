@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "elementary.hpp"
 #include "normal/elliptic_integrals.hpp"
-#include "normal/logarithm.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {

@@ -26,7 +26,8 @@ class Solver {
     RollingContact contact;
     contact.region = region;
     contact.shear_modulus = c.shear_modulus;
-    contact.poisson = c.poisson;
+    const SdecTable table(c.poisson);
+    contact.linear_theory = &table;
     contact.grid = &grid_.get();
     contact.creepage = c.creepage;
     contact.friction = c.friction;

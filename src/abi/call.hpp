@@ -1,0 +1,22 @@
+/// How a stage of a contact is run, whichever file it lies in.
+#pragma once
+
+#include "abi/fp_environment.hpp"
+#include "abi/handles.hpp"
+#include "abi/structs.hpp"
+
+namespace wrc::abi {
+
+/// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
+/// wrc_last_error. `cleared` is what clearing the outputs came to: they are zeroed before the handle is
+/// looked at, so that a call without a contact leaves no old numbers behind either.
+template <typename Work>
+std::int32_t call(wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
+  if (!valid(handle)) return WRC_ERROR_NULL;
+  const FloatingPointScope scope;
+  Contact& contact = *handle->contact;
+  contact.last = cleared.failed() ? cleared : work(contact);
+  return contact.last.status;
+}
+
+}  // namespace wrc::abi

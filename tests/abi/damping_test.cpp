@@ -1,0 +1,174 @@
+/// Damping of the approach through the C interface: an impact loses what Hunt and Crossley's law says,
+/// nothing ever pulls, the static limit and older callers see no difference.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "reference_contact.hpp"
+
+namespace {
+
+class Damping : public ReferenceContact {
+ protected:
+  void SetUp() override {
+    ReferenceContact::SetUp();
+    load.prescribed = WRC_PRESCRIBE_APPROACH;
+    load.approach = 67e-6;
+  }
+};
+
+TEST_F(Damping, WithoutVelocityChangesNoBit) {
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const wrc_forces still = forces;
+  const wrc_patch still_patch = patch;
+  load.damping = 0.5;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  EXPECT_EQ(std::memcmp(&still, &forces, sizeof forces), 0);
+  EXPECT_EQ(std::memcmp(&still_patch, &patch, sizeof patch), 0);
+  EXPECT_EQ(patch.damping_force, 0.0);
+}
+
+TEST_F(Damping, ScalesForcePressureAndTheirConsequencesAlike) {
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const wrc_forces still = forces;
+  const wrc_patch still_patch = patch;
+  load.damping = 0.2;
+  load.approach_velocity = 0.5;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const double factor = 1.0 + 1.5 * 0.2 * 0.5;
+  EXPECT_NEAR(forces.fn, factor * still.fn, 1e-12 * forces.fn);
+  EXPECT_NEAR(patch.normal_force, forces.fn, 1e-12 * forces.fn);
+  EXPECT_NEAR(patch.damping_force, forces.fn - still.fn, 1e-9 * forces.fn);
+  EXPECT_NEAR(patch.peak_pressure, factor * still_patch.peak_pressure, 1e-12 * patch.peak_pressure);
+  EXPECT_NEAR(patch.stiffness, factor * still_patch.stiffness, 1e-12 * patch.stiffness);
+  EXPECT_EQ(patch.area, still_patch.area);
+  EXPECT_NEAR(forces.power, damage.power, 1e-9 * forces.power);
+
+  // At full sliding the creep force is friction times the whole force.
+  creepage.longitudinal = -0.5;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  EXPECT_NEAR(std::hypot(forces.fx, forces.fy), 0.35 * forces.fn, 2e-3 * forces.fn);
+}
+
+TEST_F(Damping, NeverPullsAndFadesToNothing) {
+  load.damping = 1.0;
+  double before = 1e9;
+  for (double velocity : {0.0, -0.3, -0.6, -0.666, -0.66666666}) {
+    load.approach_velocity = velocity;
+    EXPECT_GE(step(), WRC_OK) << error();
+    EXPECT_GT(forces.fn, 0.0);
+    EXPECT_LT(forces.fn, before);
+    EXPECT_LE(std::hypot(forces.fx, forces.fy), 0.35 * forces.fn * (1.0 + 1e-5));
+    before = forces.fn;
+  }
+  for (double velocity : {-2.0 / 3.0, -0.67, -20.0}) {
+    load.approach_velocity = velocity;
+    EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
+    EXPECT_EQ(forces.fn, 0.0);
+    EXPECT_EQ(forces.fx, 0.0);
+    EXPECT_EQ(patch.damping_force, 0.0);
+  }
+  load.approach_velocity = 20.0;
+  load.damping = 10.0;
+  EXPECT_GE(step(), WRC_OK) << error();
+  EXPECT_TRUE(std::isfinite(forces.fx));
+}
+
+TEST_F(Damping, LeavesAPrescribedLoadAlone) {
+  load.prescribed = WRC_PRESCRIBE_LOAD;
+  load.damping = 0.2;
+  load.approach_velocity = 0.5;
+  expect_works();
+  EXPECT_EQ(patch.damping_force, 0.0);
+}
+
+TEST_F(Damping, IsChecked) {
+  load.damping = -0.1;
+  expect_refused(WRC_ERROR_RANGE, {"load.damping = -0.1 s/m", "0 .. 10"});
+  load.damping = 1e5;
+  expect_refused(WRC_ERROR_RANGE, {"load.damping", "viscous"});
+  load.damping = nan_value;
+  expect_refused(WRC_ERROR_NOT_FINITE, {"load.damping"});
+  load.damping = 0.1;
+  load.approach_velocity = 300.0;
+  expect_refused(WRC_ERROR_RANGE, {"load.approach_velocity = 300 m/s", "mm/s"});
+  load.approach_velocity = infinity;
+  expect_refused(WRC_ERROR_NOT_FINITE, {"load.approach_velocity"});
+}
+
+/// A caller that knows load, patch and creepage as first published: what lies behind them is neither read nor
+/// written.
+TEST_F(Damping, HonoursOlderStructs) {
+  load.damping = nan_value;
+  load.approach_velocity = nan_value;
+  load.struct_size = offsetof(wrc_load, approach_velocity);
+  patch.damping_force = 4711.0;
+  patch.struct_size = offsetof(wrc_patch, damping_force);
+  ASSERT_EQ(step(), WRC_OK) << error();
+  EXPECT_GT(forces.fn, 0.0);
+  EXPECT_EQ(patch.damping_force, 4711.0);
+  EXPECT_EQ(patch.struct_size, offsetof(wrc_patch, damping_force));
+
+  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  motion.speed = 20.0;
+  motion.pitch_rate = -20.0 / 0.46;
+  creepage.approach_velocity = 4711.0;
+  creepage.struct_size = offsetof(wrc_creepage, approach_velocity);
+  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_OK) << error();
+  EXPECT_EQ(creepage.approach_velocity, 4711.0);
+}
+
+TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
+  pose.lateral = -5e-3;  // an inclined contact plane
+  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK) << error();
+  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  motion.vertical_velocity = 0.3;
+  motion.lateral_velocity = -0.2;
+  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_OK) << error();
+  EXPECT_NEAR(creepage.approach_velocity, 0.3 * std::cos(point.angle) + 0.2 * std::sin(point.angle), 1e-12);
+  EXPECT_EQ(creepage.longitudinal, 0.0);  // at standstill
+}
+
+/// A mass strikes the rail and rebounds: leapfrog, so that without damping the energy comes back.
+struct Rebound {
+  double restitution = 0.0, dissipated = 0.0, struck = 0.0, least_force = 0.0;
+};
+
+TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
+  constexpr double mass = 600.0, speed = 0.2, step_size = 2e-5;
+  const auto strike = [&](double damping) {
+    load.damping = damping;
+    Rebound rebound;
+    double approach = 0.0, velocity = speed;
+    for (int i = 0; i < 4000; ++i) {
+      load.approach = approach + 0.5 * step_size * velocity;
+      load.approach_velocity = velocity;
+      EXPECT_GE(wrc_normal(contact, nullptr, &load, &patch), WRC_OK) << error();
+      rebound.least_force = std::fmin(rebound.least_force, patch.normal_force);
+      const double before = velocity;
+      velocity -= step_size * patch.normal_force / mass;
+      approach = load.approach + 0.5 * step_size * velocity;
+      rebound.dissipated += step_size * patch.damping_force * 0.5 * (velocity + before);
+      if (approach < 0.0) break;
+    }
+    rebound.restitution = -velocity / speed;
+    rebound.struck = 0.5 * mass * (speed * speed - velocity * velocity);
+    return rebound;
+  };
+  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  const Rebound elastic = strike(0.0);
+  EXPECT_NEAR(elastic.restitution, 1.0, 2e-3);
+  for (double damping : {0.1, 0.25, 2.0}) {
+    const Rebound damped = strike(damping);
+    EXPECT_EQ(damped.least_force, 0.0);
+    EXPECT_GT(damped.dissipated, 0.0);
+    EXPECT_NEAR(damped.dissipated, damped.struck, 0.01 * 0.5 * mass * speed * speed);
+    // First order in damping * speed, for a force that grows with the power 3/2 of the approach.
+    const double x = damping * speed;
+    EXPECT_NEAR(damped.restitution, 1.0 - x, 0.003 + x * x);
+  }
+}
+
+}  // namespace

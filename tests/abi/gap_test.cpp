@@ -1,0 +1,147 @@
+/// Gaps no text book has, through the C interface and with every normal method: each gives a usable result,
+/// flagged where something is missing, or a named error; the contact works on afterwards.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference_contact.hpp"
+
+namespace {
+
+/// Rows of height(y) over -half .. half, element by element where there are columns.
+struct Rows {
+  std::vector<double> y, height, curvature, x, h;
+  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+
+  Rows(double half, uint32_t count, const std::function<double(double)>& profile) {
+    for (uint32_t j = 0; j < count; ++j) {
+      y.push_back(half * (2.0 * j / (count - 1) - 1.0));
+      height.push_back(profile(y.back()));
+      curvature.push_back(1.0 / 0.46);
+    }
+    gap.rows = count;
+    gap.y = y.data();
+    gap.height = height.data();
+    gap.curvature = curvature.data();
+  }
+  /// The same, element by element.
+  void sample(uint32_t columns, double length) {
+    for (uint32_t i = 0; i < columns; ++i) x.push_back(length * (2.0 * i / (columns - 1) - 1.0));
+    for (std::size_t j = 0; j < y.size(); ++j)
+      for (double at : x) h.push_back(height[j] + 0.5 * curvature[j] * at * at);
+    gap.columns = columns;
+    gap.x = x.data();
+    gap.h = h.data();
+    gap.row_stride = columns;
+  }
+};
+
+double parabola(double y) { return 0.5 * y * y / 0.3; }
+
+class Gap : public ReferenceContact, public testing::WithParamInterface<int32_t> {
+ protected:
+  void SetUp() override {
+    config.normal_method = GetParam();
+    ReferenceContact::SetUp();
+  }
+  int32_t solve(const Rows& rows) {
+    const wrc_input input = {sizeof input, 0, nullptr, &rows.gap, &load, &creepage, &friction};
+    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+    return wrc_step(contact, &input, &output);
+  }
+  /// A result a vehicle can go on with.
+  void expect_usable(const Rows& rows, int32_t status) {
+    EXPECT_EQ(solve(rows), status) << error();
+    EXPECT_NEAR(forces.fn, 80e3, 1.0);
+    EXPECT_GT(patch.area, 0.0);
+    EXPECT_LE(std::hypot(forces.fx, forces.fy), 0.35 * forces.fn * (1.0 + 1e-4));
+    EXPECT_TRUE(std::isfinite(forces.power) && std::isfinite(patch.stiffness) && std::isfinite(patch.psi));
+  }
+  void expect_refused_gap(const Rows& rows, int32_t status, const std::vector<std::string>& words) {
+    EXPECT_EQ(solve(rows), status) << error();
+    expect_words(error(), words);
+    expect_zeros();
+    expect_usable(Rows(0.02, 81, parabola), WRC_OK);
+  }
+};
+
+TEST_P(Gap, OffsetDoesNotCountNotEvenANegativeOne) {
+  expect_usable(Rows(0.02, 81, parabola), WRC_OK);
+  const wrc_forces as_given = forces;
+  for (double offset : {-5e-3, -1e-4, 2e-3}) {
+    expect_usable(Rows(0.02, 81, [&](double y) { return parabola(y) + offset; }), WRC_OK);
+    EXPECT_NEAR(forces.fx, as_given.fx, 1e-6 * std::fabs(as_given.fx));
+  }
+}
+
+TEST_P(Gap, NotConvexAcrossTheTrackIsSeveralPatchesOrTheDeepest) {
+  // Two hollows that touch 12 mm apart, at the same height: the bodies touch twice.
+  const Rows twice(0.02, 161, [](double y) { return 1.5 * std::pow(std::fabs(y) - 6e-3, 2); });
+  EXPECT_GE(solve(twice), WRC_OK) << error();
+  EXPECT_NEAR(forces.fn, 80e3, 1.0);
+  // Ripples of 10 um.
+  EXPECT_GE(solve(Rows(0.02, 161, [](double y) { return parabola(y) + 1e-5 * std::cos(4e3 * y); })), WRC_OK);
+  EXPECT_NEAR(forces.fn, 80e3, 1.0);
+  // A crest: it touches at both ends of what is given, so the patch ends there.
+  EXPECT_GE(solve(Rows(0.02, 81, [](double y) { return -parabola(y); })), WRC_OK) << error();
+  EXPECT_NEAR(forces.fn, 80e3, 1.0);
+}
+
+TEST_P(Gap, AtTheEdgeOfTheGivenRangeIsFlagged) {
+  expect_usable(Rows(0.02, 81, [](double y) { return 0.5 * std::pow(y - 0.02, 2) / 0.3; }),
+                WRC_FLAG_PATCH_AT_EDGE);
+}
+
+TEST_P(Gap, ConformalOverAWidthGivesAPatch) {
+  // A flange root that fits its rail over 10 mm: no lateral curvature at all there, then apart.
+  const Rows conformal(0.02, 161, [](double y) {
+    const double beyond = std::fmax(0.0, std::fabs(y) - 5e-3);
+    return 20.0 * beyond * beyond;
+  });
+  EXPECT_GE(solve(conformal), WRC_OK) << error();
+  EXPECT_NEAR(forces.fn, 80e3, 1.0);
+  EXPECT_GE(patch.width, 10e-3);
+}
+
+TEST_P(Gap, FlatAllAcrossIsFlaggedOrRefusedByName) {
+  const int32_t status = solve(Rows(0.02, 81, [](double) { return 0.0; }));
+  EXPECT_TRUE(status == WRC_FLAG_PATCH_AT_EDGE || status == WRC_ERROR_LOAD || status == WRC_ERROR_GAP)
+      << status << error();
+  EXPECT_NE(error(), "");
+  expect_usable(Rows(0.02, 81, parabola), WRC_OK);
+}
+
+TEST_P(Gap, RowsWithoutCurvatureOrHollowAreRefusedByRow) {
+  for (double curvature : {0.0, -1.0}) {
+    Rows rows(0.02, 81, parabola);
+    rows.curvature[40] = curvature;
+    expect_refused_gap(rows, WRC_ERROR_RANGE, {"gap.curvature[40]", "convex"});
+    Rows elements(0.02, 81, parabola);
+    elements.curvature[40] = curvature;
+    elements.sample(31, 0.02);
+    expect_refused_gap(elements, WRC_ERROR_GAP, {"gap.h row[40]", "convex"});
+  }
+}
+
+TEST_P(Gap, NumbersThatAreNoneAreRefusedByElement) {
+  for (double none : {nan_value, infinity}) {
+    Rows rows(0.02, 81, parabola);
+    rows.height[7] = none;
+    expect_refused_gap(rows, WRC_ERROR_NOT_FINITE, {"gap.height[7]"});
+    Rows elements(0.02, 81, parabola);
+    elements.sample(31, 0.02);
+    elements.h[12 * 31 + 3] = none;
+    expect_refused_gap(elements, WRC_ERROR_NOT_FINITE, {"gap.h[375]"});
+    elements.h[12 * 31 + 3] = 1e308;  // a number, but none to calculate with
+    EXPECT_NE(solve(elements), WRC_ERROR_INTERNAL);
+    EXPECT_TRUE(std::isfinite(forces.fx) && std::isfinite(patch.area));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Gap,
+                         testing::Range<int32_t>(WRC_NORMAL_HERTZ, WRC_NORMAL_STRIP_HALFSPACE + 1));
+
+}  // namespace

@@ -1,0 +1,118 @@
+/// Memory through the C interface: the caller's own, the caller's allocator, saved and restored state.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "reference_contact.hpp"
+
+namespace {
+
+using Memory = ReferenceContact;
+
+TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> storage(bytes + alignment);
+  auto* memory = reinterpret_cast<unsigned char*>(
+      (reinterpret_cast<std::uintptr_t>(storage.data()) + alignment - 1) / alignment * alignment);
+  wrc_model* own = nullptr;
+  EXPECT_EQ(wrc_model_init(&config, memory, bytes - 1, &own), WRC_ERROR_BUFFER);
+  EXPECT_EQ(own, nullptr);
+  EXPECT_EQ(wrc_model_init(&config, memory + 8, bytes, &own), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, nullptr, bytes, &own), WRC_ERROR_NULL);
+  ASSERT_EQ(wrc_model_init(&config, memory, bytes, &own), WRC_OK);
+
+  uint64_t contact_bytes = 0;
+  ASSERT_EQ(wrc_contact_size(own, &contact_bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> contact_storage(contact_bytes + alignment);
+  auto* contact_memory = reinterpret_cast<unsigned char*>(
+      (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
+  wrc_contact* own_contact = nullptr;
+  EXPECT_EQ(wrc_contact_init(own, contact_memory, contact_bytes - 1, &own_contact), WRC_ERROR_BUFFER);
+  EXPECT_EQ(own_contact, nullptr);
+  ASSERT_EQ(wrc_contact_init(own, contact_memory, contact_bytes, &own_contact), WRC_OK);
+  expect_works();
+  const wrc_forces expected = forces;
+  std::swap(contact, own_contact);
+  expect_works();
+  EXPECT_EQ(std::memcmp(&expected, &forces, sizeof forces), 0);
+  std::swap(contact, own_contact);
+  wrc_contact_destroy(own_contact);  // memory of the caller: nothing to release, and harmless
+  wrc_model_destroy(own);
+}
+
+struct Counter {
+  int live = 0, left = 1000;
+};
+void* counting_allocate(void* user, uint64_t bytes, uint64_t alignment) {
+  auto* counter = static_cast<Counter*>(user);
+  if (counter->left-- <= 0) return nullptr;
+  ++counter->live;
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void counting_release(void* user, void* memory) {
+  --static_cast<Counter*>(user)->live;
+  std::free(memory);
+}
+
+TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
+  wrc_allocator allocator = made<wrc_allocator>(wrc_allocator_init);
+  Counter counter;
+  allocator.user = &counter;
+  allocator.allocate = counting_allocate;
+  allocator.release = counting_release;
+  for (int allowed = 0; allowed <= 2; ++allowed) {
+    counter = {0, allowed};
+    wrc_model* own = nullptr;
+    wrc_contact* own_contact = nullptr;
+    EXPECT_EQ(wrc_model_create(&config, &allocator, &own), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
+    EXPECT_EQ(own != nullptr, allowed > 0);
+    if (own != nullptr) {
+      EXPECT_EQ(wrc_contact_create(own, &allocator, &own_contact), allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
+    }
+    wrc_contact_destroy(own_contact);
+    wrc_model_destroy(own);
+    EXPECT_EQ(counter.live, 0);
+  }
+  counter = {0, 1000};
+  config.poisson = 9.0;
+  wrc_model* own = nullptr;
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_RANGE);
+  EXPECT_EQ(counter.live, 0);
+  config.poisson = 0.25;
+  allocator.release = nullptr;
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_NULL);
+}
+
+TEST_F(Memory, SavedStateRestoresBitForBit) {
+  expect_works();
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+  std::vector<unsigned char> saved(bytes + 1);
+  ASSERT_EQ(wrc_contact_save(contact, saved.data() + 1, bytes), WRC_OK);  // any alignment
+  const wrc_forces before = forces;
+  pose.lateral = 2e-3;
+  creepage.spin = -0.7;
+  ASSERT_EQ(step(), WRC_OK);
+  EXPECT_NE(forces.fx, before.fx);
+  ASSERT_EQ(wrc_contact_restore(contact, saved.data() + 1, bytes), WRC_OK);
+  creepage.spin = 0.29;
+  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
+
+  wrc_contact* other = nullptr;  // relocatable: into another contact of the model
+  ASSERT_EQ(wrc_contact_create(model, nullptr, &other), WRC_OK);
+  ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
+  ASSERT_EQ(wrc_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
+  wrc_contact_destroy(other);
+
+  EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
+  std::vector<unsigned char> rubbish(bytes, 0x5a);
+  EXPECT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
+  expect_works();
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+/// S1002 on the benchmark UIC60 under 80 kN in the source paper's Case 2: a contact that works, for tests
+/// that break one thing at a time.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "made.hpp"
+#include "wrc/wrc.h"
+
+class ReferenceContact : public testing::Test {
+ protected:
+  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
+  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  void SetUp() override {
+    wheel.kind = WRC_PROFILE_S1002;
+    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.wheel = &wheel;
+    config.rail = &rail;
+    load.normal_force = 80e3;
+    creepage.longitudinal = -0.49e-3;
+    creepage.lateral = -0.22e-3;
+    creepage.spin = 0.29;
+    friction.coefficient = 0.35;
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
+  void TearDown() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+
+  int32_t step() {
+    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
+    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+    return wrc_step(contact, &input, &output);
+  }
+  std::string error() const {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return text;
+  }
+  /// The sentence holds all these words.
+  static void expect_words(const std::string& sentence, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+      EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
+  }
+  /// The step fails with this status and these words, and leaves zeros.
+  void expect_refused(int32_t status, const std::vector<std::string>& words) {
+    EXPECT_EQ(step(), status);
+    expect_words(error(), words);
+    expect_zeros();
+  }
+  void expect_zeros() const {
+    EXPECT_EQ(point.rolling_radius, 0.0);
+    EXPECT_EQ(forces.fx, 0.0);
+    EXPECT_EQ(forces.fn, 0.0);
+    EXPECT_EQ(patch.area, 0.0);
+    EXPECT_EQ(damage.power, 0.0);
+    EXPECT_EQ(forces.struct_size, sizeof forces);
+  }
+  void expect_works() {
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_GT(forces.power, 0.0);
+    EXPECT_NEAR(forces.fn, 80e3, 1.0);
+    EXPECT_EQ(error(), "");
+  }
+  /// The configuration is refused, with these words.
+  void expect_config_refused(int32_t status, const std::vector<std::string>& words) {
+    char text[256];
+    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
+    expect_words(text, words);
+    wrc_model* none = model;
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &none), status);
+    EXPECT_EQ(none, nullptr);
+  }
+};
