@@ -1,6 +1,8 @@
 /// Continuity and speed of the normal methods through the C interface, printed:
 ///     normal_report sweep [--rows FILE.csv]    lateral shift -6..+7 mm by 0.02 mm, yaw -20..20 mrad, 80 kN
-///     normal_report speed                      microseconds per solve of every method, 60 strips
+///     normal_report jumps                      the same sweep: what is left of every change as the step
+///     shrinks normal_report flange                     first touch leaping to the flange, against the exact
+///     solver normal_report speed                      microseconds per solve of every method, 60 strips
 ///     normal_report solves METHOD cold|warm N  N solves of one method and nothing else, for a profiler
 /// S1002 on the benchmark UIC60. The first two end with one line of JSON when --json is given.
 #include <algorithm>
@@ -15,6 +17,7 @@
 
 #include "made.hpp"
 #include "wrc/wrc.h"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -75,6 +78,27 @@ class Wheel {
       best = std::min(best, time.count());
     }
     return best;
+  }
+
+  wrc_contact* contact() const { return contact_; }
+
+  /// Box around all patches, contact frame [m].
+  struct Extent {
+    double x_from = 1.0, x_to = -1.0, y_from = 1.0, y_to = -1.0;
+  };
+  Extent extent() const {
+    Extent box;
+    for (int32_t k = 0; k < patch.patches; ++k) {
+      const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+                     half = field(WRC_FIELD_STRIP_HALF, k), centre = field(WRC_FIELD_STRIP_CENTRE, k);
+      for (uint64_t j = 0; j < y.count[0]; ++j) {
+        box.x_from = std::min(box.x_from, centre.data[j] - half.data[j]);
+        box.x_to = std::max(box.x_to, centre.data[j] + half.data[j]);
+        box.y_from = std::min(box.y_from, y.data[j] - 0.5 * width.data[j]);
+        box.y_to = std::max(box.y_to, y.data[j] + 0.5 * width.data[j]);
+      }
+    }
+    return box;
   }
 
   /// Lateral centre of pressure, track frame: the contact frame jumps with the point of first touch [m].
@@ -199,6 +223,115 @@ int sweep(bool json, const char* rows_path) {
   return failed == 0 ? 0 : 1;
 }
 
+// ------------------------------------------------------------------------------------------------- jumps
+
+/// What is left of the change between two poses when the interval is halved towards the larger change again
+/// and again: nothing but rounding for what is continuous, however steep, and the whole of a jump.
+int jumps() {
+  constexpr double step = 0.02e-3;
+  constexpr int halvings = 12;
+  struct Tracked {
+    const char* name;
+    const char* unit;
+    double Solved::*value;
+    double scale;
+    double threshold;  ///< changes below this over a step are not looked into, in the unit printed
+    std::vector<Jump> found;
+  };
+  Tracked tracked[] = {{"patch centre", "mm", &Solved::centre, 1e3, 0.1, {}},
+                       {"total area", "mm2", &Solved::area, 1e6, 1.0, {}},
+                       {"approach", "um", &Solved::approach, 1e6, 1.0, {}},
+                       {"peak pressure", "MPa", &Solved::peak, 1e-6, 20.0, {}}};
+  Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false);
+  const auto at = [&](double lateral, double yaw) {
+    wheel.place(lateral, yaw);
+    wheel.solve();
+    const wrc_patch& p = wheel.patch;
+    return Solved{lateral,    p.normal_force,  wheel.centre(),    p.area,
+                  p.approach, p.peak_pressure, wheel.point.angle, p.patches};
+  };
+  int leaps = 0;
+  for (int mrad = -20; mrad <= 20; mrad += 5) {
+    const double yaw = 1e-3 * mrad;
+    Solved before = at(-6e-3, yaw);
+    for (int i = -299; i <= 350; ++i) {
+      const Solved here = at(step * i, yaw);
+      for (Tracked& t : tracked) {
+        Solved low = before, high = here;
+        const auto change = [&](const Solved& from, const Solved& to) {
+          return std::fabs(to.*t.value - from.*t.value) * t.scale;
+        };
+        if (change(low, high) < t.threshold) continue;
+        for (int n = 0; n < halvings; ++n) {
+          const Solved middle = at(0.5 * (low.lateral + high.lateral), yaw);
+          (change(low, middle) > change(middle, high) ? high : low) = middle;
+        }
+        if (std::fabs(high.angle - low.angle) > turned) {
+          ++leaps;  // another contact plane: the load along its normal is another load
+          continue;
+        }
+        t.found.push_back({change(low, high), low.lateral, yaw});
+      }
+      before = here;
+    }
+  }
+  std::printf(
+      "strip_halfspace, %.0f kN, lateral -6..+7 mm by 0.02 mm, yaw -20..20 mrad by 5 mrad\n"
+      "changes over a step that are still there over %.0f nm; %d of another contact plane left out\n",
+      1e-3 * load_of_all, 1e9 * step / (1 << halvings), leaps);
+  std::printf("%-14s %-4s %10s %10s %10s  %s\n", "", "", "looked at", "95th pct", "largest", "where");
+  for (Tracked& t : tracked) {
+    std::sort(t.found.begin(), t.found.end(), [](const Jump& a, const Jump& b) { return a.size < b.size; });
+    if (t.found.empty()) continue;
+    const Jump& most = t.found.back();
+    std::printf("%-14s %-4s %10zu %10.3g %10.3g  %+5.2f mm %+3.0f mrad\n", t.name, t.unit, t.found.size(),
+                t.found[t.found.size() * 95 / 100].size, most.size, 1e3 * most.lateral, 1e3 * most.yaw);
+  }
+  return 0;
+}
+
+// ------------------------------------------------------------------------------------------------ flange
+
+/// The strips against the exact half-space solver of the same gap, where first touch moves to the flange.
+int flange() {
+  std::printf(
+      "strip_halfspace against the exact solver on the same gap, %.0f kN; errors in %%\n"
+      "%8s %6s %8s %9s %9s %9s | %9s %9s %9s\n",
+      1e-3 * load_of_all, "lateral", "yaw", "patches", "approach", "area", "peak", "approach", "area",
+      "peak");
+  Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false);
+  for (double yaw : {0.0, 0.010})
+    for (double lateral = 6.0e-3;
+         lateral<7.01e-3; lateral += lateral> 6.45e-3 && lateral < 6.75e-3 ? 0.05e-3 : 0.1e-3) {
+      wheel.place(lateral, yaw);
+      wheel.solve();
+      const Wheel::Extent extent = wheel.extent();
+      constexpr double margin = 1e-3;
+      wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+      grid.nx = 160;
+      grid.ny = 320;
+      grid.dx = (extent.x_to - extent.x_from + 2.0 * margin) / grid.nx;
+      grid.dy = (extent.y_to - extent.y_from + 2.0 * margin) / grid.ny;
+      grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
+      grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
+      std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny);
+      wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+      wrc_exact_normal_solution exact = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+      problem.normal_force = wheel.patch.normal_force;
+      problem.grid = &grid;
+      problem.gap = gap.data();
+      if (wrc_exact_gap(wheel.contact(), &grid, gap.data()) < 0 ||
+          wrc_exact_normal(&problem, &exact, nullptr, 0) < 0)
+        return 1;
+      const wrc_patch& p = wheel.patch;
+      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f | %+9.2f %+9.2f %+9.2f\n", 1e3 * lateral, 1e3 * yaw,
+                  p.patches, 1e6 * p.approach, 1e6 * p.area, 1e-6 * p.peak_pressure,
+                  100.0 * (p.approach / exact.approach - 1.0), 100.0 * (p.area / exact.area - 1.0),
+                  100.0 * (p.peak_pressure / exact.peak_pressure - 1.0));
+    }
+  return 0;
+}
+
 // ------------------------------------------------------------------------------------------------- speed
 
 double quantile(std::vector<double> values, double share) {
@@ -271,11 +404,14 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[i], "--rows") == 0 && i + 1 < argc) rows = argv[i + 1];
   }
   if (what == "sweep") return sweep(json, rows);
+  if (what == "jumps") return jumps();
+  if (what == "flange") return flange();
   if (what == "speed") return speed(json);
   if (what == "solves" && argc > 4)
     return solves(argv[2], std::strcmp(argv[3], "warm") == 0, std::atoi(argv[4]));
   std::fprintf(
       stderr,
-      "usage: normal_report sweep [--rows FILE] [--json] | speed [--json] | solves METHOD cold|warm N\n");
+      "usage: normal_report sweep [--rows FILE] [--json] | jumps | flange | speed [--json] | solves METHOD "
+      "cold|warm N\n");
   return 2;
 }
