@@ -4,15 +4,8 @@
 
 #include <cstdint>
 
+#include "made.hpp"
 #include "wrc/wrc.h"
-
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
 
 /// Names of the methods, in the order of their enumerations in wrc.h.
 inline constexpr const char* normal_names[] = {"hertz",   "kik_piotrowski", "ekp", "ekp_ellipse", "analyn",
