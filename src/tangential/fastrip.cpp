@@ -128,14 +128,15 @@ void roll_strip(const RollingContact& contact, const StripSolution& strip, std::
     // Carter: slip grows like sqrt((u_s - u) v) from the border of the stick zone, as that part of the cell
     // sees it which slips.
     const double part = std::clamp(slip_cells - (ahead - 1.0), 0.0, 1.0);
-    const double behind = slip_cells - (ahead - 1.0 + 0.5 * part),
-                 before = cells - (ahead - 1.0 + 0.5 * part);
-    const double form =
-        slips_as_a_whole ? 1.0 : 2.0 * std::sqrt(std::max(0.0, behind * before)) / (behind + before);
-    const Creepage& creep = contact.creepage;
-    const double along =
-        -((creep.longitudinal - creep.spin * y) * ex + (creep.lateral + creep.spin * x) * ey);
-    const double slip = part > 0.0 ? std::max(0.0, along) * form * part : 0.0;
+    double slip = 0.0;
+    if (part > 0.0) {
+      const double u = ahead - 1.0 + 0.5 * part, behind = slip_cells - u, before = cells - u;
+      const double form = slips_as_a_whole ? 1.0 : 2.0 * std::sqrt(behind * before) / (behind + before);
+      const Creepage& creep = contact.creepage;
+      const double along =
+          -((creep.longitudinal - creep.spin * y) * ex + (creep.lateral + creep.spin * x) * ey);
+      slip = std::max(0.0, along) * form * part;
+    }
     fields.slip_x[at] = -slip * ex;
     fields.slip_y[at] = -slip * ey;
 
