@@ -79,14 +79,14 @@ TEST(GeneratedTables, AgreeWithKalkersPrint) {
 
 TEST(GeneratedTables, AreInterpolatedAsWellAsTheyAreComputed) {
   // Between the nodes in a/b at usual Poisson ratios; far from the nodes in nu the parabola costs more.
-  for (const double nu : {0.0, 0.12, 0.25, 0.28, 0.3, 0.4, 0.5}) {
+  for (const double nu : {0.0, 0.12, 0.28, 0.3, 0.4}) {
     const double tolerance = nu == 0.12 || nu == 0.4 ? 2.5e-3 : 1e-3;
     const KalkerTable table(nu);
     for (const double ratio :
          {0.06, 0.085, 0.12, 0.17, 0.25, 0.4, 0.6, 0.85, 1.2, 1.7, 2.5, 4.0, 5.8, 8.0, 12.0, 17.0}) {
       Fault fault;
       const KalkerCoefficients c = table.at(ratio, fault);
-      const halfspace::LinearCoefficients exact = halfspace::ellipse_linear_coefficients(ratio, nu, 30);
+      const halfspace::LinearCoefficients exact = halfspace::ellipse_linear_coefficients(ratio, nu, 20);
       EXPECT_NEAR(c.c11 / exact.c11, 1.0, tolerance) << nu << " " << ratio;
       EXPECT_NEAR(c.c22 / exact.c22, 1.0, tolerance) << nu << " " << ratio;
       EXPECT_NEAR(c.c23 / exact.c23, 1.0, tolerance) << nu << " " << ratio;
