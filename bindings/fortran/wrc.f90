@@ -21,7 +21,7 @@ module wrc
   integer(c_int32_t), parameter :: WRC_REGULARISE_KEEP_WIDTH = 0, WRC_REGULARISE_KEEP_RATIO = 1
   integer(c_int32_t), parameter :: WRC_TANGENTIAL_FASTSIM = 0, WRC_TANGENTIAL_FASTSIM_EQE = 1, &
                                    WRC_TANGENTIAL_FASTSIM_EQL = 2, WRC_TANGENTIAL_FASTSIM_SDEC = 3, &
-                                   WRC_TANGENTIAL_STRIP_FASTSIM = 4
+                                   WRC_TANGENTIAL_STRIP_FASTSIM = 4, WRC_TANGENTIAL_TABLE = 5
   integer(c_int32_t), parameter :: WRC_BOUND_PARABOLIC = 0, WRC_BOUND_ELLIPTIC = 1
   integer(c_int32_t), parameter :: WRC_PRESCRIBE_LOAD = 0, WRC_PRESCRIBE_APPROACH = 1
 

@@ -13,6 +13,7 @@
 #include "normal/strip_halfspace.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
+#include "tangential/force_table.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
 
@@ -20,7 +21,7 @@ namespace wrc {
 
 /// The methods a model can be made of, one per stage.
 enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
-enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec, strip_fastsim };
+enum class TangentialMethod { fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec, strip_fastsim, table };
 
 /// Where a profile comes from: a standard shape or points of the caller.
 struct ProfileSource {
@@ -48,11 +49,13 @@ struct ModelOptions {
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
+  const char* force_table = nullptr;  ///< file, with TangentialMethod::table
+  ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table
 };
 
 /// The options, and the profiles as placed; its arrays follow it in the same block of memory.
 struct Model {
-  ModelOptions options;  ///< profile sources cleared: the model keeps no pointer of the caller
+  ModelOptions options;  ///< profile sources and file name cleared: no pointer of the caller is kept
   bool has_geometry = false;
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
@@ -61,14 +64,15 @@ struct Model {
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
   SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
   MarchGrid march_grid;                       ///< along each strip
+  ForceTable force_table;                     ///< with TangentialMethod::table
   ArrayLayout layout;                         ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
 std::size_t model_bytes(const ModelOptions& options);
 
-/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles; everything else in the options has
-/// been checked by the caller.
+/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles and reads the force table;
+/// everything else in the options has been checked by the caller.
 Fault make_model(const ModelOptions& options, void* memory, Model*& model);
 
 }  // namespace wrc

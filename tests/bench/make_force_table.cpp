@@ -1,8 +1,8 @@
 // Generates the book of tables (tangential/force_table.hpp) from the exact half-space solver:
 //     wrc_make_force_table FILE [threads]
 // Each shape, a pair (a/b, psi), is appended to FILE.progress when it is solved; a run that was interrupted
-// goes on from there, and progress is told on stderr. 33 shapes, about 3000 creepages each, each solved on two
-// grids and extrapolated to cells of no size: an hour and a half of one core... see docs/accuracy.md.
+// goes on from there, and progress is told on stderr. 33 shapes, about 3000 creepages each, each solved on
+// two grids and extrapolated to cells of no size: an hour and a half of one core... see docs/accuracy.md.
 
 #include <Eigen/LU>
 #include <atomic>
@@ -79,8 +79,8 @@ class ShapeSolver {
     shape.at(elevation, azimuth, 0) = linear(unit);
     for (int i = 1; i < last; ++i) {
       const double t = node_saturation(axes, i), r = axes.half_saturation * t / (1.0 - t);
-      shape.at(elevation, azimuth, i) = partial(
-          {r * unit.longitudinal, r * unit.lateral, r * unit.spin}, t, unfinished);
+      shape.at(elevation, azimuth, i) =
+          partial({r * unit.longitudinal, r * unit.lateral, r * unit.spin}, t, unfinished);
     }
     shape.at(elevation, azimuth, last) = full_slip(unit);
   }
@@ -101,7 +101,8 @@ class ShapeSolver {
   Values partial(const Creepage& creepage, double t, int& unfinished) {
     const auto on = [&](halfspace::RollingSolver& solver) {
       halfspace::RollingProblem problem;
-      problem.pressure = halfspace::sdec_pressure(patch_, peak_, solver.grid(), halfspace::CellPressure::mean);
+      problem.pressure =
+          halfspace::sdec_pressure(patch_, peak_, solver.grid(), halfspace::CellPressure::mean);
       problem.friction = {1.0};
       problem.creepage = at_joint(creepage);
       problem.tolerance = 1e-3;
@@ -131,8 +132,8 @@ class ShapeSolver {
         const double half_length = patch_.a * std::cos(v);
         for (int i = 0; i < n; ++i) {
           const double u = pi * ((i + 0.5) / n - 0.5), x = half_length * std::sin(u);
-          const double load = peak_ * std::cos(v) * std::cos(u) *                       // pressure
-                              half_length * std::cos(u) * width * std::cos(v) *         // dx dy
+          const double load = peak_ * std::cos(v) * std::cos(u) *                // pressure
+                              half_length * std::cos(u) * width * std::cos(v) *  // dx dy
                               pi / n * 0.5 * pi / n;
           const double wx = c.longitudinal - c.spin * y, wy = c.lateral + c.spin * x;
           const double w = std::hypot(wx, wy);
@@ -231,8 +232,9 @@ class Progress {
     const double minutes =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() / 60.0;
     const int total = static_cast<int>(shapes_.size());
-    std::fprintf(stderr, "%d of %d shapes, %.0f min, about %.0f min left, %d solutions at the iteration cap\n",
-                 done_, total, minutes, minutes * (total - done_) / added_, unfinished_);
+    std::fprintf(stderr,
+                 "%d of %d shapes, %.0f min, about %.0f min left, %d solutions at the iteration cap\n", done_,
+                 total, minutes, minutes * (total - done_) / added_, unfinished_);
   }
 
   const std::vector<Values>& shape(int ratio, int shape_number) const {
