@@ -21,6 +21,7 @@ constexpr Variant variants[] = {
     {"fastsim_eqe/elliptic", WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_ELLIPTIC},
     {"fastsim/parabolic", WRC_TANGENTIAL_FASTSIM, WRC_BOUND_PARABOLIC},
     {"fastsim/elliptic", WRC_TANGENTIAL_FASTSIM, WRC_BOUND_ELLIPTIC},
+    {"table", WRC_TANGENTIAL_TABLE, WRC_BOUND_PARABOLIC},
 };
 
 }  // namespace
@@ -42,6 +43,7 @@ Report compare_sdec(const Csv& file) {
       wrc_config config = standard;
       config.tangential_method = variant.method;
       config.traction_bound = variant.bound;
+      config.force_table = WRC_FORCE_TABLE;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
       const Solver solver(config);

@@ -61,6 +61,7 @@ struct Run {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  int32_t field = WRC_FIELD_TRACTION_X;
   int failures = 0;
 
   void vary(int i) {
@@ -88,7 +89,7 @@ struct Run {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
+    if (forces.fn > 0.0) failures += wrc_field(contact, 0, field, &view) < 0;
     wrc_creepage wrong = creepage;
     wrong.spin = NAN;  // an error is reported without allocating either
     char text[256];
@@ -112,7 +113,8 @@ constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
                                   {"fastsim_eqe", WRC_TANGENTIAL_FASTSIM_EQE},
                                   {"fastsim_eql", WRC_TANGENTIAL_FASTSIM_EQL},
                                   {"fastsim_sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
-                                  {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM}};
+                                  {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM},
+                                  {"table", WRC_TANGENTIAL_TABLE}};
 
 }  // namespace
 
@@ -133,6 +135,7 @@ int main() {
         config.normal_method = normal.value;
         config.tangential_method = tangential.value;
         config.traction_bound = bound;
+        config.force_table = WRC_FORCE_TABLE;
         config.strips = 32;
         config.cells = 32;
         config.gap_rows = 128;
@@ -148,6 +151,8 @@ int main() {
         }
         const bool counts = heap_calls > before_create;  // the interposition itself works
         Run run;
+        if (tangential.value == WRC_TANGENTIAL_TABLE)
+          run.field = WRC_FIELD_STRIP_PEAK;  // it has no tractions
         const long before = heap_calls;
         for (int i = 0; i < steps_per_combination; ++i) {
           run.vary(i);

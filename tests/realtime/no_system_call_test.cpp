@@ -59,7 +59,7 @@ Struct made(int32_t (*init)(Struct*)) {
 
 /// Steps, stages, refused input, saved and restored state, fields and messages; how many calls failed that
 /// should not have.
-int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
+int use(wrc_contact* contact, std::int32_t field, void* saved, std::uint64_t bytes) {
   wrc_pose pose = made<wrc_pose>(wrc_pose_init);
   wrc_load load = made<wrc_load>(wrc_load_init);
   wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
@@ -91,7 +91,7 @@ int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
-    if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
+    if (forces.fn > 0.0) failures += wrc_field(contact, 0, field, &view) < 0;
     creepage.spin = NAN;
     failures += wrc_step(contact, &input, &output) != WRC_ERROR_NOT_FINITE;
     failures += wrc_last_error(contact, text, sizeof text) < 0;
@@ -136,11 +136,11 @@ int main() {
   wheel.kind = WRC_PROFILE_S1002;
   rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   for (int32_t normal = WRC_NORMAL_HERTZ; normal <= WRC_NORMAL_STRIP_HALFSPACE; ++normal) {
-    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_FASTSIM_SDEC;
-         ++tangential) {
+    for (int32_t tangential = WRC_TANGENTIAL_FASTSIM; tangential <= WRC_TANGENTIAL_TABLE; ++tangential) {
       wrc_config config = made<wrc_config>(wrc_config_init);
       config.normal_method = normal;
       config.tangential_method = tangential;
+      config.force_table = WRC_FORCE_TABLE;
       config.wheel = &wheel;
       config.rail = &rail;
       wrc_model* model = nullptr;
@@ -153,7 +153,9 @@ int main() {
         return 1;
       }
       auto* saved = new char[bytes]();
-      const End end = in_filtered_child([&] { return use(contact, saved, bytes); });
+      const std::int32_t field =
+          tangential == WRC_TANGENTIAL_TABLE ? WRC_FIELD_STRIP_PEAK : WRC_FIELD_TRACTION_X;
+      const End end = in_filtered_child([&] { return use(contact, field, saved, bytes); });
       ++(end == End::good ? passed : failed);
       if (end != End::good)
         std::printf("normal method %d, tangential method %d: %s\n", normal, tangential,
