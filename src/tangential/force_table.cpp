@@ -39,9 +39,8 @@ double quadrant_angle(double x, double y) {
   const double quarter = half / (1.0 + std::sqrt(1.0 + half * half));
   const double z = quarter * quarter;
   const double series =
-      1.0 +
-      z * (-1.0 / 3.0 +
-           z * (1.0 / 5.0 + z * (-1.0 / 7.0 + z * (1.0 / 9.0 + z * (-1.0 / 11.0 + z * (1.0 / 13.0))))));
+      1.0 + z * (-1.0 / 3.0 +
+                 z * (1.0 / 5.0 + z * (-1.0 / 7.0 + z * (1.0 / 9.0 + z * (-1.0 / 11.0 + z * (1.0 / 13.0))))));
   return 4.0 * quarter * series;
 }
 
@@ -64,6 +63,11 @@ Row row_at(const ForceTableAxes& axes, std::int32_t elevation) {
   return {elevation, 0, 1.0};
 }
 
+/// Azimuth -n to 2 n - 1, brought to 0 to n - 1.
+std::int32_t wrapped(std::int32_t azimuth, std::int32_t n) {
+  return azimuth < 0 ? azimuth + n : azimuth < n ? azimuth : azimuth - n;
+}
+
 using Values = std::array<double, force_table_values>;
 
 /// Where to read: spin >= 0 in the direction.
@@ -84,39 +88,43 @@ Values interpolate(const ForceTable& table, const Place& at) {
   const Stencil around = stencil(azimuth * (0.5 / pi) * n, 0, n);
   const Stencil along = open_stencil(at.saturation * (axes.saturations - 1), axes.saturations);
 
-  const auto stride_t = static_cast<std::ptrdiff_t>(force_table_values);
-  const std::ptrdiff_t stride_azimuth = stride_t * axes.saturations;
+  // Neighbours in saturation and shape lie side by side, so that a patch touches few cache lines.
+  const std::ptrdiff_t stride_saturation = std::ptrdiff_t{force_table_values} * axes.shapes;
+  const std::ptrdiff_t stride_ratio = stride_saturation * axes.saturations;
+  const std::ptrdiff_t stride_azimuth = stride_ratio * axes.ratios;
   const std::ptrdiff_t stride_elevation = stride_azimuth * n;
-  const std::ptrdiff_t stride_shape = stride_elevation * axes.elevations;
-  const std::ptrdiff_t stride_ratio = stride_shape * axes.shapes;
   const float* const corner = table.coefficients + at.ratio.first * stride_ratio +
-                              at.shape.first * stride_shape + along.first * stride_t;
+                              along.first * stride_saturation + at.shape.first * force_table_values;
 
-  constexpr int width = 3 * force_table_values;  // of three neighbouring saturations
-  std::array<double, width> sum{};
+  constexpr int width = 3 * force_table_values;    // of three neighbouring shapes
+  std::array<std::array<double, width>, 3> sum{};  // of three neighbouring saturations
   for (int i = 0; i < 3; ++i) {
     const Row row = row_at(axes, up.first + i);
-    std::array<double, width> row_sum{};
+    std::array<std::array<double, width>, 3> row_sum{};
     for (int j = 0; j < 3; ++j) {
-      const std::int32_t column = (around.first + j + row.turn + n) % n;
-      const float* const here = corner + row.elevation * stride_elevation + column * stride_azimuth;
+      const float* const here = corner + row.elevation * stride_elevation +
+                                wrapped(around.first + j + row.turn, n) * stride_azimuth;
       for (int k = 0; k < 3; ++k) {
+        const double weight = around.weight[j] * at.ratio.weight[k];
         for (int l = 0; l < 3; ++l) {
-          const float* const node = here + k * stride_ratio + l * stride_shape;
-          const double weight = around.weight[j] * at.ratio.weight[k] * at.shape.weight[l];
-          for (int m = 0; m < width; ++m) row_sum[m] += weight * static_cast<double>(node[m]);
+          const float* const nodes = here + k * stride_ratio + l * stride_saturation;
+          for (int m = 0; m < width; ++m) row_sum[l][m] += weight * static_cast<double>(nodes[m]);
         }
       }
     }
-    for (int m = 0; m < width; ++m) {
-      const bool odd = m % force_table_values != force_table_values - 1;  // adhesion has no sign
-      sum[m] += up.weight[i] * (odd ? row.sign : 1.0) * row_sum[m];
+    for (int l = 0; l < 3; ++l) {
+      for (int m = 0; m < width; ++m) {
+        const bool odd = m % force_table_values != force_table_values - 1;  // adhesion has no sign
+        sum[l][m] += up.weight[i] * (odd ? row.sign : 1.0) * row_sum[l][m];
+      }
     }
   }
   Values values{};
-  for (int k = 0; k < 3; ++k) {
-    for (int m = 0; m < force_table_values; ++m)
-      values[m] += along.weight[k] * sum[k * force_table_values + m];
+  for (int l = 0; l < 3; ++l) {
+    for (int k = 0; k < 3; ++k) {
+      const double weight = along.weight[l] * at.shape.weight[k];
+      for (int m = 0; m < force_table_values; ++m) values[m] += weight * sum[l][k * force_table_values + m];
+    }
   }
   return values;
 }
@@ -133,12 +141,9 @@ CreepageScale weighted(const std::array<CreepageScale, force_table_nodes>& nodes
 }
 
 void flag(const char* field, double value, double low, double high, Fault& fault) {
-  worsen(fault, {.status = WRC_FLAG_TABLE_RANGE,
-                 .field = field,
-                 .value = value,
-                 .unit = "",
-                 .low = low,
-                 .high = high});
+  worsen(
+      fault,
+      {.status = WRC_FLAG_TABLE_RANGE, .field = field, .value = value, .unit = "", .low = low, .high = high});
 }
 
 }  // namespace
@@ -229,8 +234,8 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
   forces.fx = within * values[0];
   forces.fy = within * values[1] * mirror;
   forces.mz = sign * t * limit * c * values[2] * mirror - centre * forces.fx;
-  forces.power_per_speed = std::max(0.0, -(forces.fx * creepage.longitudinal + forces.fy * creepage.lateral +
-                                           forces.mz * creepage.spin));
+  forces.power_per_speed = std::max(
+      0.0, -(forces.fx * creepage.longitudinal + forces.fy * creepage.lateral + forces.mz * creepage.spin));
   forces.adhesion_fraction = std::clamp(values[3], 0.0, 1.0);
   return forces;
 }

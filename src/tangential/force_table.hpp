@@ -72,7 +72,7 @@ inline double pressure_centre(const Sdec& patch) { return 0.75 * patch.psi * pat
 /// A table as a model holds it.
 struct ForceTable {
   ForceTableAxes axes;
-  /// Spline coefficients, value fastest, then saturation, azimuth, elevation, shape, ratio.
+  /// Spline coefficients, value fastest, then shape, saturation, ratio, azimuth, elevation.
   const float* coefficients = nullptr;
   /// C11, C22 and C23 of the model's Poisson ratio over those of the table's, at the nodes of a/b.
   std::array<CreepageScale, force_table_nodes> stiffness{};

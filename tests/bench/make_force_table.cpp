@@ -376,9 +376,15 @@ std::vector<float> coefficients(const Progress& progress) {
     }
   }
   std::vector<float> all;
-  for (Shape& shape : shapes) {
-    for (const Values& node : shape.all()) {
-      for (const double value : node.v) all.push_back(static_cast<float>(value));
+  for (int e = 0; e < axes.elevations; ++e) {
+    for (int k = 0; k < axes.azimuths; ++k) {
+      for (int i = 0; i < axes.ratios; ++i) {
+        for (int t = 0; t < axes.saturations; ++t) {
+          for (int j = 0; j < axes.shapes; ++j) {
+            for (const double value : shape_at(i, j).at(e, k, t).v) all.push_back(static_cast<float>(value));
+          }
+        }
+      }
     }
   }
   return all;
