@@ -96,35 +96,31 @@ Values interpolate(const ForceTable& table, const Place& at) {
   const float* const corner = table.coefficients + at.ratio.first * stride_ratio +
                               along.first * stride_saturation + at.shape.first * force_table_values;
 
-  constexpr int width = 3 * force_table_values;    // of three neighbouring shapes
-  std::array<std::array<double, width>, 3> sum{};  // of three neighbouring saturations
+  constexpr int width = 3 * force_table_values;  // of three neighbouring shapes
+  std::array<double, width> sum{};
   for (int i = 0; i < 3; ++i) {
     const Row row = row_at(axes, up.first + i);
-    std::array<std::array<double, width>, 3> row_sum{};
+    std::array<double, width> row_sum{};
     for (int j = 0; j < 3; ++j) {
       const float* const here = corner + row.elevation * stride_elevation +
                                 wrapped(around.first + j + row.turn, n) * stride_azimuth;
       for (int k = 0; k < 3; ++k) {
-        const double weight = around.weight[j] * at.ratio.weight[k];
         for (int l = 0; l < 3; ++l) {
           const float* const nodes = here + k * stride_ratio + l * stride_saturation;
-          for (int m = 0; m < width; ++m) row_sum[l][m] += weight * static_cast<double>(nodes[m]);
+          const double weight = around.weight[j] * at.ratio.weight[k] * along.weight[l];
+          for (int m = 0; m < width; ++m) row_sum[m] += weight * static_cast<double>(nodes[m]);
         }
       }
     }
-    for (int l = 0; l < 3; ++l) {
-      for (int m = 0; m < width; ++m) {
-        const bool odd = m % force_table_values != force_table_values - 1;  // adhesion has no sign
-        sum[l][m] += up.weight[i] * (odd ? row.sign : 1.0) * row_sum[l][m];
-      }
+    for (int m = 0; m < width; ++m) {
+      const bool odd = m % force_table_values != force_table_values - 1;  // adhesion has no sign
+      sum[m] += up.weight[i] * (odd ? row.sign : 1.0) * row_sum[m];
     }
   }
   Values values{};
-  for (int l = 0; l < 3; ++l) {
-    for (int k = 0; k < 3; ++k) {
-      const double weight = along.weight[l] * at.shape.weight[k];
-      for (int m = 0; m < force_table_values; ++m) values[m] += weight * sum[l][k * force_table_values + m];
-    }
+  for (int k = 0; k < 3; ++k) {
+    for (int m = 0; m < force_table_values; ++m)
+      values[m] += at.shape.weight[k] * sum[k * force_table_values + m];
   }
   return values;
 }
