@@ -99,7 +99,8 @@ Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coef
     return unusable("the checksum is wrong: the file was damaged on its way");
   }
   const auto usable = [](float value) { return std::isfinite(value) && std::abs(value) < 1e4F; };
-  if (!std::all_of(coefficients, coefficients + size, usable)) return unusable("the table has absurd numbers");
+  if (!std::all_of(coefficients, coefficients + size, usable))
+    return unusable("the table has absurd numbers");
   return {};
 }
 
