@@ -24,7 +24,8 @@ struct Stencil {
 /// At `place`, in nodes from the first one and not negative. About the nearest node, not before `lowest` and
 /// not after `highest`.
 Stencil stencil(double place, std::int32_t lowest, std::int32_t highest) {
-  const std::int32_t middle = std::clamp(static_cast<std::int32_t>(place + 0.5), lowest, highest);
+  const std::int32_t nearest = (static_cast<std::int32_t>(2.0 * place) + 1) / 2;
+  const std::int32_t middle = std::clamp(nearest, lowest, highest);
   const double u = place - middle;
   return {middle - 1, {0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)}};
 }
@@ -127,8 +128,8 @@ Values interpolate(const ForceTable& table, const Place& at) {
 
 CreepageScale weighted(const std::array<CreepageScale, force_table_nodes>& nodes, const Stencil& stencil) {
   CreepageScale sum;
-  for (int k = 0; k < 3; ++k) {
-    const CreepageScale& node = nodes[static_cast<std::size_t>(stencil.first + k)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const CreepageScale& node = nodes[static_cast<std::size_t>(stencil.first) + k];
     sum.longitudinal += stencil.weight[k] * node.longitudinal;
     sum.lateral += stencil.weight[k] * node.lateral;
     sum.spin += stencil.weight[k] * node.spin;

@@ -296,7 +296,7 @@ class TemporaryFile {
               testing::UnitTest::GetInstance()->current_test_info()->name() + ".bin") {
     std::FILE* file = std::fopen(path_.c_str(), "wb");
     if (file == nullptr) throw std::runtime_error("cannot write " + path_);
-    std::fwrite(bytes.data(), 1, bytes.size(), file);
+    if (!bytes.empty()) std::fwrite(bytes.data(), 1, bytes.size(), file);
     std::fclose(file);
   }
   ~TemporaryFile() { std::remove(path_.c_str()); }
