@@ -125,6 +125,8 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_FASTSIM_SDEC = 3, /**< actual patch, four flexibilities of the equivalent double ellipse */
   WRC_TANGENTIAL_STRIP_FASTSIM = 4, /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; its bound
                                          is friction * pressure, config.traction_bound is not used */
+  WRC_TANGENTIAL_TABLE = 5,            /**< total forces from config.force_table, a book of exact solutions for double
+                                            ellipses: no tractions, no slip, and nothing that is made of them */
   WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, /**< FASTSIM_EQL with the slope falling as slip grows (friction.slope_limit,
                                             slope_fall); Spiryagin, Polach, Cole, VSD 51 (2013) */
   WRC_TANGENTIAL_FASTRIP = 7,          /**< FaStrip, VSD 54 (2016): strip theory where it sticks, FASTSIM's directions
@@ -261,7 +263,8 @@ typedef struct wrc_config {
   const wrc_profile* rail;     /**< see wheel [NULL] */
   int32_t flexibility;         /**< enum wrc_flexibility [separate] */
   int32_t instruction_set;     /**< enum wrc_instruction_set [best]; one this processor lacks is WRC_ERROR_UNSUPPORTED */
-  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE [NULL] */
+  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE: share/wrc/force_table.bin of
+                                  the installed library; read when the model is made, never after [NULL] */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. */
@@ -420,14 +423,14 @@ typedef struct wrc_damage {
   uint32_t struct_size;       /**< sizeof this struct */
   uint32_t reserved;          /**< 0 */
   double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
-  double peak_power_density;  /**< [W/m^2] */
+  double peak_power_density;  /**< [W/m^2]; 0, not available, with WRC_TANGENTIAL_TABLE */
   double t_gamma;             /**< power / speed: energy dissipated per metre rolled, spin included [N] */
   double t_gamma_no_spin;     /**< |Fx nu_x + Fy nu_y|: the other definition in use [N] */
   double utilisation;         /**< mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
   double load_factor;         /**< p0 / k: ordinate of the shakedown map [-] */
   double shakedown_limit;     /**< of load_factor at mu_a, line contact [-]; ratcheting above */
   double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
-  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-] */
+  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; -1e30 with WRC_TANGENTIAL_TABLE */
 } wrc_damage;
 
 /** Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
@@ -732,7 +735,7 @@ WRC_API int32_t wrc_damage_numbers(wrc_contact* contact, wrc_damage* damage);
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential before),
- * _NOT_FINITE, _RANGE. @rt hard @thread contact */
+ * _NOT_FINITE, _RANGE, _UNSUPPORTED (WRC_TANGENTIAL_TABLE: no tractions to wear by). @rt hard @thread contact */
 WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
 /** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
@@ -786,7 +789,8 @@ WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
- * _UNSUPPORTED (no such field). @rt hard @thread contact */
+ * _UNSUPPORTED (no such field; tractions, slip and what is made of them with WRC_TANGENTIAL_TABLE).
+ * @rt hard @thread contact */
 WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */

@@ -2,6 +2,7 @@
 
 #include "abi/structs.hpp"
 #include "contact/contact.hpp"
+#include "tangential/force_table_file.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -135,6 +136,9 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     case WRC_TANGENTIAL_COARSE_HALFSPACE:
       options.tangential_method = TangentialMethod::coarse_halfspace;
       break;
+    case WRC_TANGENTIAL_TABLE:
+      options.tangential_method = TangentialMethod::table;
+      break;
     default:
       return unsupported("config.tangential_method", config.tangential_method,
                          "see enum wrc_tangential_method");
@@ -169,6 +173,17 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
       return unsupported("config.traction_bound", config.traction_bound, "see enum wrc_traction_bound");
   }
   return {};
+}
+
+/// The header of the force table tells how much memory the model needs.
+Fault read_table(const wrc_config& config, ModelOptions& options) {
+  if (config.force_table == nullptr) {
+    return {.status = WRC_ERROR_NULL,
+            .field = "config.force_table",
+            .cause = "WRC_TANGENTIAL_TABLE needs the file of the book of tables"};
+  }
+  options.force_table = config.force_table;
+  return read_force_table_axes(config.force_table, options.force_table_axes);
 }
 
 }  // namespace
@@ -224,6 +239,10 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   options.track.gauge_depth = config.gauge_depth;
   options.track.rail_inclination = config.rail_inclination;
 
+  if (options.tangential_method == TangentialMethod::table) {
+    fault = read_table(config, options);
+    if (fault.failed()) return fault;
+  }
   if (config.wheel == nullptr && config.rail == nullptr) return {};  // the host hands over gaps
   fault = read_profile(config.wheel, "config.wheel", options.wheel);
   if (fault.failed()) return fault;

@@ -355,6 +355,12 @@ struct Field {
   std::int32_t cells = 0, elements = 0;  ///< cells == 0: one value per strip or row
 };
 
+/// Fields of the tangential stage and what is made of them; the strips and the gap come from the normal
+/// stage.
+bool needs_tractions(std::int32_t id) {
+  return id <= WRC_FIELD_FATIGUE_INDEX || id == WRC_FIELD_STRIP_POWER || id == WRC_FIELD_STRIP_WEAR;
+}
+
 Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
   static constexpr Array cell_fields[] = {Array::cell_x,        Array::pressure,     Array::traction_x,
                                           Array::traction_y,    Array::slip_x,       Array::slip_y,
@@ -371,7 +377,7 @@ Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
     return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0, contact.gap_rows};
   }
   if (patch == nullptr || !contact.touching) return {};
-  const bool rolled = contact.reached >= Stage::tangential;
+  const bool rolled = contact.reached >= Stage::tangential && gives_fields(contact);
   const bool assessed = contact.reached >= Stage::damage;
   if (id == WRC_FIELD_STRIP_POWER) {
     if (!assessed) return {};
@@ -569,6 +575,7 @@ int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_v
   if (cleared.failed()) return cleared.status;
   if (field < 0 || field > WRC_FIELD_STRIP_FRICTION) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
+  if (!gives_fields(contact) && abi::needs_tractions(field)) return WRC_ERROR_UNSUPPORTED;
   const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;
   const bool of_patch = !of_gap && contact.patches > 0;
   if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;

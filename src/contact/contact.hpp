@@ -34,7 +34,7 @@ struct DamageNumbers {
   double load_factor = 0.0;          ///< p0 / k [-]
   double shakedown_limit = 0.0;      ///< of p0 / k at mu_a [-]
   double fatigue_index = 0.0;        ///< [-]
-  double local_fatigue_index = 0.0;  ///< largest of the cells [-]
+  double local_fatigue_index = 0.0;  ///< largest of the cells, no_fatigue_index without cells [-]
 };
 
 /// The wear laws in one place, each with its own parameters.
@@ -129,6 +129,9 @@ Strips region_strips(Contact& contact, const Patch& patch);
 /// The block of a cell array that belongs to one patch: element (cell i, strip j) at i * patch.region_count +
 /// j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
+
+/// Does the tangential method give tractions and slip of every cell? The book of tables does not.
+bool gives_fields(const Contact& contact);
 
 /// Stages. Each returns what went wrong and leaves the contact usable.
 Fault find_gap(Contact& contact, const Pose& pose);

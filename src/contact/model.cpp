@@ -8,6 +8,7 @@
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
 #include "tangential/coarse_halfspace.hpp"
+#include "tangential/force_table_file.hpp"
 
 namespace wrc {
 namespace {
@@ -90,6 +91,11 @@ std::size_t kernel_bytes(const ModelOptions& options) {
   return options.normal_method == NormalMethod::strip_halfspace ? sizeof(StripKernel) : 0;
 }
 
+/// The table of forces, for the models that use one; a multiple of what doubles are aligned to.
+std::size_t table_bytes(const ModelOptions& options) {
+  return sizeof(float) * force_table_size(options.force_table_axes);
+}
+
 /// A fault of a profile, under the name the caller knows it by.
 Fault named(Fault fault, const char* name) {
   if (fault.failed() && fault.field == nullptr) fault.field = name;
@@ -102,7 +108,7 @@ std::size_t model_bytes(const ModelOptions& options) {
   // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
   const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
   const std::size_t given = std::max(wheel + scratch_size(options.wheel), rail + scratch_size(options.rail));
-  return sizeof(Model) + kernel_bytes(options) +
+  return sizeof(Model) + kernel_bytes(options) + table_bytes(options) +
          sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
 }
 
@@ -111,6 +117,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options = options;
   model->options.wheel = {};
   model->options.rail = {};
+  model->options.force_table = nullptr;
   if (kernel_bytes(options) > 0) {
     model->options.sizes.normal_workspace_bytes = strip_halfspace_workspace(options.sizes.strips);
   }
@@ -126,7 +133,16 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     tabulate(*kernel);
     model->strip_kernel = kernel;
   }
-  auto* arrays = reinterpret_cast<double*>(behind + kernel_bytes(options));
+  behind += kernel_bytes(options);
+  if (table_bytes(options) > 0) {
+    auto* coefficients = reinterpret_cast<float*>(behind);
+    const Fault fault = read_force_table(options.force_table, options.force_table_axes, coefficients);
+    if (fault.failed()) return fault;
+    model->force_table.axes = options.force_table_axes;
+    model->force_table.coefficients = coefficients;
+    adapt_to_poisson(options.material.poisson, model->force_table);
+  }
+  auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays);
   arrays += march_grid_size(options.sizes.cells);
 

@@ -13,6 +13,7 @@
 #include "normal/strip_halfspace.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
+#include "tangential/force_table.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
 #include "tangential/rolling_contact.hpp"
@@ -31,7 +32,8 @@ enum class TangentialMethod {
   fastrip,
   fastrip_modified,
   fastrip_sdec,
-  coarse_halfspace
+  coarse_halfspace,
+  table
 };
 
 /// Where a profile comes from: a standard shape or points of the caller.
@@ -61,11 +63,13 @@ struct ModelOptions {
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
+  const char* force_table = nullptr;  ///< file, with TangentialMethod::table
+  ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table
 };
 
 /// The options, and the profiles as placed; its arrays follow it in the same block of memory.
 struct Model {
-  ModelOptions options;  ///< profile sources cleared: the model keeps no pointer of the caller
+  ModelOptions options;  ///< profile sources and file name cleared: no pointer of the caller is kept
   bool has_geometry = false;
   Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
   Rail rail;
@@ -74,14 +78,15 @@ struct Model {
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
   SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
   MarchGrid march_grid;                       ///< along each strip
+  ForceTable force_table;                     ///< with TangentialMethod::table
   ArrayLayout layout;                         ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
 std::size_t model_bytes(const ModelOptions& options);
 
-/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles; everything else in the options has
-/// been checked by the caller.
+/// Makes a model in `memory` (model_bytes, aligned). Checks the profiles and reads the force table;
+/// everything else in the options has been checked by the caller.
 Fault make_model(const ModelOptions& options, void* memory, Model*& model);
 
 }  // namespace wrc

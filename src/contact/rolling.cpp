@@ -11,6 +11,7 @@
 #include "tangential/fastsim_eqe.hpp"
 #include "tangential/fastsim_eql.hpp"
 #include "tangential/fastsim_sdec.hpp"
+#include "tangential/force_table.hpp"
 #include "tangential/modified_fastsim.hpp"
 #include "tangential/strip_fastsim.hpp"
 
@@ -65,6 +66,15 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
+/// The variants refer everything to the patch's initial contact point, which is not the origin of the contact
+/// frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and M_z comes back
+/// by - y_contact F_x.
+Creepage creepage_at_patch(const Contact& contact, const Patch& patch) {
+  Creepage creepage = contact.creepage;
+  creepage.longitudinal -= creepage.spin * patch.y_contact;
+  return creepage;
+}
+
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin) {
   const ModelOptions& options = contact.model->options;
@@ -80,9 +90,32 @@ StripFriction strip_friction(Contact& contact, const Patch& patch, const Frictio
                   sliding, array(contact, Array::strip_friction) + patch.region_first);
 }
 
-/// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of
-/// the contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and
-/// M_z comes back by - y_contact F_x.
+/// Makes of the method's strips, whose y is counted from `origin`, what callers see: y in the contact frame
+/// and each strip's coefficient of friction.
+void show_region(Contact& contact, const Patch& patch, double origin) {
+  Strips region = region_strips(contact, patch);
+  double* const friction_of_strip = array(contact, Array::strip_friction) + patch.region_first;
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    friction_of_strip[j] *= patch.friction;
+    region.y[j] += origin;
+  }
+}
+
+/// One patch by the book of tables.
+Fault look_up(Contact& contact, Patch& patch, const Friction& friction) {
+  const Model& model = *contact.model;
+  prepare_region(contact, patch, TangentialMethod::table);
+  patch.friction = strip_friction(contact, patch, friction, patch.y_contact).mean;
+  Fault fault;
+  patch.forces = table_forces(model.force_table, patch.sdec, patch.extent.normal_force,
+                              model.options.material.shear_modulus * friction.slope_reduction, patch.friction,
+                              creepage_at_patch(contact, patch), fault);
+  patch.forces.mz -= patch.y_contact * patch.forces.fx;
+  show_region(contact, patch, patch.y_contact);
+  return fault;
+}
+
+/// One patch by a method that has tractions.
 Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
@@ -95,8 +128,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
-  rolling.creepage = contact.creepage;
-  rolling.creepage.longitudinal -= contact.creepage.spin * patch.y_contact;
+  rolling.creepage = creepage_at_patch(contact, patch);
   const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
   rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre);
   rolling.bound = model.options.traction_bound;
@@ -135,6 +167,8 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
     case TangentialMethod::coarse_halfspace:
       patch.forces = coarse_halfspace(rolling, array(contact, Array::tangential_workspace), fields, fault);
       break;
+    case TangentialMethod::table:
+      break;  // look_up()
   }
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
@@ -142,10 +176,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
 
   patch.friction = rolling.friction.mean;
-  Strips region = region_strips(contact, patch);
-  double* const friction_of_strip = array(contact, Array::strip_friction) + patch.region_first;
-  for (std::int32_t j = 0; j < region.count; ++j) friction_of_strip[j] *= patch.friction;
-  for (std::int32_t j = 0; j < region.count; ++j) region.y[j] += patch.y_contact + centre;
+  show_region(contact, patch, patch.y_contact + centre);
   fill_cells(contact, patch);
   return fault;
 }
@@ -167,7 +198,31 @@ TangentialForces sum_of_patches(const Contact& contact) {
   return sum;
 }
 
+/// Power per area and per width and the local fatigue index of one patch, added to the numbers of the
+/// contact.
+void assess_cells(Contact& contact, const Patch& patch, DamageNumbers& damage) {
+  const ModelOptions& options = contact.model->options;
+  const std::int32_t cells = options.sizes.cells;
+  const Strips region = region_strips(contact, patch);
+  const TangentialFields fields = cell_fields(contact, patch);
+  double* density = cell_block(contact, Array::power_density, patch);
+  double* per_width = array(contact, Array::strip_power) + patch.region_first;
+  double* local_index = cell_block(contact, Array::fatigue_index, patch);
+  frictional_power_density(fields, region.count, cells, contact.speed, density);
+  frictional_power_per_width(density, region, cells, per_width);
+  local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
+  damage.power += frictional_power(per_width, region);
+  const double densest = *std::max_element(density, density + cells * region.count);
+  damage.peak_power_density = std::max(damage.peak_power_density, densest);
+  const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
+  damage.local_fatigue_index = std::max(damage.local_fatigue_index, worst_cell);
+}
+
 }  // namespace
+
+bool gives_fields(const Contact& contact) {
+  return contact.model->options.tangential_method != TangentialMethod::table;
+}
 
 Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed) {
   if (contact.reached < Stage::patch) {
@@ -192,7 +247,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   double limit = 0.0, load = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    worsen(fault, roll(contact, patch, friction));
+    worsen(fault, gives_fields(contact) ? roll(contact, patch, friction) : look_up(contact, patch, friction));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
   }
@@ -208,23 +263,16 @@ Fault assess_damage(Contact& contact) {
   contact.reached = Stage::damage;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const ModelOptions& options = contact.model->options;
-  const std::int32_t cells = options.sizes.cells;
   DamageNumbers& damage = contact.damage;
   damage = {};
+  damage.local_fatigue_index = no_fatigue_index;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
-    const Strips region = region_strips(contact, patch);
-    const TangentialFields fields = cell_fields(contact, patch);
-    double* density = cell_block(contact, Array::power_density, patch);
-    double* per_width = array(contact, Array::strip_power) + patch.region_first;
-    double* local_index = cell_block(contact, Array::fatigue_index, patch);
-    frictional_power_density(fields, region.count, cells, contact.speed, density);
-    frictional_power_per_width(density, region, cells, per_width);
-    local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
-    damage.power += frictional_power(per_width, region);
-    const double densest = *std::max_element(density, density + cells * region.count);
-    damage.peak_power_density = std::max(damage.peak_power_density, densest);
-    const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
+    if (gives_fields(contact)) {
+      assess_cells(contact, patch, damage);
+    } else {
+      damage.power += patch.forces.power_per_speed * contact.speed;
+    }
 
     // Variants that spread the load over the equivalent ellipse have that ellipse's peak pressure.
     const bool on_ellipse = works_on_ellipse(options.tangential_method);
@@ -234,7 +282,6 @@ Fault assess_damage(Contact& contact) {
     const ShakedownPoint point =
         shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
     const double index = fatigue_index(point);
-    if (k == 0 || worst_cell > damage.local_fatigue_index) damage.local_fatigue_index = worst_cell;
     if (k == 0 || index > damage.fatigue_index) {  // the patch nearest to damage speaks for the contact
       damage.fatigue_index = index;
       damage.utilisation = point.utilised_friction;
@@ -251,6 +298,11 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
   wear = {};
   if (contact.reached < Stage::tangential) {
     return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+  }
+  if (!gives_fields(contact)) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.tangential_method",
+            .cause = "WRC_TANGENTIAL_TABLE has no tractions to wear by: choose another, or use T-gamma"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const ModelOptions& options = contact.model->options;

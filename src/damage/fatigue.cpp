@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace wrc {
-namespace {
-
-/// What an index falls to where next to nothing presses: finite, and below any index of a contact.
-constexpr double unloaded = -1e30;
-
-}  // namespace
 
 ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_force, double peak_pressure,
                                double shear_yield) {
@@ -19,8 +13,9 @@ ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_for
 }
 
 double fatigue_index(const ShakedownPoint& point) {
-  return point.load_factor > 0.0 ? std::max(unloaded, point.utilised_friction - 1.0 / point.load_factor)
-                                 : unloaded;
+  return point.load_factor > 0.0
+             ? std::max(no_fatigue_index, point.utilised_friction - 1.0 / point.load_factor)
+             : no_fatigue_index;
 }
 
 void local_fatigue_index(const TangentialFields& fields, const Strips& strips, std::int32_t cells,
@@ -32,8 +27,9 @@ void local_fatigue_index(const TangentialFields& fields, const Strips& strips, s
       const std::int32_t at = i * strips.count + j;
       const double px = fields.traction_x[at], py = fields.traction_y[at];
       const double pressure = strips.peak[j] * shape;
-      index[at] = pressure > 0.0 ? std::max(unloaded, (std::sqrt(px * px + py * py) - shear_yield) / pressure)
-                                 : unloaded;
+      index[at] = pressure > 0.0
+                      ? std::max(no_fatigue_index, (std::sqrt(px * px + py * py) - shear_yield) / pressure)
+                      : no_fatigue_index;
     }
   }
 }

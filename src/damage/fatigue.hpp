@@ -12,6 +12,10 @@
 
 namespace wrc {
 
+/// What an index is where next to nothing presses, or where there are no tractions: finite, and below any
+/// index of a contact.
+inline constexpr double no_fatigue_index = -1e30;
+
 struct ShakedownPoint {
   double utilised_friction = 0.0;  ///< mu_a = sqrt(Fx^2 + Fy^2) / N [-]
   double load_factor = 0.0;        ///< p0 / k [-]
@@ -22,7 +26,7 @@ ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_for
                                double shear_yield);
 
 /// FI = mu_a - k / p0 (Ekberg, Kabo, Andersson 2002; Liu, Bruni 2024, eq. 11); positive: fatigue is
-/// predicted. -infinity is avoided by returning -1e30 for an unloaded contact.
+/// predicted. no_fatigue_index for an unloaded contact.
 double fatigue_index(const ShakedownPoint& point);
 
 /// Local index (sqrt(p_x^2 + p_y^2) - k) / p_n of every cell (Liu, Bruni 2024, eq. 12), p_n the pressure at

@@ -25,6 +25,7 @@ std::vector<Variant> every_variant() {
   std::vector<Variant> all = {
       {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
       {"coarse_halfspace", WRC_TANGENTIAL_COARSE_HALFSPACE, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
+      {"table", WRC_TANGENTIAL_TABLE, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
       {"fastrip_sdec", WRC_TANGENTIAL_FASTRIP_SDEC, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
       {"fastrip_modified", WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
       {"fastrip", WRC_TANGENTIAL_FASTRIP, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
@@ -66,6 +67,7 @@ Report compare_sdec(const Csv& file) {
       config.tangential_method = variant.method;
       config.traction_bound = variant.bound;
       config.flexibility = variant.flexibility;
+      config.force_table = WRC_FORCE_TABLE;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
       const Solver solver(config);

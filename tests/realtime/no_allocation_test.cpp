@@ -63,7 +63,8 @@ constexpr Choice tangentials[] = {{"fastsim", WRC_TANGENTIAL_FASTSIM},
                                   {"fastrip", WRC_TANGENTIAL_FASTRIP},
                                   {"fastrip_modified", WRC_TANGENTIAL_FASTRIP_MODIFIED},
                                   {"fastrip_sdec", WRC_TANGENTIAL_FASTRIP_SDEC},
-                                  {"coarse_halfspace", WRC_TANGENTIAL_COARSE_HALFSPACE}};
+                                  {"coarse_halfspace", WRC_TANGENTIAL_COARSE_HALFSPACE},
+                                  {"table", WRC_TANGENTIAL_TABLE}};
 
 }  // namespace
 
@@ -86,6 +87,7 @@ int main() {
         config.traction_bound = bound;
         config.flexibility =
             bound == WRC_BOUND_PARABOLIC ? WRC_FLEXIBILITY_SEPARATE : WRC_FLEXIBILITY_BLENDED;
+        config.force_table = WRC_FORCE_TABLE;
         config.strips = 32;
         config.cells = 32;
         config.gap_rows = 128;
@@ -101,6 +103,7 @@ int main() {
         }
         const bool counts = heap_calls > before_create;  // the interposition itself works
         VariedRun run;
+        run.fields = tangential.value != WRC_TANGENTIAL_TABLE;
         // A method that takes most of a millisecond gets a tenth of the steps.
         const bool slow = tangential.value == WRC_TANGENTIAL_COARSE_HALFSPACE;
         const int steps = slow ? steps_per_combination / 10 : steps_per_combination;

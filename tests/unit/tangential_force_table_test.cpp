@@ -1,0 +1,481 @@
+/// The book of tables: limits that are known, symmetries, smoothness, the solver it was made from, its file.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "halfspace/pressure.hpp"
+#include "halfspace/tangential.hpp"
+#include "linear_theory/sdec.hpp"
+#include "patch/material.hpp"
+#include "tangential/force_table_file.hpp"
+#include "wrc/wrc.h"
+
+namespace {
+
+using namespace wrc;
+
+constexpr double G = 80e9, N = 60e3, mu = 0.3;
+constexpr Sdec patch{5e-3, 4e-3, 0.4};
+
+/// The table that ships, read once.
+class Book {
+ public:
+  Book() {
+    EXPECT_EQ(read_force_table_axes(WRC_FORCE_TABLE, table.axes).status, WRC_OK);
+    coefficients_.resize(force_table_size(table.axes));
+    EXPECT_EQ(read_force_table(WRC_FORCE_TABLE, table.axes, coefficients_.data()).status, WRC_OK);
+    table.coefficients = coefficients_.data();
+    adapt_to_poisson(table.axes.poisson, table);
+  }
+  ForceTable table;
+
+ private:
+  std::vector<float> coefficients_;
+};
+Book& book() {
+  static Book the_book;
+  return the_book;
+}
+
+TangentialForces forces(const Sdec& sdec, const Creepage& creepage, Fault* fault = nullptr) {
+  Fault unused;
+  return table_forces(book().table, sdec, N, G, mu, creepage, fault ? *fault : unused);
+}
+TangentialForces forces(const Creepage& creepage) { return forces(patch, creepage); }
+
+/// Creepage whose force by linear theory is about `share` of the friction limit.
+double creepage_unit(double share) { return share * mu * N / (4.0 * G * patch.a * patch.b); }
+
+double length(const TangentialForces& f) { return std::sqrt(f.fx * f.fx + f.fy * f.fy); }
+
+TEST(ForceTable, SmallCreepagesFollowLinearTheory) {
+  const double c = std::sqrt(patch.a * patch.b), tiny = creepage_unit(1e-6);
+  for (const double ratio : {0.2, 1.0, 4.0}) {
+    for (const double psi : {-0.6, 0.0, 0.3}) {
+      const Sdec sdec{c * std::sqrt(ratio), c / std::sqrt(ratio), psi};
+      Fault fault;
+      const SdecCoefficients k = SdecTable(book().table.axes.poisson).at(ratio, psi, fault);
+      const TangentialForces x = forces(sdec, {tiny, 0.0, 0.0}), y = forces(sdec, {0.0, tiny, 0.0}),
+                             spin = forces(sdec, {0.0, 0.0, tiny / c});
+      const double unit = -G * c * c * tiny;
+      // Kalker's table has three digits; the table's own face 0.5 % at most for these shapes.
+      EXPECT_NEAR(x.fx / unit, k.c11, 0.015 * k.c11) << ratio << " " << psi;
+      EXPECT_NEAR(y.fy / unit, k.c22, 0.015 * k.c22) << ratio << " " << psi;
+      EXPECT_NEAR(spin.fy / unit, k.c23, 0.02 * k.c22) << ratio << " " << psi;
+      EXPECT_NEAR(spin.fx / unit, k.c13, 0.02 * k.c11) << ratio << " " << psi;
+      // Maxwell's reciprocity: the moment of a creepage is the force of spin (for nu_y with its sign
+      // changed).
+      EXPECT_NEAR(x.mz / (unit * c), k.c13, 0.03 * k.c11) << ratio << " " << psi;
+      EXPECT_NEAR(y.mz / (unit * c), -k.c23, 0.03 * k.c22) << ratio << " " << psi;
+      EXPECT_NEAR(x.adhesion_fraction, 1.0, 1e-3);
+    }
+  }
+}
+
+TEST(ForceTable, LargeCreepagesSlideWithCoulombFriction) {
+  const double large = creepage_unit(1e6);
+  for (const double angle : {0.0, 0.5, 1.9, 3.0, 4.4}) {
+    const double cx = std::cos(angle), cy = std::sin(angle);
+    const TangentialForces f = forces({large * cx, large * cy, 0.0});
+    EXPECT_NEAR(f.fx / (mu * N), -cx, 3e-3);
+    EXPECT_NEAR(f.fy / (mu * N), -cy, 3e-3);
+    // The resultant goes through the centre of pressure.
+    EXPECT_NEAR(f.mz, -pressure_centre(patch) * f.fx, 3e-3 * mu * N * patch.a);
+    EXPECT_NEAR(f.power_per_speed / (mu * N * large), 1.0, 3e-3);
+    EXPECT_NEAR(f.adhesion_fraction, 0.0, 1e-3);
+  }
+}
+
+TEST(ForceTable, LargeSpinOfACircleHasTheMomentOfDrillingFriction) {
+  // Integral of mu p r over a circle with p = p0 sqrt(1 - r^2 / a^2): (3 pi / 16) mu N a.
+  const double a = 5e-3;
+  const TangentialForces f = forces({a, a, 0.0}, {0.0, 0.0, creepage_unit(1e7) / a});
+  EXPECT_NEAR(f.mz / (mu * N * a), -3.0 * pi / 16.0, 2e-3);
+  EXPECT_NEAR(length(f) / (mu * N), 0.0, 3e-3);
+}
+
+TEST(ForceTable, NoCreepageNoForce) {
+  const TangentialForces f = forces({0.0, 0.0, 0.0});
+  EXPECT_EQ(f.fx, 0.0);
+  EXPECT_EQ(f.fy, 0.0);
+  EXPECT_EQ(f.mz, 0.0);
+  EXPECT_EQ(f.power_per_speed, 0.0);
+  EXPECT_EQ(f.adhesion_fraction, 1.0);
+}
+
+/// Random creepages of all sizes and shapes within and beyond the table.
+struct Draw {
+  Sdec sdec;
+  Creepage creepage;
+};
+Draw draw(std::mt19937& random) {
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+  };
+  const double level = creepage_unit(std::pow(10.0, uniform(-2.0, 2.0))), c = 4.5e-3;
+  const double root = std::pow(10.0, uniform(-0.6, 0.6));
+  return {{c * root, c / root, uniform(-0.9, 0.9)},
+          {level * uniform(-1.0, 1.0), level * uniform(-1.0, 1.0), level / c * uniform(-1.0, 1.0)}};
+}
+
+TEST(ForceTable, ChangesSignWithTheCreepagesAndMirrorsWithThePatch) {
+  std::mt19937 random(1);
+  for (int k = 0; k < 200; ++k) {
+    const auto [sdec, c] = draw(random);
+    const TangentialForces f = forces(sdec, c), back = forces(sdec, {-c.longitudinal, -c.lateral, -c.spin}),
+                           mirror =
+                               forces({sdec.a, sdec.b, -sdec.psi}, {c.longitudinal, -c.lateral, -c.spin});
+    EXPECT_EQ(back.fx, -f.fx);
+    EXPECT_EQ(back.fy, -f.fy);
+    EXPECT_EQ(back.mz, -f.mz);
+    EXPECT_EQ(mirror.fx, f.fx);
+    EXPECT_EQ(mirror.fy, -f.fy);
+    EXPECT_EQ(mirror.mz, -f.mz);
+    EXPECT_EQ(back.power_per_speed, f.power_per_speed);
+    EXPECT_EQ(mirror.adhesion_fraction, f.adhesion_fraction);
+  }
+}
+
+TEST(ForceTable, StaysWithinFrictionAndDissipates) {
+  std::mt19937 random(2);
+  for (int k = 0; k < 5000; ++k) {
+    const auto [sdec, c] = draw(random);
+    const TangentialForces f = forces(sdec, c);
+    EXPECT_LE(length(f), mu * N * (1.0 + 1e-12));
+    EXPECT_TRUE(std::isfinite(f.mz));
+    const double work = -(f.fx * c.longitudinal + f.fy * c.lateral + f.mz * c.spin);
+    EXPECT_GE(work, 0.0);
+    EXPECT_GE(f.adhesion_fraction, 0.0);
+    EXPECT_LE(f.adhesion_fraction, 1.0);
+  }
+}
+
+TEST(ForceTable, ForcesAndTheirSlopesAreContinuous) {
+  // A path through every seam of the table's coordinates: zero spin, the ends of the azimuth, pure spin.
+  const double u = creepage_unit(1.0), c = std::sqrt(patch.a * patch.b), centre = pressure_centre(patch);
+  const auto path = [&](int leg, double s) -> Creepage {
+    switch (leg) {
+      case 0:
+        return {0.4 * u, -0.3 * u, s * u / c};  // through zero spin
+      case 1:
+        return {0.8 * u + 0.3 * u / c * centre, s * u, 0.3 * u / c};  // through azimuth 0
+      case 2:
+        return {-0.8 * u + 0.3 * u / c * centre, s * u, 0.3 * u / c};  // and through half a turn
+      default:
+        return {s * u + 0.9 * u / c * centre, 0.0, 0.9 * u / c};  // through pure spin
+    }
+  };
+  for (int leg = 0; leg < 4; ++leg) {
+    const double h = 1e-5;
+    const auto at = [&](double s) { return forces(path(leg, s)); };
+    const TangentialForces far_left = at(-2 * h), left = at(-h), middle = at(0.0), right = at(h),
+                           far_right = at(2 * h);
+    for (double TangentialForces::*force :
+         {&TangentialForces::fx, &TangentialForces::fy, &TangentialForces::mz}) {
+      const double scale = mu * N * (force == &TangentialForces::mz ? c : 1.0);
+      const double before = (left.*force - far_left.*force) / (h * scale);
+      const double after = (far_right.*force - right.*force) / (h * scale);
+      // The numbers of the file have seven digits.
+      EXPECT_NEAR(middle.*force / scale, 0.5 * (left.*force + right.*force) / scale, 1e-6) << leg;
+      EXPECT_NEAR(before, after, 1e-3) << leg;
+    }
+  }
+  // The two ends of psi meet, and the shapes beyond the table join on.
+  const Creepage any{0.5 * u, 0.3 * u, 0.7 * u / c};
+  for (const double psi : {0.0, 0.8, -0.8}) {
+    const TangentialForces below = forces({patch.a, patch.b, psi - 1e-9}, any),
+                           above = forces({patch.a, patch.b, psi + 1e-9}, any);
+    EXPECT_NEAR(below.fx, above.fx, 1e-6 * mu * N) << psi;
+    EXPECT_NEAR(below.fy, above.fy, 1e-6 * mu * N) << psi;
+    EXPECT_NEAR(below.mz, above.mz, 1e-6 * mu * N * c) << psi;
+  }
+}
+
+TEST(ForceTable, FlagsShapesBeyondItsEnds) {
+  const Creepage c{creepage_unit(1.0), 0.0, 0.0};
+  const auto status = [&](const Sdec& sdec) {
+    Fault fault;
+    forces(sdec, c, &fault);
+    return fault.status;
+  };
+  EXPECT_EQ(status(patch), WRC_OK);
+  EXPECT_EQ(status({11e-3, 1e-3, 0.0}), WRC_FLAG_TABLE_RANGE);
+  EXPECT_EQ(status({1e-3, 11e-3, 0.0}), WRC_FLAG_TABLE_RANGE);
+  EXPECT_EQ(status({5e-3, 4e-3, -0.9}), WRC_FLAG_TABLE_RANGE);
+}
+
+/// The solver, extrapolated to cells of no size as the generator does it, but on other grids.
+TangentialForces solved(const Sdec& sdec, const Creepage& creepage, double poisson) {
+  const halfspace::SdecPatch region{sdec.a, sdec.b, sdec.psi};
+  const auto on = [&](int cells) {
+    const halfspace::Grid grid = halfspace::grid_over(region, cells, cells);
+    halfspace::RollingProblem problem;
+    problem.pressure =
+        halfspace::sdec_pressure(region, peak_pressure(sdec, N), grid, halfspace::CellPressure::mean);
+    problem.friction = {mu};
+    problem.creepage = creepage;
+    return halfspace::RollingSolver(grid, {G, poisson}).solve(problem).forces;
+  };
+  const TangentialForces coarse = on(24), fine = on(40);
+  const auto limit = [&](double TangentialForces::*f) {
+    return fine.*f + (fine.*f - coarse.*f) * 24.0 / (40.0 - 24.0);
+  };
+  return {.fx = limit(&TangentialForces::fx),
+          .fy = limit(&TangentialForces::fy),
+          .mz = limit(&TangentialForces::mz),
+          .adhesion_fraction = fine.adhesion_fraction};
+}
+
+TEST(ForceTable, AgreesWithTheSolverBetweenItsNodes) {
+  const double c = 4.5e-3;
+  std::mt19937 random(3);
+  double sum = 0.0;
+  constexpr int cases = 12;
+  for (int k = 0; k < cases; ++k) {
+    auto [sdec, creepage] = draw(random);
+    const double root = 0.6 + 0.1 * k;  // a/b 0.36 to 2.9
+    sdec = {c * root, c / root, 0.1 * (k - 6)};
+    const double level = creepage_unit(0.4 + 0.4 * k) /
+                         std::sqrt(creepage.longitudinal * creepage.longitudinal +
+                                   creepage.lateral * creepage.lateral + std::pow(c * creepage.spin, 2));
+    creepage = {level * creepage.longitudinal, level * creepage.lateral, level * creepage.spin};
+    const TangentialForces ours = forces(sdec, creepage),
+                           exact = solved(sdec, creepage, book().table.axes.poisson);
+    const double error = std::hypot(ours.fx - exact.fx, ours.fy - exact.fy) / (mu * N);
+    EXPECT_LT(error, 0.015) << k;
+    EXPECT_NEAR(ours.mz, exact.mz, 0.015 * mu * N * c) << k;
+    EXPECT_NEAR(ours.adhesion_fraction, exact.adhesion_fraction, 0.06) << k;
+    sum += error;
+  }
+  EXPECT_LT(sum / cases, 0.004);
+}
+
+TEST(ForceTable, CountsThePoissonRatioByLinearTheory) {
+  const double u = creepage_unit(1.0), c = std::sqrt(patch.a * patch.b);
+  for (const double poisson : {0.20, 0.33}) {
+    ForceTable table = book().table;
+    adapt_to_poisson(poisson, table);
+    for (const Creepage& creepage :
+         {Creepage{u, 0.0, 0.0}, Creepage{0.3 * u, -0.8 * u, 0.5 * u / c}, Creepage{2.0 * u, u, u / c}}) {
+      Fault fault;
+      const TangentialForces ours = table_forces(table, patch, N, G, mu, creepage, fault),
+                             exact = solved(patch, creepage, poisson), unadapted = forces(creepage);
+      const double error = std::hypot(ours.fx - exact.fx, ours.fy - exact.fy);
+      EXPECT_LT(error / (mu * N), 0.015) << poisson;
+      if (std::hypot(unadapted.fx - exact.fx, unadapted.fy - exact.fy) > 0.02 * mu * N) {
+        EXPECT_LT(error, std::hypot(unadapted.fx - exact.fx, unadapted.fy - exact.fy)) << poisson;
+      }
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------- the file
+
+std::vector<char> shipped() {
+  std::vector<char> bytes;
+  std::FILE* file = std::fopen(WRC_FORCE_TABLE, "rb");
+  if (file == nullptr) return bytes;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) bytes.push_back(static_cast<char>(c));
+  std::fclose(file);
+  return bytes;
+}
+
+/// A file of its own for each test, removed with it.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::vector<char>& bytes)
+      : path_(testing::TempDir() + "force_table_" +
+              testing::UnitTest::GetInstance()->current_test_info()->name() + ".bin") {
+    std::FILE* file = std::fopen(path_.c_str(), "wb");
+    if (file == nullptr) throw std::runtime_error("cannot write " + path_);
+    if (!bytes.empty()) std::fwrite(bytes.data(), 1, bytes.size(), file);
+    std::fclose(file);
+  }
+  ~TemporaryFile() { std::remove(path_.c_str()); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const char* path() const { return path_.c_str(); }
+
+ private:
+  std::string path_;
+};
+
+wrc_config configuration(const char* path) {
+  wrc_config config;
+  config.struct_size = sizeof config;
+  wrc_config_init(&config);
+  config.normal_method = WRC_NORMAL_HERTZ;  // the default prepares tables of its own, which takes a while
+  config.tangential_method = WRC_TANGENTIAL_TABLE;
+  config.force_table = path;
+  return config;
+}
+
+/// What wrc_config_check says about a file of these bytes; checks that init and create say the same.
+std::string complaint(const std::vector<char>& bytes, std::int32_t status = WRC_ERROR_FILE) {
+  const TemporaryFile file(bytes);
+  const wrc_config config = configuration(file.path());
+  char text[256];
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
+  wrc_model* model = nullptr;
+  EXPECT_EQ(wrc_model_create(&config, nullptr, &model), status);
+  EXPECT_EQ(model, nullptr);
+  return text;
+}
+
+void expect_mentions(const std::string& sentence, const char* words) {
+  EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("config.force_table"), std::string::npos) << sentence;
+}
+
+TEST(ForceTableFile, IsNeeded) {
+  wrc_config config = configuration(nullptr);
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_NULL);
+  config.force_table = "/nowhere/force_table.bin";
+  char text[256];
+  std::uint64_t bytes = 0, alignment = 0;
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_FILE);
+  expect_mentions(text, "cannot be opened");
+  EXPECT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_ERROR_FILE);
+  EXPECT_EQ(bytes, 0u);
+  config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK);
+}
+
+TEST(ForceTableFile, IsRefusedWhenShort) {
+  const std::vector<char> whole = shipped();
+  ASSERT_GT(whole.size(), sizeof(ForceTableFileHeader));
+  for (const std::size_t size : {std::size_t{0}, std::size_t{7}, sizeof(ForceTableFileHeader) - 1,
+                                 sizeof(ForceTableFileHeader), whole.size() / 2, whole.size() - 1}) {
+    expect_mentions(complaint({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                    "ends before");
+  }
+}
+
+TEST(ForceTableFile, IsRefusedWhenLong) {
+  std::vector<char> bytes = shipped();
+  bytes.push_back('\n');
+  expect_mentions(complaint(bytes), "goes on");
+}
+
+TEST(ForceTableFile, IsRefusedWhenOneBitIsWrong) {
+  const std::vector<char> whole = shipped();
+  for (const std::size_t at :
+       {sizeof(ForceTableFileHeader) - 1, sizeof(ForceTableFileHeader), whole.size() / 3, whole.size() - 1}) {
+    std::vector<char> bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    expect_mentions(complaint(bytes), "checksum");
+  }
+}
+
+TEST(ForceTableFile, IsRefusedWhenOfAnotherKind) {
+  std::vector<char> bytes = shipped();
+  const auto changed = [&](std::size_t offset, auto value) {
+    std::vector<char> copy = bytes;
+    std::memcpy(copy.data() + offset, &value, sizeof value);
+    return copy;
+  };
+  expect_mentions(complaint(changed(0, 'x')), "not a force table");
+  expect_mentions(complaint(changed(offsetof(ForceTableFileHeader, byte_order), std::uint32_t{0x04030201})),
+                  "byte order");
+  expect_mentions(complaint(changed(offsetof(ForceTableFileHeader, version), std::uint32_t{2})), "version");
+  expect_mentions(complaint(changed(offsetof(ForceTableFileHeader, nodes), std::int32_t{-3})), "header");
+  expect_mentions(complaint(changed(offsetof(ForceTableFileHeader, largest_ratio), std::nan(""))), "header");
+  expect_mentions(complaint(std::vector<char>(5000, '?')), "not a force table");
+}
+
+TEST(ForceTableFile, WithNumbersOfNoForceIsRefusedEvenIfItsChecksumIsRight) {
+  std::vector<char> bytes = shipped();
+  ForceTableFileHeader header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  const float not_a_number = NAN;
+  std::memcpy(bytes.data() + sizeof header + 4000, &not_a_number, sizeof not_a_number);
+  header.checksum = 0;
+  header.checksum = file_checksum(bytes.data() + sizeof header, bytes.size() - sizeof header,
+                                  file_checksum(&header, sizeof header));
+  std::memcpy(bytes.data(), &header, sizeof header);
+  expect_mentions(complaint(bytes), "absurd");
+}
+
+TEST(ForceTableFile, IsClosedWhateverHappens) {
+  const std::vector<char> whole = shipped();
+  const TemporaryFile file({whole.begin(), whole.begin() + 200});
+  const wrc_config config = configuration(file.path());
+  for (int i = 0; i < 3000; ++i)  // more than a process may have open
+    ASSERT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_FILE);
+  std::FILE* another = std::fopen(file.path(), "rb");
+  ASSERT_NE(another, nullptr);
+  std::fclose(another);
+}
+
+// --------------------------------------------------------------------------------------------- the interface
+
+TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
+  const wrc_config config = configuration(WRC_FORCE_TABLE);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  wrc_patch sdec = {};
+  sdec.struct_size = sizeof sdec;
+  sdec.a = patch.a;
+  sdec.b = patch.b;
+  sdec.psi = patch.psi;
+  sdec.normal_force = N;
+  wrc_creepage creepage = {sizeof creepage, 0, 1e-3, -5e-4, 0.2, 20.0};
+  wrc_friction friction = {};
+  friction.struct_size = sizeof friction;
+  wrc_friction_init(&friction);
+  friction.coefficient = mu;
+  wrc_forces totals = {};
+  totals.struct_size = sizeof totals;
+  ASSERT_EQ(wrc_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
+  EXPECT_NEAR(totals.power, -20.0 * (totals.fx * 1e-3 - totals.fy * 5e-4 + totals.mz * 0.2),
+              1e-12 * totals.power);
+
+  wrc_damage damage = {};
+  damage.struct_size = sizeof damage;
+  ASSERT_EQ(wrc_damage_numbers(contact, &damage), WRC_OK);
+  EXPECT_EQ(damage.power, totals.power);
+  EXPECT_NEAR(damage.t_gamma, totals.power / 20.0, 1e-12 * totals.power);
+  EXPECT_NEAR(damage.utilisation, std::hypot(totals.fx, totals.fy) / N, 1e-12);
+  EXPECT_EQ(damage.peak_power_density, 0.0);
+  EXPECT_EQ(damage.local_fatigue_index, -1e30);
+  EXPECT_EQ(wrc_wear_numbers(contact, nullptr, nullptr), WRC_ERROR_UNSUPPORTED);
+
+  wrc_view view = {};
+  view.struct_size = sizeof view;
+  for (const std::int32_t field : {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y,
+                                   WRC_FIELD_POWER_DENSITY, WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR}) {
+    EXPECT_EQ(wrc_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
+    EXPECT_EQ(view.data, nullptr);
+  }
+  EXPECT_EQ(wrc_field(contact, 0, WRC_FIELD_STRIP_PEAK, &view), WRC_OK);
+  EXPECT_EQ(view.count[0], 60u);
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
+TEST(ForceTableMethod, WorksInMemoryOfTheCaller) {
+  const wrc_config config = configuration(WRC_FORCE_TABLE);
+  std::uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_OK);
+  EXPECT_GT(bytes, force_table_size(book().table.axes) * sizeof(float));
+  std::vector<char> memory(bytes + alignment);
+  void* start = memory.data();
+  std::size_t room = memory.size();
+  ASSERT_NE(std::align(alignment, bytes, start, room), nullptr);
+  wrc_model* model = nullptr;
+  EXPECT_EQ(wrc_model_init(&config, start, bytes - 1, &model), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, start, bytes, &model), WRC_OK);
+  EXPECT_NE(model, nullptr);
+}
+
+}  // namespace
