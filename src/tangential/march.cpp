@@ -130,18 +130,22 @@ inline void step(const Group& g, const Flexibility& L, std::int32_t i, std::int3
     const double turned_x = -towards * gx + aside * gy_seen, turned_y = -towards * gy_seen - aside * gx;
     const double turned2 = turned_x * turned_x + turned_y * turned_y;
     const bool has_direction = turned2 > 0.0;  // not so where g vanishes: then the direction stays
-    const double dir_x = has_direction ? turned_x : trial_x, dir_y = has_direction ? turned_y : trial_y;
-    const double norm2 = has_direction ? turned2 : trial_x * trial_x + trial_y * trial_y;
+    const bool slips = !first_stick && !stick;
+    const bool turns = slips && has_direction;
+    const double free_x = first_stick ? stick_x : trial_x, free_y = first_stick ? stick_y : trial_y;
+    const double dir_x = turns ? turned_x : free_x, dir_y = turns ? turned_y : free_y;
+    const double norm2 = turns ? turned2 : free_x * free_x + free_y * free_y;
     const double inverse = 1.0 / std::sqrt(std::max(norm2, 1e-280));
     const double ex = dir_x * inverse, ey = dir_y * inverse;
-
-    const bool slips = !first_stick && !stick;
+    // Where slip sets in just behind the middle of a cell, the mean of the adhesion tractions may exceed that
+    // of the bound: it is cut.
+    const double within = std::min(1.0, tau * inverse);
     const double excess = std::max(0.0, -(gx * ex + gy * ey) - g.bound[k] * shape_rise / h);
     const double part = dv < h ? 0.5 + dv / h : 1.0;  // of a cell that has slid since the last cell
     const double lambda = slips ? excess * part : 0.0;
 
-    row.px[k] = first_stick ? stick_x : (stick ? trial_x : tau * ex);
-    row.py[k] = first_stick ? stick_y : (stick ? trial_y : tau * ey);
+    row.px[k] = slips ? tau * ex : free_x * within;
+    row.py[k] = slips ? tau * ey : free_y * within;
     row.sx[k] = -lambda * L.l11 * ex;
     row.sy[k] = -lambda * L.l22 * ey;
     state.px[k] = first_stick ? px : row.px[k];
