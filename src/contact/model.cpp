@@ -113,7 +113,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     model->strip_kernel = kernel;
   }
   auto* arrays = reinterpret_cast<double*>(behind + kernel_bytes(options));
-  model->march_grid = make_march_grid(options.sizes.cells, arrays);
+  model->march_grid = make_march_grid(options.sizes.cells, arrays, options.instruction_set);
   arrays += march_grid_size(options.sizes.cells);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;

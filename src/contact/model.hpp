@@ -36,6 +36,7 @@ struct ModelOptions {
   SecondCriterion regularisation = SecondCriterion::width;
   TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
   TractionBound traction_bound = TractionBound::parabolic;
+  InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
   ArraySizes sizes;
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0;
@@ -60,7 +61,7 @@ struct Model {
   double rail_deviation = 0.0;   ///< see wheel_deviation
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
   SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                       ///< along each strip
+  MarchGrid march_grid;                       ///< along each strip, and the kernels
   ArrayLayout layout;                         ///< of every contact of this model
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tangential/number.hpp"
+
 namespace wrc {
 
 template <std::size_t n>
@@ -66,7 +68,6 @@ template <std::size_t n>
 double value_of(const Dual<n>& a) {
   return a.value;
 }
-inline double root(double a) { return std::sqrt(a); }
 template <std::size_t n>
 Dual<n> root(const Dual<n>& a) {
   const double r = std::sqrt(a.value);

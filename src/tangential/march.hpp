@@ -35,8 +35,9 @@ namespace wrc {
 
 /// Solves the problem on the grid. Fields are written where their pointers are set. Any finite creepages,
 /// friction >= 0 and flexibilities > 0 give finite results; an empty region gives zeros. Real-time: no
-/// memory, work proportional to strips times cells.
+/// memory, work proportional to strips times cells. `sensitivities`: nullptr, not wanted; the flexibilities
+/// are held.
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
-                       const TangentialFields& fields = {});
+                       const TangentialFields& fields = {}, TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

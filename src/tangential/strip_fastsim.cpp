@@ -314,23 +314,8 @@ TangentialForces result(double fx, double fy, double mz, double area, double sli
   return {fx, fy, mz, std::max(0.0, balance), area > 0.0 ? 1.0 - slid_area / area : 0.0};
 }
 
-}  // namespace
-
-TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
-  const Creepage& c = contact.creepage;
-  const Model<double> m = model<double>(contact, c.longitudinal, c.lateral, c.spin, contact.friction, fault);
-  const Forces<double> f = solve(contact, m, fields);
-  const TangentialForces forces = result(f.fx, f.fy, f.mz, f.area, f.slid_area, c);
-  const double scale = f.local_power > 0.0 ? forces.power_per_speed / f.local_power : 0.0;
-  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
-  for (double* slip : {fields.slip_x, fields.slip_y}) {
-    if (slip) std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
-  }
-  return forces;
-}
-
-TangentialForces strip_fastsim(const RollingContact& contact, TangentialSensitivities& sensitivities,
-                               Fault& fault) {
+TangentialForces with_sensitivities(const RollingContact& contact, TangentialSensitivities& sensitivities,
+                                    Fault& fault) {
   // The load acts through mu N alone (pressure proportional to it), so four inputs give five derivatives.
   using Number = Dual<4>;
   const Creepage& c = contact.creepage;
@@ -346,6 +331,23 @@ TangentialForces strip_fastsim(const RollingContact& contact, TangentialSensitiv
     std::copy_n(columns, 5, sensitivities.d[r]);
   }
   return result(f.fx.value, f.fy.value, f.mz.value, f.area, f.slid_area, c);
+}
+
+}  // namespace
+
+TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                               TangentialSensitivities* sensitivities) {
+  if (sensitivities) return with_sensitivities(contact, *sensitivities, fault);
+  const Creepage& c = contact.creepage;
+  const Model<double> m = model<double>(contact, c.longitudinal, c.lateral, c.spin, contact.friction, fault);
+  const Forces<double> f = solve(contact, m, fields);
+  const TangentialForces forces = result(f.fx, f.fy, f.mz, f.area, f.slid_area, c);
+  const double scale = f.local_power > 0.0 ? forces.power_per_speed / f.local_power : 0.0;
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
+  for (double* slip : {fields.slip_x, fields.slip_y}) {
+    if (slip) std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
+  }
+  return forces;
 }
 
 }  // namespace wrc

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,7 +70,7 @@ Spread spread(std::vector<double> signed_errors) {
   return {at(signed_errors, 0.5), at(signed_errors, 0.95), signed_errors.back(), bias};
 }
 
-using Method = std::function<TangentialForces(const RollingContact&, const TangentialFields&, Fault&)>;
+using Method = decltype(fastsim_sdec);
 
 struct Errors {
   Spread force, power, balance;
@@ -79,7 +78,7 @@ struct Errors {
 
 /// Force error |F - F_exact| / (mu N) over all rows, relative power error over rows with adhesion below 0.9.
 Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, bool on_ellipse,
-           const Method& method) {
+           Method& method) {
   constexpr int n = 32;
   const test::OwnedGrid grid(n);
   std::vector<double> force, power, balance;
@@ -89,7 +88,7 @@ Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, 
     Fault fault;
     const RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
                                  &table,       &grid.get(), r.creepage, r.friction, bound};
-    const TangentialForces f = method(contact, {}, fault);
+    const TangentialForces f = method(contact, {}, fault, nullptr);
     force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
     if (r.adhesion < 0.9) {
       power.push_back(f.power_per_speed / r.power - 1.0);
@@ -117,10 +116,7 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
   const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false, fastsim_eql);
   const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true, fastsim_eqe);
   const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false, fastsim_sdec);
-  const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false,
-                           [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
-                             return strip_fastsim(c, f, fault);
-                           });
+  const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false, strip_fastsim);
   EXPECT_LT(strip.force.median, 0.0075);
   EXPECT_LT(strip.force.p95, 0.035);
   EXPECT_LT(strip.force.max, 0.05);

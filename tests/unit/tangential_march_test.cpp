@@ -290,7 +290,7 @@ TEST(StickZone, OnsetIsTheFirstPointWhereAdhesionExceedsTheBound) {
   const double a = 1.0;
   for (int n = 0; n < 3000; ++n) {
     const double size = std::pow(10.0, uniform(-2.0, 2.0));
-    const AdhesionGrowth g{size * uniform(-1, 1), size * uniform(-2, 2), size * uniform(-1, 1)};
+    const AdhesionGrowth<double> g{size * uniform(-1, 1), size * uniform(-2, 2), size * uniform(-1, 1)};
     for (TractionBound bound : bounds) {
       const double v =
           bound == TractionBound::parabolic ? onset_parabolic(g, 1.0, a) : onset_elliptic(g, 1.0, a);
