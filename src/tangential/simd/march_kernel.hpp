@@ -16,6 +16,7 @@
 #include "tangential/march_grid.hpp"
 #include "tangential/simd/kernels.hpp"
 #include "tangential/simd/pack.hpp"
+#include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
 namespace wrc::simd {
@@ -28,6 +29,7 @@ constexpr std::int32_t in_flight = 4;
 struct Group {
   std::int32_t first, count;        ///< strips
   std::int32_t all_stick;           ///< cells before this one lie in the first stick zones of all strips
+  std::int32_t all_move;   ///< cells from this one on begin where all strips have left theirs
   Pack gx, gy, rate;                ///< growth of adhesion tractions: (gx, gy - rate t)
   Pack onset;                       ///< t at which the first stick zone ends
   Pack stick_cells;                 ///< whose middle lies before the onset
@@ -39,11 +41,14 @@ struct Group {
 
 /// What the march carries from cell to cell: the traction, and the bound where the last step ended.
 struct State {
-  Pack ex, ey, size, bound;
+  Pack ex, ey;  ///< direction of the traction
+  Pack px, py;  ///< traction
+  Pack bound;
 };
 
 struct GroupSums {
-  Pack px, py, t_py, power, slid;
+  Pack px, py, t_py, slid;
+  Pack power, power_x;  ///< of slip against the bound, and the part of it along x
 };
 
 /// Derivatives with respect to one input.
@@ -55,9 +60,12 @@ struct GroupDerivative {
 
 /// A cell, the same for all strips.
 struct Cell {
-  double index, t;  ///< t at its middle
-  double bound;     ///< mean over the cell
+  std::int32_t index;
+  double t;             ///< at its middle
+  double bound_before;  ///< of the cell before
+  double bound;         ///< mean over the cell
   double rise;      ///< of the bound along the cell, over h
+  double h, per_h;  ///< length, and one over it
 };
 
 /// Bound at t.
@@ -87,12 +95,12 @@ inline void adhesion_sums(Pack gx, Pack gy, Pack rate, Pack n, double h, Pack& p
 /// The cell of each lane that is its last in the first stick zone: t at its middle, its bound.
 inline void last_stick_cell(const MarchTask& task, const Group& g, double h, Pack& t, Pack& bound) {
   double cells[lanes], bounds[lanes];
-  store_lanes(cells, g.stick_cells.v);
+  store_pack(cells, g.stick_cells);
   for (std::int32_t k = 0; k < lanes; ++k) {
     const auto last = static_cast<std::int32_t>(cells[k]) - 1;
     bounds[k] = task.shape->mean[last < 0 ? 0 : last];
   }
-  bound = load_lanes(bounds);
+  bound = load_pack(bounds);
   t = (g.stick_cells - 0.5) * h;
 }
 
@@ -135,14 +143,17 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   sums.py += -(excess * py);
   sums.t_py += -(excess * t * py);
   sums.power = 0.0;
+  sums.power_x = 0.0;
   sums.slid = 0.0;
 
   double cells[lanes];
-  store_lanes(cells, g.stick_cells.v);
+  store_pack(cells, g.stick_cells);
   g.all_stick = task.cells;
+  g.all_move = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     const auto own = static_cast<std::int32_t>(cells[k]);
     g.all_stick = own < g.all_stick ? own : g.all_stick;
+    g.all_move = own + 1 > g.all_move ? own + 1 : g.all_move;
   }
 
   // Traction at the onset of slip. Where a strip slips from its leading edge on, only the direction of the
@@ -154,7 +165,8 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   state.ex = select(grows, -(g.gx * inverse), 1.0);
   state.ey = select(grows, -(gy * inverse), 0.0);
   state.bound = bound_at(task, g.onset);
-  state.size = state.bound;
+  state.px = state.bound * state.ex;
+  state.py = state.bound * state.ey;
 }
 
 /// Derivatives of what prepare() sets, for input k.
@@ -199,174 +211,123 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   d.t_py += select(cut, t * (cut_y - dpy), zero);
 }
 
-/// What a step computes on its way, for its derivatives. In slip e turns towards u = -G / |G|, G being g as a
-/// direction that decays like 1 / q sees it, times w: the angle from u to e, delta, becomes
-/// 2 atan(tan(delta/2) / q) with q = 1 + z + z^2/2 = Q / d^2.
-struct Turn {
-  Pack dv, gy_mid, g_mid;  ///< length of the step, g at its middle and the size of that
-  Pack n, d, Q, w;         ///< z = n / d, w = 2 d + n
-  Pack Gx, Gy, R, across;  ///< R = |G|, across = R sin(delta); where it sticks R = |p|
-  Pack inverse;            ///< one over the length of the turned direction, T R; over |p| where it sticks
-  Mask stick, moves;       ///< sticks again; has a new direction
-};
-
 /// A step's result beside the state.
 struct Moved {
-  Mask first_stick, slips;
-  Pack size;    ///< of the traction; 0 in the first stick zone
+  Mask stick;
+  Pack dv;      ///< length of the step
   Pack lambda;  ///< excess of growth over what the bound allows, in slip
 };
 
-/// One march step of a group. Written without branches; a lane computes stick and slip and selects.
-inline Moved step(const Group& g, const Cell& cell, double h, State& s, Turn& turn) {
-  constexpr double largest_turn = 1e8;  // z beyond which the direction has long reached -g
+/// One march step of a group. Written without branches; a lane computes stick and slip and selects. With
+/// `entering`, lanes may still be in their first stick zone or just leave it; the others are `moving`.
+template <bool entering>
+inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, GroupSums& sums, Slip& slip,
+                  Turn& turning) {
   const Pack zero = 0.0;
-  const Mask first_stick = Pack(cell.index + 0.5) < g.stick_cells;
+  Moved moved;
+  moved.dv = entering ? larger(zero, smaller(cell.h, cell.t - g.onset)) : Pack(cell.h);
   const Pack gy = g.gy - g.rate * cell.t;
-
-  // from where the last step ended (or slip set in) to this cell
-  const Pack dv = larger(zero, smaller(h, cell.t - g.onset));
-  const Pack gy_mid = gy + 0.5 * g.rate * dv;
-  const Pack trial_x = s.size * s.ex - dv * g.gx, trial_y = s.size * s.ey - dv * gy_mid;
+  slip = {moved.dv, g.gx, gy, g.rate * moved.dv, (entering ? s.bound : Pack(cell.bound_before)) + cell.bound};
+  const Pack gy_mid = gy + 0.5 * slip.rate_dv;
+  const Pack trial_x = s.px - moved.dv * g.gx, trial_y = s.py - moved.dv * gy_mid;
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
-  const Mask stick = trial2 <= cell.bound * cell.bound;
+  moved.stick = trial2 <= cell.bound * cell.bound;
+  Pack ex = s.ex, ey = s.ey;
+  turning = turn(slip, gy_mid, moved.stick, trial_x, trial_y, trial2, ex, ey);
 
-  // slip: turn e towards -g. g, which itself turns under spin, is taken where a direction that decays like
-  // 1 / q would see it: mid-step for small z, the cell itself for large z.
-  const Pack g_mid = root(g.gx * g.gx + gy_mid * gy_mid);
-  const Pack d = s.bound + cell.bound;
-  const Pack n = smaller(2.0 * dv * g_mid, largest_turn * d);
-  const Pack d2 = d * d, Q = d2 + d * n + 0.5 * (n * n), w = 2.0 * d + n;
-  const Pack Gx = g.gx * w, Gy = gy * w + g.rate * dv * d;
-  const Pack R = root(select(stick, trial2, Gx * Gx + Gy * Gy));
-  const Pack along = -(s.ex * Gx + s.ey * Gy), across = Gy * s.ex - Gx * s.ey;
-  const Pack ahead = larger(zero, R + along) * (Q * Q), behind = larger(zero, R - along) * (d2 * d2);
-  const Pack towards = ahead - behind, aside = 2.0 * across * (Q * d2);
-  const Pack T = larger(ahead + behind, magnitude(aside));
-  const Pack length = select(stick, R, T * R);
-  const Mask has_direction = length > 1e-280;  // not so where g vanishes: then the direction stays
-  const Pack inverse = 1.0 / select(has_direction, length, 1.0);
-  const Pack x = select(stick, trial_x, aside * Gy - towards * Gx) * inverse;
-  const Pack y = select(stick, trial_y, -(towards * Gy) - aside * Gx) * inverse;
-  // Unit length up to rounding, except where e is against u to the last digit; one step of Newton's method
-  // for 1 / |e| keeps it from drifting, and never leaves it longer than one.
-  const Pack unit = 1.5 - 0.5 * (x * x + y * y);
-  const Mask moves = has_direction & !first_stick;
-  s.ex = select(moves, x * unit, s.ex);
-  s.ey = select(moves, y * unit, s.ey);
-  const Pack size = select(stick, R, cell.bound);
-  s.size = select(first_stick, s.size, size);
-  s.bound = select(first_stick, s.bound, cell.bound);
-  turn = {dv, gy_mid, g_mid, n, d, Q, w, Gx, Gy, R, across, inverse, stick, moves};
+  const Pack size = select(moved.stick, turning.R, cell.bound);
+  const Pack px = size * ex, py = size * ey;
+  const Pack excess = larger(zero, -cell.rise - (g.gx * ex + gy * ey));
+  // the slip of the cell after the onset stands for everything slid since then
+  const Pack part = entering ? select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, 1.0) : Pack(1.0);
+  const Mask slips = entering ? moving & !moved.stick : !moved.stick;
+  moved.lambda = select(slips, part * excess, zero);
+  const Pack lost = moved.lambda * cell.bound;
 
-  const Mask slips = !(first_stick | stick);
-  const Pack excess = larger(zero, -(g.gx * s.ex + gy * s.ey) - cell.rise);
-  return {first_stick, slips, select(first_stick, zero, size), select(slips, excess, zero)};
+  if constexpr (entering) {
+    s.ex = select(moving, ex, s.ex);
+    s.ey = select(moving, ey, s.ey);
+    s.px = select(moving, px, s.px);
+    s.py = select(moving, py, s.py);
+    s.bound = select(moving, cell.bound, s.bound);
+  } else {
+    s = {ex, ey, px, py, cell.bound};
+  }
+  sums.px += entering ? select(moving, px, zero) : px;
+  sums.py += entering ? select(moving, py, zero) : py;
+  sums.t_py += cell.t * (entering ? select(moving, py, zero) : py);
+  sums.power += lost;
+  sums.power_x += lost * (ex * ex);
+  sums.slid += select(slips, part, zero);
+  return moved;
 }
 
-/// The same step for the derivatives; `before`: the state it began with. In slip, chi the angle of -G,
-///     d angle' = d chi + 2 Q d^2 R / T (d angle - d chi) - 2 across d^3 (d + n) / T dz.
-inline void differentiate(const Group& g, const Cell& cell, double h, const State& before, const State& after,
-                          const Turn& turn, const Moved& moved, GroupDerivative (&derivative)[inputs]) {
+/// The same step for the derivatives; `before`: the state it began with.
+inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before, const State& after,
+                          const Slip& slip, const Turn& turning, const Moved& moved,
+                          GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const Mask entering = (turn.dv > zero) & (turn.dv < h);  // the step from the onset, which moves
-  const Mask grows = turn.g_mid > 1e-150;
-  const Pack by_g = 1.0 / select(grows, turn.g_mid, 1.0);
-  const Pack by_d = 1.0 / turn.d, d_by_w = turn.d / turn.w;
-  const Pack free = select(grows & (turn.n < 1e8 * turn.d), by_d, zero);  // z is capped elsewhere
-  const Pack z_by_gx = 2.0 * turn.dv * free * by_g * g.gx,
-             z_by_gy = 2.0 * turn.dv * free * by_g * turn.gy_mid;
-  const Pack z_by_dv = 2.0 * turn.g_mid * free, z_by_bound = -(turn.n * by_d * free);
-  const Pack ahead = turn.dv * d_by_w;  // of the cell, where g is taken
-  const Pack seen_by_dv = g.rate * d_by_w, seen_by_z = -(g.rate * ahead * d_by_w);
-  const Pack R_inverse = turn.R * turn.inverse, d2 = turn.d * turn.d;  // 1 / T
-  const Pack kept = 2.0 * turn.Q * d2 * turn.R * R_inverse;
-  const Pack by_z = 2.0 * turn.across * d2 * turn.d * (turn.d + turn.n) * R_inverse;
-  const Pack square = turn.R * turn.R;
-  const Pack to_chi = turn.w / select(square > 1e-280, square, 1.0);
-  const Pack chi_by_x = -(to_chi * turn.Gy), chi_by_y = to_chi * turn.Gx;
-  const Mask sticks = turn.stick & !moved.first_stick;
+  const Mask onset_moves = (moved.dv > zero) & (moved.dv < cell.h);
+  const Mask turns = moving & turning.moves, sticks = moving & moved.stick;
+  const TurnSlopes slope = slopes(slip, g.rate, turning);
   const bool any_sticks = any(sticks);
-
   for (std::int32_t k = 0; k < inputs; ++k) {
     GroupDerivative& d = derivative[k];
-    const Pack dv = select(entering, -d.onset, zero);
-    const Pack gy = d.gy - d.rate * cell.t;
-    const Pack gy_mid = gy + 0.5 * (d.rate * turn.dv + g.rate * dv);
-    const Pack z = z_by_gx * d.gx + z_by_gy * gy_mid + z_by_dv * dv + z_by_bound * d.bound;
-    const Pack gy_seen = gy + d.rate * ahead + seen_by_dv * dv + seen_by_z * z;
-    const Pack chi = chi_by_x * d.gx + chi_by_y * gy_seen;
-    Pack angle = chi + kept * (d.angle - chi) - by_z * z;
-    Pack size = zero;
+    const SlipChange change{select(onset_moves, -d.onset, zero), d.gx, d.gy - d.rate * cell.t, d.rate, d.bound};
+    Pack angle = turned(slope, d.angle, change), size = zero;
     if (any_sticks) {
-      const Pack x = d.size * before.ex - before.size * before.ey * d.angle - turn.dv * d.gx - dv * g.gx;
-      const Pack y =
-          d.size * before.ey + before.size * before.ex * d.angle - turn.dv * gy_mid - dv * turn.gy_mid;
+      const Pack gy_mid = change.wy + 0.5 * (d.rate * moved.dv + g.rate * change.dv);
+      const Pack x = d.size * before.ex - before.py * d.angle - moved.dv * d.gx - change.dv * g.gx;
+      const Pack y = d.size * before.ey + before.px * d.angle - moved.dv * gy_mid - change.dv * turning.wy_mid;
       size = select(sticks, after.ex * x + after.ey * y, zero);
-      angle = select(sticks, (after.ex * y - after.ey * x) * turn.inverse, angle);
+      angle = select(sticks, (after.ex * y - after.ey * x) * turning.inverse, angle);
     }
-    d.angle = select(turn.moves, angle, d.angle);
-    d.size = select(moved.first_stick, d.size, size);
-    d.bound = select(moved.first_stick, d.bound, zero);
-    const Pack turned = moved.size * d.angle;
-    const Pack x = size * after.ex - turned * after.ey, y = size * after.ey + turned * after.ex;
-    d.px += x;
-    d.py += y;
-    d.t_py += cell.t * y;
+    d.angle = select(turns, angle, d.angle);
+    d.size = select(moving, size, d.size);
+    d.bound = select(moving, zero, d.bound);
+    const Pack x = size * after.ex - after.py * d.angle, y = size * after.ey + after.px * d.angle;
+    d.px += select(moving, x, zero);
+    d.py += select(moving, y, zero);
+    d.t_py += cell.t * select(moving, y, zero);
   }
-}
-
-/// Adds a cell to the sums. The slip of the cell after the onset stands for everything slid since then.
-inline void add(const MarchTask& task, const Cell& cell, const State& s, const Turn& turn, Moved& moved,
-                GroupSums& sums) {
-  const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
-  const Pack part = select(turn.dv < h, 0.5 + per_h * turn.dv, 1.0);
-  moved.lambda = moved.lambda * part;
-  const Pack y = moved.size * s.ey;
-  sums.px += moved.size * s.ex;
-  sums.py += y;
-  sums.t_py += cell.t * y;
-  sums.power += moved.lambda * cell.bound * (task.l11 * (s.ex * s.ex) + task.l22 * (s.ey * s.ey));
-  sums.slid += select(moved.slips, part, 0.0);
 }
 
 inline void store_field(Pack a, double* field, std::ptrdiff_t at, std::int32_t count) {
   if (field != nullptr) store(a, field + at, count);
 }
 
-/// Tractions and slip of a cell in lanes that have left the first stick zone, tractions of full adhesion in
-/// the others.
-inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, const State& s,
-                       const Moved& moved) {
-  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
-  Pack px, py;
-  adhesion(g.gx, g.gy, g.rate, cell.t, 2.0 / task.cells, px, py);
+/// Tractions of full adhesion in a cell.
+inline void first_stick(const Group& g, const Cell& cell, Pack& px, Pack& py) {
+  adhesion(g.gx, g.gy, g.rate, cell.t, cell.h, px, py);
   const Pack share = select(Pack(cell.index + 1.5) < g.stick_cells, 1.0, g.last_share);
-  const Pack slip = -(moved.lambda * g.stiffness);
-  store_field(g.bound * select(moved.first_stick, share * px, moved.size * s.ex), task.fields->traction_x, at,
-              g.count);
-  store_field(g.bound * select(moved.first_stick, share * py, moved.size * s.ey), task.fields->traction_y, at,
-              g.count);
-  store_field(slip * task.l11 * s.ex, task.fields->slip_x, at, g.count);
-  store_field(slip * task.l22 * s.ey, task.fields->slip_y, at, g.count);
+  px = share * px;
+  py = share * py;
+}
+
+inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, Pack px, Pack py, Pack sx, Pack sy) {
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
+  store_field(g.bound * px, task.fields->traction_x, at, g.count);
+  store_field(g.bound * py, task.fields->traction_y, at, g.count);
+  store_field(g.stiffness * sx, task.fields->slip_x, at, g.count);
+  store_field(g.stiffness * sy, task.fields->slip_y, at, g.count);
 }
 
 /// The sums of a group, scaled to what they stand for and added strip by strip.
-inline void add(const Group& g, const GroupSums& s, double cells, Sums& total) {
+inline void add(const MarchTask& task, const Group& g, const GroupSums& s, Sums& total) {
   const Pack force = g.bound * g.cell;
   double fx[lanes], fy[lanes], mz[lanes], power[lanes], cell[lanes], slid[lanes];
-  store_lanes(fx, (force * s.px).v);
-  store_lanes(fy, (force * s.py).v);
-  store_lanes(mz, (force * (g.lead * s.py - g.half_length * s.t_py - g.y * s.px)).v);
-  store_lanes(power, (force * g.stiffness * s.power).v);
-  store_lanes(cell, g.cell.v);
-  store_lanes(slid, (g.cell * s.slid).v);
+  store_pack(fx, force * s.px);
+  store_pack(fy, force * s.py);
+  store_pack(mz, force * (g.lead * s.py - g.half_length * s.t_py - g.y * s.px));
+  store_pack(power, force * g.stiffness * (task.l22 * s.power + (task.l11 - task.l22) * s.power_x));
+  store_pack(cell, g.cell);
+  store_pack(slid, g.cell * s.slid);
   for (std::int32_t k = 0; k < g.count; ++k) {
     total.fx += fx[k];
     total.fy += fy[k];
     total.mz += mz[k];
     total.power_per_speed += power[k];
-    total.area += cells * cell[k];
+    total.area += task.cells * cell[k];
     total.slid_area += slid[k];
   }
 }
@@ -376,9 +337,9 @@ inline void add(const Group& g, const GroupDerivative (&derivative)[inputs], Sum
   for (std::int32_t i = 0; i < inputs; ++i) {
     const GroupDerivative& d = derivative[i];
     double fx[lanes], fy[lanes], mz[lanes];
-    store_lanes(fx, (force * d.px).v);
-    store_lanes(fy, (force * d.py).v);
-    store_lanes(mz, (force * (g.lead * d.py - g.half_length * d.t_py - g.y * d.px)).v);
+    store_pack(fx, force * d.px);
+    store_pack(fy, force * d.py);
+    store_pack(mz, force * (g.lead * d.py - g.half_length * d.t_py - g.y * d.px));
     for (std::int32_t k = 0; k < g.count; ++k) {
       total.d[0][i] += fx[k];
       total.d[1][i] += fy[k];
@@ -399,6 +360,7 @@ void march_kernel(const MarchTask& task, Sums& total) {
   total = {};
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const std::int32_t strips = task.region->count;
+  const double* mean = task.shape->mean;
   const bool fields =
       task.fields->traction_x || task.fields->traction_y || task.fields->slip_x || task.fields->slip_y;
   for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
@@ -415,28 +377,42 @@ void march_kernel(const MarchTask& task, Sums& total) {
       }
     }
     for (std::int32_t i = fields ? 0 : start; i < task.cells; ++i) {
-      const Cell cell{static_cast<double>(i), (i + 0.5) * h, task.shape->mean[i],
-                      per_h * task.shape->rise[i]};
+      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], per_h * task.shape->rise[i], h, per_h};
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
-        Moved moved{};
         if (i < m.group.all_stick) {
           if (!fields) continue;
-          moved.first_stick = Pack(0.0) < 1.0;
-          moved.size = moved.lambda = 0.0;
-        } else {
-          Turn turn;
-          const State before = m.state;
-          moved = step(m.group, cell, h, m.state, turn);
-          add(task, cell, m.state, turn, moved, m.sums);
-          if constexpr (sensitivities)
-            differentiate(m.group, cell, h, before, m.state, turn, moved, derivative[k]);
+          Pack px, py;
+          first_stick(m.group, cell, px, py);
+          store_cell(task, m.group, cell, px, py, 0.0, 0.0);
+          continue;
         }
-        if (fields) store_cell(task, m.group, cell, m.state, moved);
+        Slip slip;
+        Turn turning;
+        const State before = m.state;
+        const bool entering = i < m.group.all_move;
+        const Mask moving = m.group.stick_cells <= Pack(i);
+        const Moved moved = entering
+                                ? step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
+                                : step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
+        if constexpr (sensitivities)
+          differentiate(m.group, cell, moving, before, m.state, slip, turning, moved, derivative[k]);
+        if (fields) {
+          const State& s = m.state;
+          Pack px = s.px, py = s.py;
+          if (entering) {
+            Pack stick_x, stick_y;
+            first_stick(m.group, cell, stick_x, stick_y);
+            px = select(moving, px, stick_x);
+            py = select(moving, py, stick_y);
+          }
+          store_cell(task, m.group, cell, px, py, 0.0 - moved.lambda * task.l11 * s.ex,
+                     0.0 - moved.lambda * task.l22 * s.ey);
+        }
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
-      add(marching[k].group, marching[k].sums, task.cells, total);
+      add(task, marching[k].group, marching[k].sums, total);
       if constexpr (sensitivities) add(marching[k].group, derivative[k], total);
     }
   }

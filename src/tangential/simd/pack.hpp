@@ -115,43 +115,50 @@ inline bool any_lane(NativeMask m) { return m; }
 
 #endif
 
-constexpr std::int32_t lanes = sizeof(Native) / sizeof(double);
+constexpr std::int32_t native_lanes = sizeof(Native) / sizeof(double);
+constexpr std::int32_t lanes = 2 * native_lanes;
 
-/// One number for each lane.
+/// One number for each lane: two vectors of the processor, so that one computes while the other waits for its
+/// root or divide.
 struct Pack {
-  Native v;
+  Native a, b;
 
   Pack() = default;
-  Pack(Native lanes_of) : v(lanes_of) {}                 // NOLINT: the same thing
-  Pack(double everywhere) : v(broadcast(everywhere)) {}  // NOLINT: constants mix freely with packs
+  Pack(Native first, Native second) : a(first), b(second) {}
+  Pack(double everywhere) : a(broadcast(everywhere)), b(a) {}  // NOLINT: constants mix freely with packs
 
-  friend Pack operator+(Pack a, Pack b) { return a.v + b.v; }
-  friend Pack operator-(Pack a, Pack b) { return a.v - b.v; }
-  friend Pack operator*(Pack a, Pack b) { return a.v * b.v; }
-  friend Pack operator/(Pack a, Pack b) { return a.v / b.v; }
-  friend Pack operator-(Pack a) { return -a.v; }
-  Pack& operator+=(Pack b) { return *this = *this + b; }
+  friend Pack operator+(Pack x, Pack y) { return {x.a + y.a, x.b + y.b}; }
+  friend Pack operator-(Pack x, Pack y) { return {x.a - y.a, x.b - y.b}; }
+  friend Pack operator*(Pack x, Pack y) { return {x.a * y.a, x.b * y.b}; }
+  friend Pack operator/(Pack x, Pack y) { return {x.a / y.a, x.b / y.b}; }
+  friend Pack operator-(Pack x) { return {-x.a, -x.b}; }
+  Pack& operator+=(Pack y) { return *this = *this + y; }
 };
 
 /// Yes or no for each lane.
 struct Mask {
-  NativeMask m;
+  NativeMask a, b;
 
-  friend Mask operator&(Mask a, Mask b) { return {both(a.m, b.m)}; }
-  friend Mask operator|(Mask a, Mask b) { return {either(a.m, b.m)}; }
-  friend Mask operator!(Mask a) { return {negated(a.m)}; }
+  friend Mask operator&(Mask x, Mask y) { return {both(x.a, y.a), both(x.b, y.b)}; }
+  friend Mask operator|(Mask x, Mask y) { return {either(x.a, y.a), either(x.b, y.b)}; }
+  friend Mask operator!(Mask x) { return {negated(x.a), negated(x.b)}; }
 };
-inline Mask operator<(Pack a, Pack b) { return {less(a.v, b.v)}; }
-inline Mask operator<=(Pack a, Pack b) { return {less_equal(a.v, b.v)}; }
-inline Mask operator>(Pack a, Pack b) { return {less(b.v, a.v)}; }
-inline Mask operator>=(Pack a, Pack b) { return {less_equal(b.v, a.v)}; }
-inline bool any(Mask a) { return any_lane(a.m); }
+inline Mask operator<(Pack x, Pack y) { return {less(x.a, y.a), less(x.b, y.b)}; }
+inline Mask operator<=(Pack x, Pack y) { return {less_equal(x.a, y.a), less_equal(x.b, y.b)}; }
+inline Mask operator>(Pack x, Pack y) { return y < x; }
+inline Mask operator>=(Pack x, Pack y) { return y <= x; }
+inline bool any(Mask x) { return any_lane(either(x.a, x.b)); }
 
-inline Pack select(Mask m, Pack yes, Pack no) { return choose(m.m, yes.v, no.v); }
-inline Pack root(Pack a) { return root_of(a.v); }
-inline Pack larger(Pack a, Pack b) { return larger_of(a.v, b.v); }
-inline Pack smaller(Pack a, Pack b) { return smaller_of(a.v, b.v); }
-inline Pack magnitude(Pack a) { return larger(a, -a); }
+inline Pack select(Mask m, Pack yes, Pack no) { return {choose(m.a, yes.a, no.a), choose(m.b, yes.b, no.b)}; }
+inline Pack root(Pack x) { return {root_of(x.a), root_of(x.b)}; }
+inline Pack larger(Pack x, Pack y) { return {larger_of(x.a, y.a), larger_of(x.b, y.b)}; }
+inline Pack smaller(Pack x, Pack y) { return {smaller_of(x.a, y.a), smaller_of(x.b, y.b)}; }
+inline Pack magnitude(Pack x) { return larger(x, -x); }
+inline Pack load_pack(const double* from) { return {load_lanes(from), load_lanes(from + native_lanes)}; }
+inline void store_pack(double* to, Pack x) {
+  store_lanes(to, x.a);
+  store_lanes(to + native_lanes, x.b);
+}
 
 /// The nearest integer of 0 <= a < 2^51, ties to even.
 inline Pack nearest_integer(Pack a) {
@@ -161,17 +168,17 @@ inline Pack nearest_integer(Pack a) {
 
 /// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.
 inline Pack load(const double* from, std::int32_t first, std::int32_t count, double rest) {
-  if (count == lanes) return load_lanes(from + first);
+  if (count == lanes) return load_pack(from + first);
   double buffer[lanes];
   for (std::int32_t k = 0; k < lanes; ++k) buffer[k] = k < count ? from[first + k] : rest;
-  return load_lanes(buffer);
+  return load_pack(buffer);
 }
 
 /// The first `count` lanes to an array.
 inline void store(Pack a, double* to, std::int32_t count) {
-  if (count == lanes) return store_lanes(to, a.v);
+  if (count == lanes) return store_pack(to, a);
   double buffer[lanes];
-  store_lanes(buffer, a.v);
+  store_pack(buffer, a);
   for (std::int32_t k = 0; k < count; ++k) to[k] = buffer[k];
 }
 
