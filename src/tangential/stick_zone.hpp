@@ -20,10 +20,10 @@ struct AdhesionGrowth {
   Number curvature;  ///< k = phi / (2 L23) [Pa/m^2]
 };
 
-/// Distance v from the leading edge at which slip sets in, 0 (at once) to 2a (never), under the parabolic
-/// bound tau = B u v: gx^2 + (beta + k u)^2 = B^2 u^2, the largest root u in (0, 2a).
+/// Distance u from the trailing edge up to which there is slip, 0 (nowhere) to 2a (everywhere), under the
+/// parabolic bound tau = B u v: gx^2 + (beta + k u)^2 = B^2 u^2, the largest root u in (0, 2a).
 template <class Number>
-Number onset_parabolic(const AdhesionGrowth<Number>& g, const Number& B, const Number& a) {
+Number slip_end_parabolic(const AdhesionGrowth<Number>& g, const Number& B, const Number& a) {
   const Number zero = 0.0, length = 2.0 * a;
   const Number beta = g.gy - length * g.curvature;
   const Number c = g.gx * g.gx + beta * beta;
@@ -38,7 +38,13 @@ Number onset_parabolic(const AdhesionGrowth<Number>& g, const Number& B, const N
   const Number denominator = select(cancels, A, H + S);
   const auto crosses = denominator > zero;
   const Number u = select(crosses, numerator / select(crosses, denominator, Number(1.0)), zero);
-  return select(slips_at_edge, zero, smaller(larger(length - u, zero), length));
+  return select(slips_at_edge, length, smaller(larger(u, zero), length));
+}
+
+/// Distance v from the leading edge at which slip sets in, 0 (at once) to 2a (never).
+template <class Number>
+Number onset_parabolic(const AdhesionGrowth<Number>& g, const Number& B, const Number& a) {
+  return 2.0 * a - slip_end_parabolic(g, B, a);
 }
 
 /// The same under the elliptic bound tau = E sqrt(u v): v (gx^2 + (beta + k u)^2) = E^2 u. In s = u / 2a this

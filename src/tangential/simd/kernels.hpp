@@ -45,6 +45,24 @@ struct MarchTask {
   const TangentialFields* fields;
 };
 
+/// Strip FASTSIM (strip_fastsim.hpp): what the patch, its load and the creepages make of the model. Tractions
+/// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
+/// L x, with the flexibilities l11, l22.
+struct StripFastsimTask {
+  const Strips* region;
+  const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
+  double nu_x, nu_y, phi, friction;
+  Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
+  Coefficient l11, l22;    ///< of the stick zone [m/Pa]
+  double t11, t22;         ///< for the turning of slip [m/Pa]
+  Coefficient turning;     ///< factor on them
+  Coefficient stick_form;  ///< share of FASTSIM's form of the stick zone in strip theory's
+  double bound_per_width;  ///< B = bound_per_width mu p / l [1/m]
+  const BoundShape* shape;
+  std::int32_t cells;
+  const TangentialFields* fields;
+};
+
 }  // namespace simd
 
 /// The kernels of one instruction set. All sets give the same bits.
@@ -52,6 +70,9 @@ struct Kernels {
   InstructionSet set;
   void (*march)(const simd::MarchTask& task, simd::Sums& sums);
   void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
+  /// power_per_speed and the fields of slip are in proportion only; see strip_fastsim.cpp.
+  void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
 };
 
 /// The kernels of a set, which the processor must have.
