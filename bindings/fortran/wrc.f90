@@ -96,6 +96,17 @@ module wrc
     real(c_double) :: worn_area_rate, largest_depth_rate, largest_depth_velocity
   end type
 
+  ! forces(input, force): inputs longitudinal, lateral, spin, normal force, friction; forces fx, fy, mz
+  type, bind(C) :: wrc_sensitivity
+    integer(c_int32_t) :: struct_size, reserved
+    real(c_double) :: forces(5, 3)
+  end type
+
+  type, bind(C) :: wrc_step_sensitivity
+    integer(c_int32_t) :: struct_size, reserved
+    real(c_double) :: by_load(4), by_lateral(4)
+  end type
+
   interface
     function wrc_version() bind(C) result(version)
       import
@@ -156,6 +167,18 @@ module wrc
       import
       type(c_ptr), value :: contact, laws
       type(wrc_wear), intent(inout) :: wear
+      integer(c_int32_t) :: status
+    end function
+    function wrc_sensitivities(contact, sensitivity) bind(C) result(status)
+      import
+      type(c_ptr), value :: contact
+      type(wrc_sensitivity), intent(inout) :: sensitivity
+      integer(c_int32_t) :: status
+    end function
+    function wrc_step_sensitivities(contact, sensitivity) bind(C) result(status)
+      import
+      type(c_ptr), value :: contact
+      type(wrc_step_sensitivity), intent(inout) :: sensitivity
       integer(c_int32_t) :: status
     end function
     function wrc_damage_numbers(contact, damage) bind(C) result(status)

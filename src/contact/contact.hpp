@@ -50,6 +50,20 @@ struct WearNumbers {
   double largest_depth_velocity = 0.0;  ///< Archard [m/s]
 };
 
+/// What presses the bodies together.
+struct Load {
+  Prescribed prescribed = Prescribed::load;
+  double value = 0.0;  ///< [N] or [m]
+};
+
+/// Central differences of the whole step, rows Fx, Fy, Mz and what follows from the load: the approach, or
+/// the normal force where the approach is prescribed.
+struct StepSensitivities {
+  double by_load[4] = {};  ///< with respect to what is prescribed
+  double by_lateral[4] =
+      {};  ///< with respect to the lateral shift of the wheelset; zero for a gap of the host
+};
+
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
@@ -79,6 +93,8 @@ struct Contact {
   bool posed = false;  ///< pose and point belong to the gap in the contact
   Pose pose;           ///< of the last geometry stage
   ContactPoint point;
+  bool pressed = false;  ///< the patch belongs to the load
+  Load load;             ///< of the last normal stage
   NormalSolution normal;
   StripTotals extent;  ///< of all patches together
   std::int32_t patches = 0;
@@ -92,13 +108,11 @@ struct Contact {
   bool worn = false;  ///< strip_wear belongs to the present tractions
 };
 
-/// What presses the bodies together.
-struct Load {
-  Prescribed prescribed = Prescribed::load;
-  double value = 0.0;  ///< [N] or [m]
-};
-
+/// Memory of a contact: its state, and room for a copy of it on which sensitivities are found.
 std::size_t contact_bytes(const Model& model);
+
+/// Its part that is to be saved and restored.
+std::size_t state_bytes(const Model& model);
 
 /// Makes an empty contact in `memory` (contact_bytes, aligned).
 Contact& make_contact(const Model& model, void* memory);
@@ -122,11 +136,18 @@ Fault find_gap(Contact& contact, const Pose& pose);
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
-Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed);
+/// `sensitivities`: nullptr, not wanted; in their stead no fields are computed.
+Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed,
+                       TangentialSensitivities* sensitivities = nullptr);
 Fault assess_damage(Contact& contact);
 
 /// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.
 Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
+
+/// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
+/// work on a copy: the contact stays as it is.
+Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities);
+Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities);
 
 /// Entry with data of the host: a gap, a pressure distribution, an exact double ellipse under load.
 void take_gap(Contact& contact, const GapRows& rows);

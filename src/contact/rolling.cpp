@@ -64,7 +64,7 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
 /// One patch. The variants refer everything to the patch's initial contact point, which is not the origin of
 /// the contact frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and
 /// M_z comes back by - y_contact F_x.
-Fault roll(Contact& contact, Patch& patch) {
+Fault roll(Contact& contact, Patch& patch, TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
   prepare_region(contact, patch, method);
@@ -80,26 +80,27 @@ Fault roll(Contact& contact, Patch& patch) {
   rolling.creepage.longitudinal -= contact.creepage.spin * patch.y_contact;
   rolling.friction = contact.friction;
   rolling.bound = model.options.traction_bound;
-  const TangentialFields fields = cell_fields(contact, patch);
+  const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   switch (method) {
     case TangentialMethod::fastsim:
-      patch.forces = fastsim(rolling, fields, fault);
+      patch.forces = fastsim(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_eqe:
-      patch.forces = fastsim_eqe(rolling, fields, fault);
+      patch.forces = fastsim_eqe(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_eql:
-      patch.forces = fastsim_eql(rolling, fields, fault);
+      patch.forces = fastsim_eql(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_sdec:
-      patch.forces = fastsim_sdec(rolling, fields, fault);
+      patch.forces = fastsim_sdec(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::strip_fastsim:
-      patch.forces = strip_fastsim(rolling, fields, fault);
+      patch.forces = strip_fastsim(rolling, fields, fault, sensitivities);
       break;
   }
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
+  if (sensitivities) refer_to(patch.y_contact, *sensitivities);
 
   const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
   Strips region = region_strips(contact, patch);
@@ -127,7 +128,8 @@ TangentialForces sum_of_patches(const Contact& contact) {
 
 }  // namespace
 
-Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed) {
+Fault solve_tangential(Contact& contact, const Creepage& creepage, double friction, double speed,
+                       TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
@@ -142,7 +144,17 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, double fricti
   contact.worn = false;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
-  for (std::int32_t k = 0; k < contact.patches; ++k) worsen(fault, roll(contact, contact.patch[k]));
+  if (sensitivities) *sensitivities = {};
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    TangentialSensitivities own;
+    worsen(fault, roll(contact, contact.patch[k], sensitivities ? &own : nullptr));
+    if (!sensitivities) continue;
+    // The loads of the patches grow in proportion.
+    const double share = contact.patch[k].extent.normal_force / contact.extent.normal_force;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 5; ++c) sensitivities->d[r][c] += own.d[r][c] * (c == 3 ? share : 1.0);
+    }
+  }
   contact.forces = sum_of_patches(contact);
   return fault;
 }

@@ -47,7 +47,7 @@ struct Dual {
     return r;
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
-    const double inverse = 1.0 / b.value, q = a.value * inverse;
+    const double inverse = 1.0 / b.value, q = a.value / b.value;
     Dual r(q);
     for (std::size_t k = 0; k < n; ++k) r.d[k] = (a.d[k] - q * b.d[k]) * inverse;
     return r;

@@ -345,6 +345,71 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
 // ----------------------------------------------------------------------------------------------------
 // configuration
 
+TEST_F(Interface, SensitivitiesAreThoseOfTheTangentialStage) {
+  wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
+  EXPECT_EQ(wrc_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
+  expect_works();
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+  std::vector<char> before(bytes), after(bytes);
+  wrc_contact_save(contact, before.data(), bytes);
+  ASSERT_EQ(wrc_sensitivities(contact, &s), WRC_OK) << error();
+  wrc_contact_save(contact, after.data(), bytes);
+  EXPECT_EQ(std::memcmp(before.data(), after.data(), bytes), 0);  // forces, fields, everything
+
+  double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin, &friction.coefficient};
+  const int columns[] = {0, 1, 2, 4};
+  for (int k = 0; k < 4; ++k) {
+    const double value = *inputs[k], step = 1e-5 * std::fabs(value);
+    wrc_forces ends[2] = {forces, forces};
+    for (int end = 0; end < 2; ++end) {
+      *inputs[k] = value + (end == 0 ? -step : step);
+      ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &ends[end]), WRC_OK);
+    }
+    *inputs[k] = value;
+    const double scale = std::fabs(forces.fx) / std::fabs(value);
+    EXPECT_NEAR(s.forces[0][columns[k]], (ends[1].fx - ends[0].fx) / (2.0 * step), 1e-5 * scale) << k;
+    EXPECT_NEAR(s.forces[1][columns[k]], (ends[1].fy - ends[0].fy) / (2.0 * step), 1e-5 * scale) << k;
+    EXPECT_NEAR(s.forces[2][columns[k]], (ends[1].mz - ends[0].mz) / (2.0 * step), 1e-7 * scale) << k;
+  }
+  EXPECT_NEAR(s.forces[0][3] * forces.fn, s.forces[0][4] * friction.coefficient, 1e-9 * std::fabs(forces.fx));
+}
+
+TEST_F(Interface, StepSensitivitiesAreThoseOfTheWholeStep) {
+  wrc_step_sensitivity s = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  EXPECT_EQ(wrc_step_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
+  expect_works();
+  uint64_t bytes = 0, alignment = 0;
+  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+  std::vector<char> before(bytes), after(bytes);
+  wrc_contact_save(contact, before.data(), bytes);
+  ASSERT_EQ(wrc_step_sensitivities(contact, &s), WRC_OK) << error();
+  wrc_contact_save(contact, after.data(), bytes);
+  EXPECT_EQ(std::memcmp(before.data(), after.data(), bytes), 0);
+  EXPECT_NEAR(s.by_load[3] * patch.stiffness, 1.0, 0.01);  // the compliance, found another way
+
+  const auto differences = [&](double& input, double width) {
+    const double middle = input;
+    double ends[2][4];
+    for (int end = 0; end < 2; ++end) {
+      input = middle + (end == 0 ? -width : width);
+      EXPECT_EQ(step(), WRC_OK);
+      const double values[4] = {forces.fx, forces.fy, forces.mz, patch.approach};
+      for (int r = 0; r < 4; ++r) ends[end][r] = values[r];
+    }
+    input = middle;
+    std::vector<double> d;
+    for (int r = 0; r < 4; ++r) d.push_back((ends[1][r] - ends[0][r]) / (2.0 * width));
+    return d;
+  };
+  const std::vector<double> by_load = differences(load.normal_force, 800.0);  // the documented steps
+  const std::vector<double> by_lateral = differences(pose.lateral, 1e-4);
+  for (int r = 0; r < 4; ++r) {
+    EXPECT_NEAR(s.by_load[r], by_load[r], 1e-6 * std::fabs(by_load[r])) << r;
+    EXPECT_NEAR(s.by_lateral[r], by_lateral[r], 1e-6 * std::fabs(by_lateral[r])) << r;
+  }
+}
+
 TEST_F(Interface, EveryInstructionSetGivesTheSameBits) {
   expect_works();
   const wrc_forces best = forces;

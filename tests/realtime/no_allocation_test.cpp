@@ -61,6 +61,8 @@ struct Run {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_step_sensitivity step_sensitivity = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
   int failures = 0;
 
   void vary(int i) {
@@ -88,6 +90,8 @@ struct Run {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
+    failures += wrc_sensitivities(contact, &sensitivity) < 0;
+    failures += wrc_step_sensitivities(contact, &step_sensitivity) < 0;
     if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
     wrc_creepage wrong = creepage;
     wrong.spin = NAN;  // an error is reported without allocating either

@@ -68,6 +68,8 @@ int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_step_sensitivity step_sensitivity = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
   const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
   wrc_view view = made<wrc_view>(wrc_view_init);
@@ -91,6 +93,8 @@ int use(wrc_contact* contact, void* saved, std::uint64_t bytes) {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
+    failures += wrc_sensitivities(contact, &sensitivity) < 0;
+    failures += wrc_step_sensitivities(contact, &step_sensitivity) < 0;
     if (forces.fn > 0.0) failures += wrc_field(contact, 0, WRC_FIELD_TRACTION_X, &view) < 0;
     creepage.spin = NAN;
     failures += wrc_step(contact, &input, &output) != WRC_ERROR_NOT_FINITE;
