@@ -29,7 +29,7 @@ constexpr std::int32_t in_flight = 4;
 struct Group {
   std::int32_t first, count;        ///< strips
   std::int32_t all_stick;           ///< cells before this one lie in the first stick zones of all strips
-  std::int32_t all_move;   ///< cells from this one on begin where all strips have left theirs
+  std::int32_t all_move;            ///< cells from this one on begin where all strips have left theirs
   Pack gx, gy, rate;                ///< growth of adhesion tractions: (gx, gy - rate t)
   Pack onset;                       ///< t at which the first stick zone ends
   Pack stick_cells;                 ///< whose middle lies before the onset
@@ -64,8 +64,8 @@ struct Cell {
   double t;             ///< at its middle
   double bound_before;  ///< of the cell before
   double bound;         ///< mean over the cell
-  double rise;      ///< of the bound along the cell, over h
-  double h, per_h;  ///< length, and one over it
+  double rise;          ///< of the bound along the cell, over h
+  double h, per_h;      ///< length, and one over it
 };
 
 /// Bound at t.
@@ -263,8 +263,8 @@ inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Group
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
-inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before, const State& after,
-                          const Slip& slip, const Turn& turning, const Moved& moved,
+inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
+                          const State& after, const Slip& slip, const Turn& turning, const Moved& moved,
                           GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const Mask onset_moves = (moved.dv > zero) & (moved.dv < cell.h);
@@ -273,12 +273,14 @@ inline void differentiate(const Group& g, const Cell& cell, Mask moving, const S
   const bool any_sticks = any(sticks);
   for (std::int32_t k = 0; k < inputs; ++k) {
     GroupDerivative& d = derivative[k];
-    const SlipChange change{select(onset_moves, -d.onset, zero), d.gx, d.gy - d.rate * cell.t, d.rate, d.bound};
+    const SlipChange change{select(onset_moves, -d.onset, zero), d.gx, d.gy - d.rate * cell.t, d.rate,
+                            d.bound};
     Pack angle = turned(slope, d.angle, change), size = zero;
     if (any_sticks) {
       const Pack gy_mid = change.wy + 0.5 * (d.rate * moved.dv + g.rate * change.dv);
       const Pack x = d.size * before.ex - before.py * d.angle - moved.dv * d.gx - change.dv * g.gx;
-      const Pack y = d.size * before.ey + before.px * d.angle - moved.dv * gy_mid - change.dv * turning.wy_mid;
+      const Pack y =
+          d.size * before.ey + before.px * d.angle - moved.dv * gy_mid - change.dv * turning.wy_mid;
       size = select(sticks, after.ex * x + after.ey * y, zero);
       angle = select(sticks, (after.ex * y - after.ey * x) * turning.inverse, angle);
     }
@@ -304,7 +306,8 @@ inline void first_stick(const Group& g, const Cell& cell, Pack& px, Pack& py) {
   py = share * py;
 }
 
-inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, Pack px, Pack py, Pack sx, Pack sy) {
+inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, Pack px, Pack py, Pack sx,
+                       Pack sy) {
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
   store_field(g.bound * px, task.fields->traction_x, at, g.count);
   store_field(g.bound * py, task.fields->traction_y, at, g.count);
@@ -377,7 +380,8 @@ void march_kernel(const MarchTask& task, Sums& total) {
       }
     }
     for (std::int32_t i = fields ? 0 : start; i < task.cells; ++i) {
-      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], per_h * task.shape->rise[i], h, per_h};
+      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], per_h * task.shape->rise[i],
+                      h, per_h};
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
         if (i < m.group.all_stick) {
@@ -392,9 +396,8 @@ void march_kernel(const MarchTask& task, Sums& total) {
         const State before = m.state;
         const bool entering = i < m.group.all_move;
         const Mask moving = m.group.stick_cells <= Pack(i);
-        const Moved moved = entering
-                                ? step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
-                                : step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
+        const Moved moved = entering ? step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
+                                     : step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
         if constexpr (sensitivities)
           differentiate(m.group, cell, moving, before, m.state, slip, turning, moved, derivative[k]);
         if (fields) {

@@ -33,7 +33,8 @@ struct Turn {
 };
 
 /// Turns (ex, ey), in lanes of `stick` into the direction of the traction (trial_x, trial_y).
-inline Turn turn(const Slip& slip, Pack wy_mid, Mask stick, Pack trial_x, Pack trial_y, Pack trial2, Pack& ex, Pack& ey) {
+inline Turn turn(const Slip& slip, Pack wy_mid, Mask stick, Pack trial_x, Pack trial_y, Pack trial2, Pack& ex,
+                 Pack& ey) {
   const Pack zero = 0.0, d = slip.d, twice_d = d + d;
   Turn t;
   t.wy_mid = wy_mid;
@@ -66,10 +67,10 @@ inline Turn turn(const Slip& slip, Pack wy_mid, Mask stick, Pack trial_x, Pack t
 /// How the angle of e after a step of slip changes with what the step is given: with chi the angle of -W,
 ///     d angle' = d chi + 2 Q D R / T (d angle - d chi) - 4 across D d (d + n) / T dz,   T R the length.
 struct TurnSlopes {
-  Pack kept, by_z;                          ///< of the angle
-  Pack chi_by_x, chi_by_y;                  ///< of chi with W / scale
-  Pack z_by_x, z_by_y, z_by_dv, z_by_d;     ///< of z with the slip at mid-step, dv and d
-  Pack ahead, seen_by_dv, seen_by_z;        ///< W / scale is taken `ahead` of the cell
+  Pack kept, by_z;                       ///< of the angle
+  Pack chi_by_x, chi_by_y;               ///< of chi with W / scale
+  Pack z_by_x, z_by_y, z_by_dv, z_by_d;  ///< of z with the slip at mid-step, dv and d
+  Pack ahead, seen_by_dv, seen_by_z;     ///< W / scale is taken `ahead` of the cell
   Pack half_dv, half_rate;
 };
 
