@@ -43,8 +43,9 @@ class Header:
         pointer = re.search(r"\(\*(\w+)\)", line)
         if pointer:
             return pointer.group(1), "type(c_funptr)", ""
-        kind, name, extent = re.match(r"(.*?)(\w+)(\[\d+\])?$", line).groups()
-        extent = f"({extent[1:-1]})" if extent else ""
+        kind, name, extent = re.match(r"(.*?)(\w+)((?:\[\d+\])*)$", line).groups()
+        # The last index of C is the first of Fortran.
+        extent = f"({', '.join(reversed(re.findall(r'[0-9]+', extent)))})" if extent else ""
         if "*" in kind:
             return name, "type(c_ptr)", extent
         return name, "type(c_funptr)" if kind.strip() == "wrc_progress" else NUMBERS[kind.strip()], extent

@@ -485,6 +485,24 @@ typedef struct wrc_coefficients {
   double c23s; /**< see c11s */
 } wrc_coefficients;
 
+/** Derivatives of the forces of the last wrc_tangential at its patch. */
+typedef struct wrc_sensitivity {
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
+                             (same patch, pressure growing in proportion), friction coefficient [-] */
+} wrc_sensitivity;
+
+/** Derivatives of the last whole step, creepages and friction held. */
+typedef struct wrc_step_sensitivity {
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double by_load[4];    /**< of fx, fy, mz and the approach [m] with respect to the normal force [N]; where the approach
+                             is prescribed, of fx, fy, mz and the normal force with respect to the approach */
+  double by_lateral[4]; /**< of the same four with respect to the lateral shift of the wheelset [m]; zero for a gap of the
+                             caller */
+} wrc_step_sensitivity;
+
 /** What wrc_step() reads. Pointers are the caller's and only read during the call. */
 typedef struct wrc_input {
   uint32_t struct_size;         /**< sizeof this struct */
@@ -562,6 +580,8 @@ WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< De
 WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws);                 /**< Defaults of the wear laws. */
 WRC_API int32_t wrc_wear_init(wrc_wear* wear);                           /**< Defaults of wear numbers. */
 WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
+WRC_API int32_t wrc_sensitivity_init(wrc_sensitivity* sensitivity);      /**< Defaults of sensitivities. */
+WRC_API int32_t wrc_step_sensitivity_init(wrc_step_sensitivity* sensitivity); /**< Defaults of those of a step. */
 WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
 WRC_API int32_t wrc_output_init(wrc_output* output);                     /**< Defaults of the output of a step. */
 WRC_API int32_t wrc_view_init(wrc_view* view);                           /**< Defaults of a view. */
@@ -738,6 +758,25 @@ WRC_API int32_t wrc_damage_numbers(wrc_contact* contact, wrc_damage* damage);
  * _NOT_FINITE, _RANGE, _UNSUPPORTED (WRC_TANGENTIAL_TABLE: no tractions to wear by). @rt hard @thread contact */
 WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
+/** Derivatives of the forces of the last wrc_tangential (or wrc_step) with respect to creepages, load and friction, for
+ * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
+ * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and slip;
+ * there it is the derivative from one side. Nothing in the contact changes, fields included.
+ * @param contact the contact
+ * @param[out] sensitivity the derivatives; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential).
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
+
+/** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
+ * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
+ * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held. Nothing in the contact changes, fields included.
+ * @param contact the contact
+ * @param[out] sensitivity the derivatives; NULL: not wanted
+ * @return WRC_OK; the flags of wrc_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential, or on strips or a
+ * patch of the caller), and those of wrc_step() where a neighbouring step fails. @rt hard @thread contact */
+WRC_API int32_t wrc_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
+
 /** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
  * @param contact the contact
  * @param input what to solve
@@ -867,6 +906,10 @@ typedef struct wrc_api {
   int32_t (*wear_init)(wrc_wear*); /**< wrc_wear_init() */
   int32_t (*wear_numbers)(wrc_contact*, const wrc_wear_laws*, wrc_wear*); /**< wrc_wear_numbers() */
   int32_t (*model_profile)(const wrc_model*, int32_t, wrc_view*, wrc_view*, double*); /**< wrc_model_profile() */
+  int32_t (*sensitivity_init)(wrc_sensitivity*); /**< wrc_sensitivity_init() */
+  int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
+  int32_t (*sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_sensitivities() */
+  int32_t (*step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_step_sensitivities() */
 } wrc_api;
 
 /** The function table of this library.

@@ -56,6 +56,10 @@ extern "C" const wrc_api* wrc_get_api(uint32_t abi_version) {
       wrc_wear_init,
       wrc_wear_numbers,
       wrc_model_profile,
+      wrc_sensitivity_init,
+      wrc_step_sensitivity_init,
+      wrc_sensitivities,
+      wrc_step_sensitivities,
   };
   return abi_version == WRC_ABI_VERSION ? &table : nullptr;
 }

@@ -5,8 +5,6 @@
 namespace wrc::abi {
 namespace {
 
-constexpr double most_zones = 64.0;  // bounds the work per strip
-
 Fault read_zones(const wrc_friction& theirs, Friction& friction) {
   if (theirs.zone_frame != WRC_ZONES_CONTACT_FRAME && theirs.zone_frame != WRC_ZONES_RAIL_PROFILE) {
     return {.status = WRC_ERROR_UNSUPPORTED,
@@ -15,7 +13,7 @@ Fault read_zones(const wrc_friction& theirs, Friction& friction) {
             .unit = "",
             .cause = "see enum wrc_zone_frame"};
   }
-  Fault fault = check(static_cast<double>(theirs.zones), "friction.zones", "breakpoints", 0.0, most_zones);
+  Fault fault = check(static_cast<double>(theirs.zones), "friction.zones", "breakpoints", 0.0, zone_capacity);
   if (fault.failed() || theirs.zones == 0) return fault;
   if (theirs.zone_y == nullptr) return {.status = WRC_ERROR_NULL, .field = "friction.zone_y"};
   if (theirs.zone_coefficient == nullptr)

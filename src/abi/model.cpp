@@ -249,7 +249,7 @@ void wrc_contact_destroy(wrc_contact* contact) {
 
 int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes) {
   if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
-  const std::size_t needed = wrc::contact_bytes(*contact->contact->model);
+  const std::size_t needed = wrc::state_bytes(*contact->contact->model);
   if (bytes < needed) return WRC_ERROR_BUFFER;
   std::memcpy(buffer, contact->contact, needed);
   return WRC_OK;
@@ -258,7 +258,7 @@ int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t byte
 int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes) {
   if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
   const wrc::Model* model = contact->contact->model;
-  const std::size_t needed = wrc::contact_bytes(*model);
+  const std::size_t needed = wrc::state_bytes(*model);
   if (bytes < needed) return WRC_ERROR_BUFFER;
   // The state begins with the pointer to its model.
   if (std::memcmp(buffer, static_cast<const void*>(contact->contact), sizeof(void*)) != 0)

@@ -156,8 +156,26 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
     default:
       return unsupported("config.flexibility", config.flexibility, "see enum wrc_flexibility");
   }
-  if (config.instruction_set != WRC_INSTRUCTIONS_BEST) {
-    return unsupported("config.instruction_set", config.instruction_set, "see enum wrc_instruction_set");
+  const InstructionSet best = best_instruction_set();
+  switch (config.instruction_set) {
+    case WRC_INSTRUCTIONS_BEST:
+      options.instruction_set = best;
+      break;
+    case WRC_INSTRUCTIONS_BASELINE:
+      options.instruction_set = InstructionSet::baseline;
+      break;
+    case WRC_INSTRUCTIONS_AVX2:
+      options.instruction_set = InstructionSet::avx2;
+      break;
+    case WRC_INSTRUCTIONS_AVX512:
+      options.instruction_set = InstructionSet::avx512;
+      break;
+    default:
+      return unsupported("config.instruction_set", config.instruction_set, "see enum wrc_instruction_set");
+  }
+  if (options.instruction_set > best) {
+    return unsupported("config.instruction_set", config.instruction_set,
+                       "this processor lacks that instruction set; WRC_INSTRUCTIONS_BEST takes what it has");
   }
   switch (config.traction_bound) {
     case WRC_BOUND_PARABOLIC:

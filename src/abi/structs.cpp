@@ -16,6 +16,8 @@ WRC_EMPTY_BY_DEFAULT(wrc_motion)
 WRC_EMPTY_BY_DEFAULT(wrc_damage)
 WRC_EMPTY_BY_DEFAULT(wrc_wear)
 WRC_EMPTY_BY_DEFAULT(wrc_coefficients)
+WRC_EMPTY_BY_DEFAULT(wrc_sensitivity)
+WRC_EMPTY_BY_DEFAULT(wrc_step_sensitivity)
 WRC_EMPTY_BY_DEFAULT(wrc_input)
 WRC_EMPTY_BY_DEFAULT(wrc_output)
 WRC_EMPTY_BY_DEFAULT(wrc_view)
@@ -116,6 +118,8 @@ int32_t wrc_damage_init(wrc_damage* damage) { return init(damage); }
 int32_t wrc_wear_laws_init(wrc_wear_laws* laws) { return init(laws); }
 int32_t wrc_wear_init(wrc_wear* wear) { return init(wear); }
 int32_t wrc_coefficients_init(wrc_coefficients* coefficients) { return init(coefficients); }
+int32_t wrc_sensitivity_init(wrc_sensitivity* sensitivity) { return init(sensitivity); }
+int32_t wrc_step_sensitivity_init(wrc_step_sensitivity* sensitivity) { return init(sensitivity); }
 int32_t wrc_input_init(wrc_input* input) { return init(input); }
 int32_t wrc_output_init(wrc_output* output) { return init(output); }
 int32_t wrc_view_init(wrc_view* view) { return init(view); }

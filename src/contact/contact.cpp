@@ -40,6 +40,7 @@ Strips strips_at(Contact& contact, Array first, std::int32_t count) {
 void back_to(Contact& contact, Stage stage) {
   contact.reached = stage;
   contact.touching = false;
+  contact.pressed = false;
   contact.strips = 0;
   contact.patches = 0;
   contact.main_patch = 0;
@@ -96,11 +97,13 @@ Fault sequence(const char* field, const char* cause) {
 
 }  // namespace
 
-std::size_t contact_bytes(const Model& model) { return model.layout.bytes; }
+std::size_t state_bytes(const Model& model) { return model.layout.bytes; }
+
+std::size_t contact_bytes(const Model& model) { return 2 * state_bytes(model); }
 
 Contact& make_contact(const Model& model, void* memory) {
   auto* bytes = static_cast<unsigned char*>(memory);
-  std::fill_n(bytes, model.layout.bytes, static_cast<unsigned char>(0));  // also touches every page, once
+  std::fill_n(bytes, contact_bytes(model), static_cast<unsigned char>(0));  // also touches every page, once
   auto* contact = new (memory) Contact;
   contact->model = &model;
   return *contact;
@@ -257,6 +260,8 @@ constexpr double least_damping_factor = 1e-9;
 Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0) return sequence("gap", "call wrc_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
+  contact.pressed = true;
+  contact.load = load;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
     return {.status = WRC_FLAG_NO_CONTACT, .field = "approach"};

@@ -59,11 +59,30 @@ struct Friction {
   SlopeFall slope;               ///< of modified FASTSIM
 };
 
+/// What presses the bodies together. Damping acts on a prescribed approach.
+struct Load {
+  Prescribed prescribed = Prescribed::load;
+  double value = 0.0;              ///< [N] or [m]
+  double approach_velocity = 0.0;  ///< [m/s]
+  double damping = 0.0;            ///< alpha of normal/damping.hpp [s/m]
+};
+
+/// Central differences of the whole step, rows Fx, Fy, Mz and what follows from the load: the approach, or
+/// the normal force where the approach is prescribed.
+struct StepSensitivities {
+  double by_load[4] = {};  ///< with respect to what is prescribed
+  double by_lateral[4] =
+      {};  ///< with respect to the lateral shift of the wheelset; zero for a gap of the host
+};
+
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
 /// Most patches one contact can report.
 inline constexpr std::int32_t patch_capacity = 16;
+
+/// Most breakpoints of friction over y.
+inline constexpr std::int32_t zone_capacity = 64;
 
 /// One of the patches of a contact: a run of its strips, and what was found on it.
 struct Patch {
@@ -89,6 +108,8 @@ struct Contact {
   bool posed = false;  ///< pose and point belong to the gap in the contact
   Pose pose;           ///< of the last geometry stage
   ContactPoint point;
+  bool pressed = false;  ///< the patch belongs to the load
+  Load load;             ///< of the last normal stage
   NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one
   StripTotals extent;           ///< of all patches together
@@ -96,22 +117,20 @@ struct Contact {
   Patch patch[patch_capacity];
   std::int32_t main_patch = 0;  ///< the one that carries most
   Creepage creepage;
-  double friction = 0.0;    ///< mean over the load; each strip's is in Array::strip_friction [-]
+  double friction = 0.0;  ///< mean over the load; each strip's is in Array::strip_friction [-]
+  Friction law;           ///< of the last tangential stage; its zones are the two arrays below
+  double zone_y[zone_capacity] = {}, zone_coefficient[zone_capacity] = {};
   double speed = 0.0;       ///< V [m/s]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
   bool worn = false;  ///< strip_wear belongs to the present tractions
 };
 
-/// What presses the bodies together. Damping acts on a prescribed approach.
-struct Load {
-  Prescribed prescribed = Prescribed::load;
-  double value = 0.0;              ///< [N] or [m]
-  double approach_velocity = 0.0;  ///< [m/s]
-  double damping = 0.0;            ///< alpha of normal/damping.hpp [s/m]
-};
-
+/// Memory of a contact: its state, and room for a copy of it on which sensitivities are found.
 std::size_t contact_bytes(const Model& model);
+
+/// Its part that is to be saved and restored.
+std::size_t state_bytes(const Model& model);
 
 /// Makes an empty contact in `memory` (contact_bytes, aligned).
 Contact& make_contact(const Model& model, void* memory);
@@ -138,11 +157,26 @@ Fault find_gap(Contact& contact, const Pose& pose);
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed);
+/// Solves the tangential stage. `sensitivities`: nullptr, not wanted; in their stead no fields are computed,
+/// and they are right where the contact differentiates().
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed,
+                       TangentialSensitivities* sensitivities = nullptr);
+
+/// Does the tangential method carry exact derivatives with it? Not so FaStrip, modified FASTSIM, mixed
+/// flexibilities, the half-space on coarse grids, the book of tables, and friction that falls with speed.
+bool differentiates(const Contact& contact);
+
+/// The friction of the last tangential stage, its zones those kept in the contact.
+Friction friction_of(const Contact& contact);
 Fault assess_damage(Contact& contact);
 
 /// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.
 Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
+
+/// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
+/// work on a copy: the contact stays as it is.
+Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities);
+Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities);
 
 /// Entry with data of the host: a gap, a pressure distribution, an exact double ellipse under load.
 void take_gap(Contact& contact, const GapRows& rows);

@@ -143,7 +143,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     adapt_to_poisson(options.material.poisson, model->force_table);
   }
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
-  model->march_grid = make_march_grid(options.sizes.cells, arrays);
+  model->march_grid = make_march_grid(options.sizes.cells, arrays, options.instruction_set);
   arrays += march_grid_size(options.sizes.cells);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;

@@ -51,6 +51,7 @@ struct ModelOptions {
   TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
   TractionBound traction_bound = TractionBound::parabolic;
   FlexibilityForm flexibility = FlexibilityForm::separate;
+  InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
   ArraySizes sizes;
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0;
@@ -77,7 +78,7 @@ struct Model {
   double rail_deviation = 0.0;   ///< see wheel_deviation
   const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
   SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                       ///< along each strip
+  MarchGrid march_grid;                       ///< along each strip, and the kernels
   ForceTable force_table;                     ///< with TangentialMethod::table
   ArrayLayout layout;                         ///< of every contact of this model
 };

@@ -116,7 +116,8 @@ Fault look_up(Contact& contact, Patch& patch, const Friction& friction) {
 }
 
 /// One patch by a method that has tractions.
-Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
+/// `sensitivities`: see solve_tangential().
+Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
   prepare_region(contact, patch, method);
@@ -134,23 +135,23 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
-  const TangentialFields fields = cell_fields(contact, patch);
+  const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   switch (method) {
     case TangentialMethod::fastsim:
-      patch.forces = fastsim(rolling, fields, fault);
+      patch.forces = fastsim(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_eqe:
-      patch.forces = fastsim_eqe(rolling, fields, fault);
+      patch.forces = fastsim_eqe(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_eql:
-      patch.forces = fastsim_eql(rolling, fields, fault);
+      patch.forces = fastsim_eql(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::fastsim_sdec:
-      patch.forces = fastsim_sdec(rolling, fields, fault);
+      patch.forces = fastsim_sdec(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::strip_fastsim:
-      patch.forces = strip_fastsim(rolling, fields, fault);
+      patch.forces = strip_fastsim(rolling, fields, fault, sensitivities);
       break;
     case TangentialMethod::modified_fastsim:
       patch.forces = modified_fastsim(rolling, fields, fault);
@@ -174,6 +175,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction) {
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
   // A difference of sums of areas: rounding may leave it just below zero.
   patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
+  if (sensitivities) refer_to(patch.y_contact, *sensitivities);
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
@@ -224,7 +226,31 @@ bool gives_fields(const Contact& contact) {
   return contact.model->options.tangential_method != TangentialMethod::table;
 }
 
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed) {
+bool differentiates(const Contact& contact) {
+  const ModelOptions& options = contact.model->options;
+  if (contact.law.law.fall != FrictionLaw::Fall::none) return false;
+  switch (options.tangential_method) {
+    case TangentialMethod::fastsim:
+    case TangentialMethod::fastsim_eqe:
+    case TangentialMethod::fastsim_eql:
+    case TangentialMethod::fastsim_sdec:
+      return options.flexibility == FlexibilityForm::separate;
+    default:
+      return options.tangential_method == TangentialMethod::strip_fastsim;
+  }
+}
+
+Friction friction_of(const Contact& contact) {
+  Friction friction = contact.law;
+  if (friction.law.zones.count > 0) {
+    friction.law.zones.y = contact.zone_y;
+    friction.law.zones.coefficient = contact.zone_coefficient;
+  }
+  return friction;
+}
+
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed,
+                       TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
@@ -244,12 +270,27 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.worn = false;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
+  contact.law = friction;
+  contact.law.law.zones.y = contact.law.law.zones.coefficient = nullptr;
+  if (friction.law.zones.count > 0) {
+    std::copy_n(friction.law.zones.y, friction.law.zones.count, contact.zone_y);
+    std::copy_n(friction.law.zones.coefficient, friction.law.zones.count, contact.zone_coefficient);
+  }
+  if (sensitivities) *sensitivities = {};
   double limit = 0.0, load = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    worsen(fault, gives_fields(contact) ? roll(contact, patch, friction) : look_up(contact, patch, friction));
+    TangentialSensitivities own;
+    worsen(fault, gives_fields(contact) ? roll(contact, patch, friction, sensitivities ? &own : nullptr)
+                                        : look_up(contact, patch, friction));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
+    if (!sensitivities) continue;
+    // The loads of the patches grow in proportion.
+    const double share = patch.extent.normal_force / contact.extent.normal_force;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 5; ++c) sensitivities->d[r][c] += own.d[r][c] * (c == 3 ? share : 1.0);
+    }
   }
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);

@@ -19,8 +19,8 @@ namespace wrc {
 std::int64_t coarse_halfspace_workspace();
 
 /// contact.region: the strips of the actual patch; its regularised shape and contact.bound are not used, of
-/// contact.linear_theory the Poisson ratio. Flags WRC_FLAG_ITERATION_CAP when a grid did not reach equilibrium:
-/// the result is then usable, |p| <= mu p_n, but not exact.
+/// contact.linear_theory the Poisson ratio. Flags WRC_FLAG_ITERATION_CAP when a grid did not reach
+/// equilibrium: the result is then usable, |p| <= mu p_n, but not exact.
 TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace,
                                   const TangentialFields& fields, Fault& fault);
 

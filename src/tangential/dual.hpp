@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tangential/number.hpp"
+
 namespace wrc {
 
 template <std::size_t n>
@@ -45,7 +47,7 @@ struct Dual {
     return r;
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
-    const double inverse = 1.0 / b.value, q = a.value * inverse;
+    const double inverse = 1.0 / b.value, q = a.value / b.value;
     Dual r(q);
     for (std::size_t k = 0; k < n; ++k) r.d[k] = (a.d[k] - q * b.d[k]) * inverse;
     return r;
@@ -66,7 +68,6 @@ template <std::size_t n>
 double value_of(const Dual<n>& a) {
   return a.value;
 }
-inline double root(double a) { return std::sqrt(a); }
 template <std::size_t n>
 Dual<n> root(const Dual<n>& a) {
   const double r = std::sqrt(a.value);

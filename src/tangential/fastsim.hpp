@@ -6,6 +6,7 @@
 namespace wrc {
 
 /// contact.region: the strips of the ellipse about the origin of the creepages. contact.shape_number unused.
-TangentialForces fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+TangentialForces fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                         TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

@@ -11,6 +11,7 @@ namespace wrc {
 
 /// contact.region: the strips of the equivalent ellipse about ITS OWN centre, which is also the origin of the
 /// fields. Creepages and forces are at the initial contact point.
-TangentialForces fastsim_eqe(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+TangentialForces fastsim_eqe(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                             TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

@@ -6,6 +6,7 @@
 namespace wrc {
 
 /// contact.region: the strips of the actual patch; contact.a, contact.b: its equivalent ellipse.
-TangentialForces fastsim_eql(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+TangentialForces fastsim_eql(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                             TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

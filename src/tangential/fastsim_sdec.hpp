@@ -7,6 +7,7 @@
 namespace wrc {
 
 /// contact.region: the strips of the actual patch; contact.a, contact.b, contact.shape_number: its SDEC.
-TangentialForces fastsim_sdec(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+TangentialForces fastsim_sdec(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                              TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

@@ -23,8 +23,9 @@
 ///     exp(-z), so neither the vanishing bound at the edges nor large creepages make it overshoot.
 ///  3. Every slipping cell is tested for sticking again, by Kalker's criterion |p - step g| <= tau.
 ///
-/// Things that look like errors and are not: the adhesion tractions of a cell are means over the cell; the
-/// slip of the cell after the onset stands for everything slid since then, half a cell to one and a half.
+/// Things that look like errors and are not: the adhesion tractions of a cell are means over the cell, cut to
+/// the mean of the bound where slip sets in within the cell; the slip of the cell after the onset stands for
+/// everything slid since then, half a cell to one and a half.
 #pragma once
 
 #include "tangential/march_grid.hpp"
@@ -34,8 +35,9 @@ namespace wrc {
 
 /// Solves the problem on the grid. Fields are written where their pointers are set. Any finite creepages,
 /// friction >= 0 and flexibilities > 0 give finite results; an empty region gives zeros. Real-time: no
-/// memory, work proportional to strips times cells.
+/// memory, work proportional to strips times cells. `sensitivities`: nullptr, not wanted; the flexibilities
+/// are held.
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
-                       const TangentialFields& fields = {});
+                       const TangentialFields& fields = {}, TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "elementary.hpp"
+#include "tangential/simd/kernels.hpp"
 
 namespace wrc {
 
-MarchGrid make_march_grid(std::int32_t cells, double* memory) {
+MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set) {
   double* const parabolic_mean = memory;
   double* const parabolic_rise = memory + cells;
   double* const elliptic_mean = memory + 2 * cells;
@@ -30,7 +31,7 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory) {
     elliptic_mean[i] = (ellipse_integral(lead) - ellipse_integral(trail)) / size;
     elliptic_rise[i] = half_square_rise(ellipse(lead), ellipse(trail), elliptic_mean[i]);
   }
-  return {cells, {parabolic_mean, parabolic_rise}, {elliptic_mean, elliptic_rise}};
+  return {cells, {parabolic_mean, parabolic_rise}, {elliptic_mean, elliptic_rise}, &kernels(set)};
 }
 
 }  // namespace wrc

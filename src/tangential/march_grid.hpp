@@ -1,12 +1,16 @@
-/// The cells of a strip, and what a traction bound amounts to in each of them.
+/// The cells of a strip, what a traction bound amounts to in each of them, and the kernels that march over
+/// them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include "tangential/problem.hpp"
+#include "tangential/simd/instruction_set.hpp"
 
 namespace wrc {
+
+struct Kernels;
 
 /// A traction bound over a strip relative to its value at the strip's middle: 1 - s^2 (parabolic) or
 /// sqrt(1 - s^2) (elliptic), s = (x - centre) / half_length.
@@ -23,6 +27,7 @@ struct BoundShape {
 struct MarchGrid {
   std::int32_t cells = 0;
   BoundShape parabolic, elliptic;
+  const Kernels* kernels = nullptr;  ///< of an instruction set the processor has
 
   const BoundShape& shape(TractionBound bound) const {
     return bound == TractionBound::parabolic ? parabolic : elliptic;
@@ -33,6 +38,6 @@ struct MarchGrid {
 constexpr std::size_t march_grid_size(std::int32_t cells) { return 4 * static_cast<std::size_t>(cells); }
 
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
-MarchGrid make_march_grid(std::int32_t cells, double* memory);
+MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set = InstructionSet::baseline);
 
 }  // namespace wrc

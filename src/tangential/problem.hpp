@@ -54,4 +54,17 @@ struct TangentialForces {
   double adhesion_fraction = 0.0;  ///< area that sticks / area
 };
 
+/// Derivatives of the forces at a fixed patch, exact for the discrete model.
+struct TangentialSensitivities {
+  /// Rows: Fx, Fy, Mz. Columns: nu_x, nu_y, phi, N (pressure growing in proportion), mu.
+  double d[3][5] = {};
+};
+
+/// Sensitivities of a problem solved about the point y of the frame, made those of the frame: nu_x there is
+/// nu_x - y phi, and M_z comes back by - y F_x.
+inline void refer_to(double y, TangentialSensitivities& s) {
+  for (auto& row : s.d) row[2] -= y * row[0];
+  for (int k = 0; k < 5; ++k) s.d[2][k] -= y * s.d[0][k];
+}
+
 }  // namespace wrc

@@ -38,16 +38,7 @@ namespace wrc {
 
 /// contact.region: the strips of the actual patch; contact.a, contact.b, contact.shape_number: its SDEC.
 /// contact.bound is not used: the bound is mu p_n.
-TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
-
-/// Forces with their derivatives, exact for the discrete model at a fixed patch.
-struct TangentialSensitivities {
-  /// Rows: Fx, Fy, Mz. Columns: nu_x, nu_y, phi, N (patch and pressure distribution kept, pressure
-  /// proportional), mu.
-  double d[3][5] = {};
-};
-
-TangentialForces strip_fastsim(const RollingContact& contact, TangentialSensitivities& sensitivities,
-                               Fault& fault);
+TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                               TangentialSensitivities* sensitivities = nullptr);
 
 }  // namespace wrc

@@ -268,6 +268,30 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
 // ----------------------------------------------------------------------------------------------------
 // configuration
 
+TEST_F(Interface, EveryInstructionSetGivesTheSameBits) {
+  expect_works();
+  const wrc_forces best = forces;
+  const wrc_damage best_damage = damage;
+  for (int32_t set : {WRC_INSTRUCTIONS_BASELINE, WRC_INSTRUCTIONS_AVX2, WRC_INSTRUCTIONS_AVX512}) {
+    config.instruction_set = set;
+    char text[256];
+    const int32_t supported = wrc_config_check(&config, text, sizeof text);
+    if (supported != WRC_OK) {
+      EXPECT_NE(set, static_cast<int32_t>(WRC_INSTRUCTIONS_BASELINE));
+      expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.instruction_set", "this processor lacks"});
+      continue;
+    }
+    TearDown();
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+    expect_works();
+    EXPECT_EQ(std::memcmp(&forces, &best, sizeof best), 0) << "set " << set;
+    EXPECT_EQ(std::memcmp(&damage, &best_damage, sizeof best_damage), 0) << "set " << set;
+  }
+  config.instruction_set = 4;
+  expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.instruction_set = 4", "enum wrc_instruction_set"});
+}
+
 TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.poisson = 0.51;
   expect_config_refused(WRC_ERROR_RANGE, {"config.poisson = 0.51", "0 .. 0.5"});

@@ -151,7 +151,7 @@ class Timed {
     patch.psi = c.patch.psi;
     patch.normal_force = c.normal_force;
     wrc_creepage creepage = {sizeof creepage, 0,  c.creepage.longitudinal, c.creepage.lateral,
-                             c.creepage.spin, 1.0};
+                             c.creepage.spin, 1.0, 0.0};
     wrc_friction friction;
     friction.struct_size = sizeof friction;
     wrc_friction_init(&friction);

@@ -359,10 +359,8 @@ class Case {
     }
     const wrc_forces& forces = results.forces;
     expect(forces.fn >= 0.0, "the normal force is compressive");
-    // Without friction the march works with a bound of 1e-6 Pa.
-    const double rounding = 1e-15 * forces.fn;
-    expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + onset_excess()) + rounding ||
-               forces.fn == 0.0,
+    constexpr double rounding = 1e-9;
+    expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + rounding) || forces.fn == 0.0,
            "creep forces stay within friction");
     expect(forces.power >= 0.0, "frictional power is not negative");
     expect(forces.adhesion_fraction >= 0.0 && forces.adhesion_fraction <= 1.0 + 1e-12, "adhesion is a share");
@@ -390,15 +388,6 @@ class Case {
                "pressure and power are nowhere negative");
       }
     }
-  }
-
-  /// Share of the friction by which the forces may exceed it: where slip sets in just behind a cell's middle,
-  /// the traction there is within the bound at the middle, which is above its mean over the cell. In the
-  /// first of n cells that is h^2 / 12 of a parabola, or (sqrt(1/2) - 2/3) of the root an ellipse rises with.
-  double onset_excess() const {
-    const double n = config_.cells;
-    return config_.traction_bound == WRC_BOUND_PARABOLIC ? 1e-9 + 0.51 / (n * n * n)
-                                                         : 1e-9 + 0.105 / (n * std::sqrt(n));
   }
 
   Choices& choices_;

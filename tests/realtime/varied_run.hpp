@@ -20,6 +20,8 @@ struct VariedRun {
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
   wrc_wear wear = made<wrc_wear>(wrc_wear_init);
   wrc_creepage rigid = made<wrc_creepage>(wrc_creepage_init);
+  wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_step_sensitivity step_sensitivity = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
   wrc_view view = made<wrc_view>(wrc_view_init);
   bool fields = true;  ///< the tangential method gives tractions
   int failures = 0;    ///< calls that failed and should not have, or the other way round
@@ -65,6 +67,8 @@ struct VariedRun {
     failures += wrc_regularise(contact, nullptr, &patch) < 0;
     failures += wrc_tangential(contact, nullptr, &creepage, &friction, &forces) < 0;
     failures += wrc_damage_numbers(contact, &damage) < 0;
+    failures += wrc_sensitivities(contact, &sensitivity) < 0;
+    failures += wrc_step_sensitivities(contact, &step_sensitivity) < 0;
     if (fields) failures += wrc_wear_numbers(contact, &laws, &wear) < 0;
     failures += wrc_model_profile(model, WRC_BODY_WHEEL, &view, nullptr, nullptr) < 0;
     if (forces.fn > 0.0) {

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -72,13 +71,12 @@ Spread spread(std::vector<double> signed_errors) {
   return {at(signed_errors, 0.5), at(signed_errors, 0.95), signed_errors.back(), bias};
 }
 
-using Method = std::function<TangentialForces(const RollingContact&, const TangentialFields&, Fault&)>;
-
 struct Errors {
   Spread force, power, balance;
 };
 
 /// Force error |F - F_exact| / (mu N) over all rows, relative power error over rows with adhesion below 0.9.
+template <class Method>
 Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, bool on_ellipse,
            const Method& method) {
   constexpr int n = 32;
@@ -115,14 +113,12 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
   ASSERT_EQ(rows.size(), 150u);
   std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst, in %% of mu N or of the power\n");
   using enum TractionBound;
-  const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false, fastsim_sdec);
-  const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false, fastsim_eql);
-  const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true, fastsim_eqe);
-  const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false, fastsim_sdec);
+  const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false, [](auto&&... all) { return fastsim_sdec(all...); });
+  const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false, [](auto&&... all) { return fastsim_eql(all...); });
+  const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true, [](auto&&... all) { return fastsim_eqe(all...); });
+  const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false, [](auto&&... all) { return fastsim_sdec(all...); });
   const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false,
-                           [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
-                             return strip_fastsim(c, f, fault);
-                           });
+                           [](auto&&... all) { return strip_fastsim(all...); });
   const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, fastrip_sdec);
   const Errors modified = run("FaStrip modified", rows, elliptic, false, fastrip_modified);
   EXPECT_LT(fastrip.force.median, 0.0082);

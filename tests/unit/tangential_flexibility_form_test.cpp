@@ -81,7 +81,12 @@ TEST_F(FlexibilityForms, CommonFlexibilityTurnsTheForceAgainstTheCreepage) {
 TEST_F(FlexibilityForms, EveryVariantTakesEveryForm) {
   // Blended meets linear theory, single dissipates the balance; both mirror.
   using Method = TangentialForces (*)(const RollingContact&, const TangentialFields&, Fault&);
-  constexpr Method variants[] = {fastsim, fastsim_eqe, fastsim_eql, fastsim_sdec, modified_fastsim};
+  constexpr Method variants[] = {
+      [](const RollingContact& c, const TangentialFields& f, Fault& e) { return fastsim(c, f, e); },
+      [](const RollingContact& c, const TangentialFields& f, Fault& e) { return fastsim_eqe(c, f, e); },
+      [](const RollingContact& c, const TangentialFields& f, Fault& e) { return fastsim_eql(c, f, e); },
+      [](const RollingContact& c, const TangentialFields& f, Fault& e) { return fastsim_sdec(c, f, e); },
+      modified_fastsim};
   std::mt19937 random(17);
   for (int n = 0; n < 10; ++n) {
     const RandomCase r = test::random_case(random);

@@ -429,7 +429,7 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   sdec.b = patch.b;
   sdec.psi = patch.psi;
   sdec.normal_force = N;
-  wrc_creepage creepage = {sizeof creepage, 0, 1e-3, -5e-4, 0.2, 20.0};
+  wrc_creepage creepage = {sizeof creepage, 0, 1e-3, -5e-4, 0.2, 20.0, 0.0};
   wrc_friction friction = {};
   friction.struct_size = sizeof friction;
   wrc_friction_init(&friction);

@@ -187,6 +187,21 @@ TEST(March, FieldsStayWithinTheBoundAndAddUpToTheForces) {
   }
 }
 
+TEST(March, ForcesStayWithinFrictionWhereverSlipSetsInWithinACell) {
+  const OwnedStrips strips = sdec_strips(4e-3, 5e-3, 0.2, 80e3, 9);
+  const double limit = 0.3 * totals(strips.get()).normal_force, l = 1.5e-14;
+  for (int cells : {1, 2, 4, 5}) {
+    const OwnedGrid grid(cells);
+    for (TractionBound bound : bounds) {
+      for (int n = 1; n <= 400; ++n) {
+        const TangentialForces f =
+            march({strips.get(), {1e-5 * n, 0.0, 0.0}, {l, l, l, l}, 0.3, bound}, grid.get());
+        EXPECT_LE(-f.fx, limit * (1.0 + 1e-14)) << cells << " cells, creepage " << 1e-5 * n;
+      }
+    }
+  }
+}
+
 TEST(March, SticksAgainNearTheSpinPole) {
   // Pure spin with the pole inside the patch: strips through it stick again behind a first slip zone.
   const double a = 8e-3, b = 4e-3, mu = 0.3;
@@ -276,7 +291,7 @@ TEST(StickZone, OnsetIsTheFirstPointWhereAdhesionExceedsTheBound) {
   const double a = 1.0;
   for (int n = 0; n < 3000; ++n) {
     const double size = std::pow(10.0, uniform(-2.0, 2.0));
-    const AdhesionGrowth g{size * uniform(-1, 1), size * uniform(-2, 2), size * uniform(-1, 1)};
+    const AdhesionGrowth<double> g{size * uniform(-1, 1), size * uniform(-2, 2), size * uniform(-1, 1)};
     for (TractionBound bound : bounds) {
       const double v =
           bound == TractionBound::parabolic ? onset_parabolic(g, 1.0, a) : onset_elliptic(g, 1.0, a);

@@ -55,8 +55,8 @@ inline OwnedStrips sdec_strips(double a, double b, double psi, double normal_for
 /// A grid that owns its memory.
 class OwnedGrid {
  public:
-  explicit OwnedGrid(int cells)
-      : memory_(march_grid_size(cells)), grid_(make_march_grid(cells, memory_.data())) {}
+  explicit OwnedGrid(int cells, InstructionSet set = InstructionSet::baseline)
+      : memory_(march_grid_size(cells)), grid_(make_march_grid(cells, memory_.data(), set)) {}
   OwnedGrid(const OwnedGrid&) = delete;
   OwnedGrid& operator=(const OwnedGrid&) = delete;
   const MarchGrid& get() const { return grid_; }

@@ -1,0 +1,136 @@
+/// Derivatives of the tangential stage and of the whole step, found on a copy of the contact's state.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "contact/contact.hpp"
+
+namespace wrc {
+namespace {
+
+/// A copy of the contact in the memory behind it: a contact holds no pointer into itself.
+Contact& copy_of(Contact& contact) {
+  const std::size_t bytes = state_bytes(*contact.model);
+  void* const behind = reinterpret_cast<char*>(&contact) + bytes;
+  std::memcpy(behind, static_cast<const void*>(&contact), bytes);
+  return *static_cast<Contact*>(behind);
+}
+
+/// The step that led to the contact's forces, with another load or another lateral shift.
+Fault step(Contact& contact, const Load& load, double shift, double (&result)[4]) {
+  const Creepage creepage = contact.creepage;
+  const Friction friction = friction_of(contact);
+  const double speed = contact.speed;
+  Fault fault;
+  if (shift != 0.0) {
+    Pose pose = contact.pose;
+    pose.lateral += shift;
+    worsen(fault, find_gap(contact, pose));
+  }
+  if (!fault.failed()) worsen(fault, solve_normal(contact, load));
+  if (!fault.failed()) worsen(fault, regularise_patch(contact));
+  if (!fault.failed()) worsen(fault, solve_tangential(contact, creepage, friction, speed));
+  result[0] = contact.forces.fx;
+  result[1] = contact.forces.fy;
+  result[2] = contact.forces.mz;
+  result[3] = load.prescribed == Prescribed::load ? contact.normal.approach : contact.extent.normal_force;
+  return fault;
+}
+
+/// A law whose coefficients are all larger by a factor.
+void scale(Friction& friction, Contact& contact, double factor) {
+  friction.law.coefficient *= factor;
+  for (std::int32_t k = 0; k < friction.law.zones.count; ++k) contact.zone_coefficient[k] *= factor;
+}
+
+/// Central differences of the tangential stage. Steps are a thousandth of the creepages, or of those that
+/// saturate friction by linear theory (C about 4) where these are larger. Load and friction act through
+/// their product, so that one difference serves both.
+Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivities) {
+  constexpr double relative_step = 1e-3, linear_coefficient = 4.0;
+  const Patch& main = contact.patch[contact.main_patch];
+  const double c2 = main.sdec.a * main.sdec.b, c = std::sqrt(c2);
+  const double saturating = contact.friction * contact.extent.normal_force /
+                            (linear_coefficient * contact.model->options.material.shear_modulus * c2);
+  const Creepage& creep = contact.creepage;
+  const double size =
+      std::max({std::abs(creep.longitudinal), std::abs(creep.lateral), std::abs(creep.spin) * c, saturating});
+  const double h = relative_step * size;
+  Fault fault;
+  for (int input = 0; input < 4; ++input) {
+    const double step = input == 2 ? h / c : input == 3 ? relative_step : h;
+    double ends[2][3];
+    for (int end = 0; end < 2; ++end) {
+      const double change = end == 0 ? -step : step;
+      Contact& copy = copy_of(contact);
+      Creepage creepage = creep;
+      Friction friction = friction_of(copy);
+      if (input == 0) creepage.longitudinal += change;
+      if (input == 1) creepage.lateral += change;
+      if (input == 2) creepage.spin += change;
+      if (input == 3) scale(friction, copy, 1.0 + change);
+      worsen(fault, solve_tangential(copy, creepage, friction, contact.speed));
+      ends[end][0] = copy.forces.fx;
+      ends[end][1] = copy.forces.fy;
+      ends[end][2] = copy.forces.mz;
+    }
+    for (int r = 0; r < 3; ++r) {
+      const double slope = (ends[1][r] - ends[0][r]) / (2.0 * step);
+      if (input < 3) {
+        sensitivities.d[r][input] = slope;
+      } else {
+        sensitivities.d[r][3] = slope / contact.extent.normal_force;
+        sensitivities.d[r][4] = contact.friction > 0.0 ? slope / contact.friction : 0.0;
+      }
+    }
+  }
+  return fault;
+}
+
+}  // namespace
+
+Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities) {
+  sensitivities = {};
+  if (contact.reached < Stage::tangential) {
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+  }
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
+  Contact& copy = copy_of(contact);
+  return solve_tangential(copy, contact.creepage, friction_of(copy), contact.speed, &sensitivities);
+}
+
+Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities) {
+  sensitivities = {};
+  if (contact.reached < Stage::tangential || !contact.pressed) {
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "forces",
+            .cause = "call wrc_step, or wrc_normal and wrc_tangential, first"};
+  }
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  // Wide enough that the last digits of the normal solution, whose strips are cut anew for every patch, do
+  // not show: they are 1e-4 of the forces.
+  constexpr double relative_load_step = 0.01;
+  constexpr double lateral_step = 1e-4;  // [m]
+  const double load_step = relative_load_step * contact.load.value;
+  const auto difference = [&](double by_load, double by_shift, double(&result)[4]) {
+    double ends[2][4];
+    Fault fault;
+    for (int end = 0; end < 2; ++end) {
+      const double sign = end == 0 ? -1.0 : 1.0;
+      Load load = contact.load;
+      load.value += sign * by_load;
+      worsen(fault, step(copy_of(contact), load, sign * by_shift, ends[end]));
+    }
+    if (fault.failed()) return fault;
+    for (int r = 0; r < 4; ++r) result[r] = (ends[1][r] - ends[0][r]) / (2.0 * (by_load + by_shift));
+    return fault;
+  };
+  Fault fault = difference(load_step, 0.0, sensitivities.by_load);
+  if (!fault.failed() && contact.posed)
+    worsen(fault, difference(0.0, lateral_step, sensitivities.by_lateral));
+  if (fault.failed()) sensitivities = {};
+  return fault;
+}
+
+}  // namespace wrc

@@ -1,0 +1,82 @@
+/// What crosses between the methods and the kernels of an instruction set: plain data, no constructors.
+#pragma once
+
+#include <cstdint>
+
+#include "tangential/problem.hpp"
+#include "tangential/simd/instruction_set.hpp"
+
+namespace wrc {
+
+struct BoundShape;
+
+namespace simd {
+
+/// Forces and moment can be differentiated with respect to nu_x, nu_y, phi. (Friction and load follow: the
+/// forces are homogeneous of degree one in creepages and friction together.)
+inline constexpr std::int32_t inputs = 3;
+
+/// A number and its derivatives with respect to nu_x, nu_y, phi.
+struct Coefficient {
+  double value;
+  double d[inputs];
+};
+
+/// What a kernel finds, summed over the strips in their order.
+struct Sums {
+  double fx, fy, mz;       ///< [N], [N m]
+  double power_per_speed;  ///< [N]
+  double area, slid_area;  ///< [m^2]
+  double d[3][inputs];     ///< of fx, fy, mz; zero if not asked for
+};
+
+/// The march of simplified rolling contact (march.hpp). Tractions of full adhesion grow with the distance
+/// from the leading edge by gx = gx_constant - gx_by_y y, gy = gy_constant + gy_by_x x [Pa/m].
+struct MarchTask {
+  const Strips* region;
+  const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
+  Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
+  double l11, l22;  ///< flexibilities that turn the excess of traction into slip [m/Pa]
+  /// Bound at the middle of a strip of half length l: per_pressure * peak + per_length l + per_length_square
+  /// l^2.
+  double per_pressure, per_length, per_length_square;
+  bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
+  const BoundShape* shape;
+  std::int32_t cells;
+  const TangentialFields* fields;
+};
+
+/// Strip FASTSIM (strip_fastsim.hpp): what the patch, its load and the creepages make of the model. Tractions
+/// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
+/// L x, with the flexibilities l11, l22; that part of it which differs between x and y, by 2 elastic x.
+struct StripFastsimTask {
+  const Strips* region;
+  const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
+  double nu_x, nu_y, phi, friction;
+  Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
+  double l11, l22;      ///< of the stick zone [m/Pa]
+  double t11, t22;      ///< for the turning of slip [m/Pa]
+  Coefficient turning;  ///< factor on them
+  Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
+  double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
+  const BoundShape* shape;
+  std::int32_t cells;
+  const TangentialFields* fields;
+};
+
+}  // namespace simd
+
+/// The kernels of one instruction set. All sets give the same bits.
+struct Kernels {
+  InstructionSet set;
+  void (*march)(const simd::MarchTask& task, simd::Sums& sums);
+  void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
+  /// power_per_speed and the fields of slip are in proportion only; see strip_fastsim.cpp.
+  void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+};
+
+/// The kernels of a set, which the processor must have.
+const Kernels& kernels(InstructionSet set);
+
+}  // namespace wrc

@@ -1,0 +1,186 @@
+/// Numbers as wide as the instruction set this unit is compiled for: one strip per lane.
+///
+/// Included by the units of kernels_*.cpp only, each compiled for another instruction set. Everything is in
+/// an unnamed namespace, and nothing of the standard library's templates is used: what these units generate
+/// is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy of a
+/// function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
+///
+/// The bits of a lane are those of the same operations on a double: no operation here looks across lanes,
+/// none is approximate, and nothing is contracted (-ffp-contract=off).
+#pragma once
+
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+namespace wrc::simd {
+namespace {
+
+#if defined(__AVX512F__)
+
+using Native = __m512d;
+using NativeMask = __mmask8;
+inline Native broadcast(double a) { return _mm512_set1_pd(a); }
+inline Native load_lanes(const double* from) { return _mm512_loadu_pd(from); }
+inline void store_lanes(double* to, Native a) { _mm512_storeu_pd(to, a); }
+// The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
+inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
+inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
+inline Native smaller_of(Native a, Native b) { return _mm512_maskz_min_pd(0xff, a, b); }
+inline NativeMask less(Native a, Native b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+inline NativeMask less_equal(Native a, Native b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
+inline Native choose(NativeMask m, Native a, Native b) { return _mm512_mask_blend_pd(m, b, a); }
+inline NativeMask both(NativeMask a, NativeMask b) { return static_cast<NativeMask>(a & b); }
+inline NativeMask either(NativeMask a, NativeMask b) { return static_cast<NativeMask>(a | b); }
+inline NativeMask negated(NativeMask a) { return static_cast<NativeMask>(~a); }
+inline bool any_lane(NativeMask m) { return m != 0; }
+
+#elif defined(__AVX2__)
+
+using Native = __m256d;
+using NativeMask = __m256d;
+inline Native broadcast(double a) { return _mm256_set1_pd(a); }
+inline Native load_lanes(const double* from) { return _mm256_loadu_pd(from); }
+inline void store_lanes(double* to, Native a) { _mm256_storeu_pd(to, a); }
+inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
+inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
+inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
+inline NativeMask less(Native a, Native b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+inline NativeMask less_equal(Native a, Native b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
+inline Native choose(NativeMask m, Native a, Native b) { return _mm256_blendv_pd(b, a, m); }
+inline NativeMask both(NativeMask a, NativeMask b) { return _mm256_and_pd(a, b); }
+inline NativeMask either(NativeMask a, NativeMask b) { return _mm256_or_pd(a, b); }
+inline NativeMask negated(NativeMask a) { return _mm256_xor_pd(a, _mm256_cmp_pd(a, a, _CMP_TRUE_UQ)); }
+inline bool any_lane(NativeMask m) { return _mm256_movemask_pd(m) != 0; }
+
+#elif defined(__SSE2__)
+
+using Native = __m128d;
+using NativeMask = __m128d;
+inline Native broadcast(double a) { return _mm_set1_pd(a); }
+inline Native load_lanes(const double* from) { return _mm_loadu_pd(from); }
+inline void store_lanes(double* to, Native a) { _mm_storeu_pd(to, a); }
+inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
+inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
+inline Native smaller_of(Native a, Native b) { return _mm_min_pd(a, b); }
+inline NativeMask less(Native a, Native b) { return _mm_cmplt_pd(a, b); }
+inline NativeMask less_equal(Native a, Native b) { return _mm_cmple_pd(a, b); }
+inline Native choose(NativeMask m, Native a, Native b) {
+  return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
+}
+inline NativeMask both(NativeMask a, NativeMask b) { return _mm_and_pd(a, b); }
+inline NativeMask either(NativeMask a, NativeMask b) { return _mm_or_pd(a, b); }
+inline NativeMask negated(NativeMask a) { return _mm_andnot_pd(a, _mm_castsi128_pd(_mm_set1_epi32(-1))); }
+inline bool any_lane(NativeMask m) { return _mm_movemask_pd(m) != 0; }
+
+#elif defined(__aarch64__)
+
+using Native = float64x2_t;
+using NativeMask = uint64x2_t;
+inline Native broadcast(double a) { return vdupq_n_f64(a); }
+inline Native load_lanes(const double* from) { return vld1q_f64(from); }
+inline void store_lanes(double* to, Native a) { vst1q_f64(to, a); }
+inline Native root_of(Native a) { return vsqrtq_f64(a); }
+inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
+inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
+inline Native choose(NativeMask m, Native a, Native b) { return vbslq_f64(m, a, b); }
+inline Native larger_of(Native a, Native b) { return choose(less(b, a), a, b); }  // as x86: b of two zeros
+inline Native smaller_of(Native a, Native b) { return choose(less(a, b), a, b); }
+inline NativeMask both(NativeMask a, NativeMask b) { return vandq_u64(a, b); }
+inline NativeMask either(NativeMask a, NativeMask b) { return vorrq_u64(a, b); }
+inline NativeMask negated(NativeMask a) { return veorq_u64(a, vdupq_n_u64(~0ull)); }
+inline bool any_lane(NativeMask m) { return (vgetq_lane_u64(m, 0) | vgetq_lane_u64(m, 1)) != 0; }
+
+#else  // any other processor: one strip at a time
+
+using Native = double __attribute__((vector_size(8)));
+using NativeMask = bool;
+inline Native broadcast(double a) { return Native{a}; }
+inline Native load_lanes(const double* from) { return Native{*from}; }
+inline void store_lanes(double* to, Native a) { *to = a[0]; }
+inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
+inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
+inline NativeMask less_equal(Native a, Native b) { return a[0] <= b[0]; }
+inline Native choose(NativeMask m, Native a, Native b) { return m ? a : b; }
+inline Native larger_of(Native a, Native b) { return choose(less(b, a), a, b); }
+inline Native smaller_of(Native a, Native b) { return choose(less(a, b), a, b); }
+inline NativeMask both(NativeMask a, NativeMask b) { return a && b; }
+inline NativeMask either(NativeMask a, NativeMask b) { return a || b; }
+inline NativeMask negated(NativeMask a) { return !a; }
+inline bool any_lane(NativeMask m) { return m; }
+
+#endif
+
+constexpr std::int32_t native_lanes = sizeof(Native) / sizeof(double);
+constexpr std::int32_t lanes = 2 * native_lanes;
+
+/// One number for each lane: two vectors of the processor, so that one computes while the other waits for its
+/// root or divide.
+struct Pack {
+  Native a, b;
+
+  Pack() = default;
+  Pack(Native first, Native second) : a(first), b(second) {}
+  Pack(double everywhere) : a(broadcast(everywhere)), b(a) {}  // NOLINT: constants mix freely with packs
+
+  friend Pack operator+(Pack x, Pack y) { return {x.a + y.a, x.b + y.b}; }
+  friend Pack operator-(Pack x, Pack y) { return {x.a - y.a, x.b - y.b}; }
+  friend Pack operator*(Pack x, Pack y) { return {x.a * y.a, x.b * y.b}; }
+  friend Pack operator/(Pack x, Pack y) { return {x.a / y.a, x.b / y.b}; }
+  friend Pack operator-(Pack x) { return {-x.a, -x.b}; }
+  Pack& operator+=(Pack y) { return *this = *this + y; }
+};
+
+/// Yes or no for each lane.
+struct Mask {
+  NativeMask a, b;
+
+  friend Mask operator&(Mask x, Mask y) { return {both(x.a, y.a), both(x.b, y.b)}; }
+  friend Mask operator|(Mask x, Mask y) { return {either(x.a, y.a), either(x.b, y.b)}; }
+  friend Mask operator!(Mask x) { return {negated(x.a), negated(x.b)}; }
+};
+inline Mask operator<(Pack x, Pack y) { return {less(x.a, y.a), less(x.b, y.b)}; }
+inline Mask operator<=(Pack x, Pack y) { return {less_equal(x.a, y.a), less_equal(x.b, y.b)}; }
+inline Mask operator>(Pack x, Pack y) { return y < x; }
+inline Mask operator>=(Pack x, Pack y) { return y <= x; }
+inline bool any(Mask x) { return any_lane(either(x.a, x.b)); }
+
+inline Pack select(Mask m, Pack yes, Pack no) { return {choose(m.a, yes.a, no.a), choose(m.b, yes.b, no.b)}; }
+inline Pack root(Pack x) { return {root_of(x.a), root_of(x.b)}; }
+inline Pack larger(Pack x, Pack y) { return {larger_of(x.a, y.a), larger_of(x.b, y.b)}; }
+inline Pack smaller(Pack x, Pack y) { return {smaller_of(x.a, y.a), smaller_of(x.b, y.b)}; }
+inline Pack magnitude(Pack x) { return larger(x, -x); }
+inline Pack load_pack(const double* from) { return {load_lanes(from), load_lanes(from + native_lanes)}; }
+inline void store_pack(double* to, Pack x) {
+  store_lanes(to, x.a);
+  store_lanes(to + native_lanes, x.b);
+}
+
+/// The nearest integer of 0 <= a < 2^51, ties to even.
+inline Pack nearest_integer(Pack a) {
+  const Pack unit_spacing = 4503599627370496.0;  // 2^52: the next double is one more
+  return (a + unit_spacing) - unit_spacing;
+}
+
+/// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.
+inline Pack load(const double* from, std::int32_t first, std::int32_t count, double rest) {
+  if (count == lanes) return load_pack(from + first);
+  double buffer[lanes];
+  for (std::int32_t k = 0; k < lanes; ++k) buffer[k] = k < count ? from[first + k] : rest;
+  return load_pack(buffer);
+}
+
+/// The first `count` lanes to an array.
+inline void store(Pack a, double* to, std::int32_t count) {
+  if (count == lanes) return store_pack(to, a);
+  double buffer[lanes];
+  store_pack(buffer, a);
+  for (std::int32_t k = 0; k < count; ++k) to[k] = buffer[k];
+}
+
+}  // namespace
+}  // namespace wrc::simd

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "tangential/fastsim.hpp"
+#include "tangential/fastsim_eqe.hpp"
+#include "tangential/fastsim_eql.hpp"
+#include "tangential/fastsim_sdec.hpp"
+#include "tangential/strip_fastsim.hpp"
+#include "tangential_patches.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGrid;
+using test::OwnedStrips;
+using test::RandomCase;
+
+using Method = decltype(fastsim_sdec);
+struct Forces {
+  double of[3];
+};
+
+/// Derivatives against central differences of sixth order with two step sizes. The discrete model has kinks
+/// where a cell changes between stick and slip; where one lies within the steps, the two differences disagree
+/// and say nothing. Elsewhere all must agree to 1e-6 of what the forces are over the input's size.
+void compare(Method& method, bool on_ellipse, TractionBound bound) {
+  std::mt19937 random(21);
+  const OwnedGrid grid(24);
+  int compared = 0, total = 0;
+  for (int n = 0; n < 60; ++n) {
+    const RandomCase c = test::random_case(random);
+    const OwnedStrips strips = test::sdec_strips(c.a, c.b, on_ellipse ? 0.0 : c.psi, c.normal_force, 21);
+    const SdecTable table(c.poisson);
+    const RollingContact contact{strips.get(), c.a,         c.b,        c.psi,      c.shear_modulus,
+                                 &table,       &grid.get(), c.creepage, c.friction, bound};
+    Fault fault;
+    TangentialSensitivities s;
+    const TangentialForces f = method(contact, {}, fault, &s);
+    const TangentialForces plain = method(contact, {}, fault, nullptr);
+    EXPECT_EQ(f.fx, plain.fx);
+    EXPECT_EQ(f.fy, plain.fy);
+    EXPECT_EQ(f.mz, plain.mz);
+    EXPECT_EQ(f.power_per_speed, plain.power_per_speed);
+
+    const double unit = c.friction * c.normal_force, size = std::sqrt(c.a * c.b);
+    const double level = unit / (c.shear_modulus * c.a * c.b);
+    const double scale[4] = {level, level, level / size, c.friction};
+    const double of_force[3] = {unit, unit, unit * size};
+    const int column[4] = {0, 1, 2, 4};
+    for (int k = 0; k < 4; ++k) {
+      const auto at = [&](double offset) -> Forces {
+        RollingContact moved = contact;
+        double* input[4] = {&moved.creepage.longitudinal, &moved.creepage.lateral, &moved.creepage.spin,
+                            &moved.friction.mean};
+        *input[k] += offset;
+        const TangentialForces g = method(moved, {}, fault, nullptr);
+        return {{g.fx, g.fy, g.mz}};
+      };
+      const auto differences = [&](double step) {
+        const Forces p1 = at(step), m1 = at(-step), p2 = at(2 * step), m2 = at(-2 * step), p3 = at(3 * step),
+                     m3 = at(-3 * step);
+        Forces d{};
+        for (int r = 0; r < 3; ++r)
+          d.of[r] = (45.0 * (p1.of[r] - m1.of[r]) - 9.0 * (p2.of[r] - m2.of[r]) + (p3.of[r] - m3.of[r])) /
+                    (60.0 * step);
+        return d;
+      };
+      const Forces coarse = differences(2e-5 * scale[k]), fine = differences(1e-5 * scale[k]);
+      for (int r = 0; r < 3; ++r) {
+        const double one = of_force[r] / scale[k];
+        ++total;
+        if (std::fabs(coarse.of[r] - fine.of[r]) > 1e-8 * one) continue;
+        ++compared;
+        EXPECT_NEAR(s.d[r][column[k]], fine.of[r], 1e-6 * one)
+            << "case " << n << " input " << k << " force " << r;
+      }
+    }
+    // Load and friction act through their product alone.
+    EXPECT_NEAR(s.d[0][3] * totals(strips.get()).normal_force, s.d[0][4] * c.friction, 1e-9 * unit);
+  }
+  EXPECT_GT(compared, total * 9 / 10);
+}
+
+TEST(Sensitivities, OfFastsimSdec) {
+  compare(fastsim_sdec, false, TractionBound::parabolic);
+  compare(fastsim_sdec, false, TractionBound::elliptic);
+}
+TEST(Sensitivities, OfFastsimEql) { compare(fastsim_eql, false, TractionBound::parabolic); }
+TEST(Sensitivities, OfFastsimEqe) { compare(fastsim_eqe, true, TractionBound::parabolic); }
+TEST(Sensitivities, OfFastsim) { compare(fastsim, true, TractionBound::elliptic); }
+TEST(Sensitivities, OfStripFastsim) { compare(strip_fastsim, false, TractionBound::elliptic); }
+
+}  // namespace
+}  // namespace wrc
