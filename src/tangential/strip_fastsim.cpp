@@ -1,87 +1,148 @@
 #include "tangential/strip_fastsim.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "patch/material.hpp"
+#include "patch/regularise.hpp"
 #include "tangential/dual.hpp"
 #include "tangential/lanes.hpp"
+#include "tangential/strip_calibration.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr double tiny_stress = 1e-6;  // [Pa]
+constexpr double tiny_stress = 1e-6;         // [Pa]
+constexpr double largest_slenderness = 0.6;  // of the patches the calibration was fitted to
 
 /// What the patch, its load and the creepages make of the model; T carries derivatives or not.
 template <class T>
 struct Model {
   T nu_x, nu_y, phi, friction;
-  T l11, l13, l22, l23;    ///< flexibilities of the stick zone [m/Pa]
-  double t11, t22;         ///< flexibilities of linear theory, for the turning of slip [m/Pa]
-  T turning;               ///< factor on them
-  double stick_form;       ///< share of FASTSIM's form of the stick zone in strip theory's
-  double bound_per_width;  ///< 4 / (3 a): B = bound_per_width mu p / l
+  T l11, l13, l22, l23;  ///< flexibilities of the stick zone [m/Pa]
+  T neutral_y;           ///< neutral line of spin in the stick zone [m]
+  double t11, t22;       ///< flexibilities of linear theory, for the turning of slip [m/Pa]
+  T turning;             ///< factor on them
+  T elastic;             ///< what the elastic slip differs by between x and y, (l_x - l_y) B [1/m]
+  T B;                   ///< bound of the march [Pa/m^2]
 };
 
-/// How far the creepages are from those of linear theory, from x, e, s: the forces of linear theory due to
-/// nu_x, nu_y, phi over mu N.
-template <class T>
-struct Saturation {
-  T spin;    ///< s^2 / (1 + s^2): saturation by spin, 0 to 1
-  T pull;    ///< e s / (1 + s^2 + x^2 + e^2): lateral creepage pulls with spin (> 0) or against it
-  T unison;  ///< (4 spin (1 - spin))^4: near s = 1, where strip theory lets all strips slip at once
+/// The double ellipse that stands for the patch in linear theory, from the strips' pressure: see the header.
+struct Equivalent {
+  double a = 0.0, b = 0.0, shape_number = 0.0;
+  double y_stiff = 0.0;              ///< lateral centre of the strips' stiffness [m]
+  double pressure_per_length = 0.0;  ///< mean of peak / half length over the area [Pa/m]
+  double normal_force = 0.0;         ///< [N]
 };
 
-/// The calibration; u = (a - b) / (a + b).
+Equivalent equivalent(const RollingContact& c) {
+  const Strips& strips = c.region;
+  double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double p = strips.width[j] * strips.peak[j], l = strips.width[j] * strips.half_length[j];
+    pressure += p;
+    pressure_y += p * strips.y[j];
+    length += l;
+    length_y += l * strips.y[j];
+  }
+  const double load = totals(strips).normal_force;
+  if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
+  Equivalent patch;
+  patch.a = 0.75 * load / pressure;
+  patch.b = 2.0 * length / (pi * patch.a);
+  patch.y_stiff = pressure_y / pressure;
+  const double centre = 0.5 * (patch.y_stiff + length_y / length) / patch.b;
+  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -largest_psi, largest_psi);
+  patch.pressure_per_length = pressure / length;
+  patch.normal_force = load;
+  return patch;
+}
+
+/// The terms of the calibration; x, e, s and the limit mu N, all as forces [N].
 template <class T>
-void calibrate(double u, const Saturation<T>& at, const Flexibility& linear, Model<T>& m) {
-  const T spin = at.spin, pull = at.pull, pull2 = at.pull * at.pull, unison = at.unison;
-  m.stick_form = 0.060 + 0.035 * u;
-  m.turning = (1.460 + 0.082 * u) * (1.0 - 0.539 * spin) * (1.0 + 0.739 * pull2) *
-              (1.0 + (-0.316 + 0.186 * u) * pull + (-0.082 + 0.066 * u) * unison);
-  // Linear forces of the tractions sqrt(v/u), sqrt(uv) relative to those of v, uv, integrated over an SDEC:
-  // 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part. The
-  // stick zone takes (1 + stick_form) / 2 of t for small t.
-  constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
-  const double form = 1.0 + m.stick_form;
-  m.l11 = linear.l11 * creepage_area * form * (1.0 + (0.328 + 0.311 * u) * spin) *
-          (1.0 + 0.066 * pull - 0.060 * unison) * (1.0 - 0.303 * pull2);
-  m.l22 = linear.l22 * creepage_area * form * (1.0 + (0.088 + 0.217 * u) * spin) *
-          (1.0 + (0.170 - 0.112 * u) * pull) * (1.0 - 0.070 * pull2);
-  m.l13 = linear.l13 * spin_area * form * (1.0 - 0.077 * u * spin) * (1.0 + (-0.016 + 0.095 * u) * unison);
-  m.l23 = linear.l23 * (1.0 + (-0.075 + 0.107 * u) * spin) *
-          (1.0 + (-0.005 + 0.024 * u + 0.069 * u * u) * unison - 0.063 * pull);
+std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_number, const T& x,
+                                                         const T& e, const T& s, const T& limit) {
+  constexpr double least_force2 = 1e-30;  // [N^2]: neither friction nor creepages
+  const T limit2 = limit * limit + least_force2, translation = x * x + e * e;
+  const T inverse = 1.0 / (limit2 + s * s + translation);
+  const T longitudinal = x * x * inverse, lateral = e * e * inverse, spin = s * s * inverse;
+  const T pull = e * s * inverse, pull2 = pull * pull;
+  const T ratio = s * s / (limit2 + s * s), even = 4.0 * ratio * (1.0 - ratio), even2 = even * even;
+  return {T(1.0),
+          T(u),
+          longitudinal,
+          lateral,
+          spin,
+          pull,
+          pull2,
+          u * longitudinal,
+          u * lateral,
+          u * spin,
+          u * pull,
+          u * pull2,
+          even2 * even2 * (limit2 / (limit2 + translation)),
+          shape_number * (x * s * inverse)};
+}
+
+/// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
+template <class T>
+T factor(const T& q) {
+  return q + root(1.0 + q * q);
+}
+
+/// Neutral line of spin over psi b: with it and C13 the model has the C33 of linear theory. Fitted to the
+/// coefficients of src/halfspace/linear_theory for a/b 0.2 to 5, Poisson ratios 0.25 and 0.3, |psi| <= 0.7,
+/// within 0.018.
+double neutral_line(double u, double poisson, double shape_number) {
+  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
+         0.077 * shape_number * shape_number;
 }
 
 template <class T>
-Model<T> model(const RollingContact& c, const T& nu_x, const T& nu_y, const T& phi, const T& friction,
-               Fault& fault) {
-  const SdecCoefficients s = c.linear_theory->at(c.a / c.b, c.shape_number, fault);
+Model<T> model(const RollingContact& c, const StripCalibration& calibration, const T& nu_x, const T& nu_y,
+               const T& phi, const T& friction, Fault& fault) {
+  const Equivalent patch = equivalent(c);
+  const double a = patch.a, b = patch.b, psi = patch.shape_number, u = slenderness(a / b);
+  const SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
   Fault reported;
-  const Flexibility linear =
-      sdec_flexibility(c.a, c.b, c.shape_number, c.shear_modulus, *c.linear_theory, reported);
-  // x, e, s times mu N
-  const double stiffness = c.shear_modulus * c.a * c.b;
-  const T x = stiffness * s.c11 * nu_x, e = stiffness * s.c22 * nu_y;
-  const T k = stiffness * std::sqrt(c.a * c.b) * s.c23 * phi;
-  const T limit = friction * totals(c.region).normal_force;
-  constexpr double least_force2 = 1e-30;  // [N^2]: neither friction nor creepages
-  const T with_spin = limit * limit + k * k + least_force2;
-  Saturation<T> saturation;
-  saturation.spin = k * k / with_spin;
-  saturation.pull = e * k / (with_spin + x * x + e * e);
-  const T even = 4.0 * saturation.spin * (1.0 - saturation.spin);
-  saturation.unison = even * even * even * even;
+  const Flexibility flexibility = sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
+
+  const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
+  const std::array<T, StripCalibration::terms> terms = calibration_terms<T>(
+      std::clamp(u, -largest_slenderness, largest_slenderness), psi,
+      stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi), (stiffness * linear.c22) * nu_y,
+      (stiffness * size * linear.c23) * phi, friction * patch.normal_force);
+  const auto fitted = [&](StripCalibration::Quantity quantity) {
+    T sum = 0.0;
+    for (int i = 0; i < StripCalibration::terms; ++i) sum += calibration.constants[quantity][i] * terms[i];
+    return sum;
+  };
+
+  // Linear forces of the tractions sqrt(v/u) / 2, sqrt(uv) relative to those of v, uv, integrated over an
+  // SDEC: 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part.
+  constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
+  // The centre of an SDEC's length is at 8 / (3 pi) psi b: what shifts the neutral line must stiffen spin.
+  constexpr double centre = 8.0 / (3.0 * pi);
+  const double neutral = neutral_line(u, c.linear_theory->ellipse().poisson(), psi);
   Model<T> m;
   m.nu_x = nu_x;
   m.nu_y = nu_y;
   m.phi = phi;
   m.friction = friction;
-  m.t11 = linear.l11;
-  m.t22 = linear.l22;
-  m.bound_per_width = 4.0 / (3.0 * c.a);
-  calibrate(slenderness(c.a / c.b), saturation, linear, m);
+  m.t11 = flexibility.l11;
+  m.t22 = flexibility.l22;
+  m.l11 = flexibility.l11 * creepage_area * factor(fitted(StripCalibration::flexibility_x));
+  m.l22 = flexibility.l22 * creepage_area * factor(fitted(StripCalibration::flexibility_y));
+  m.l13 = flexibility.l13 * spin_area * (1.0 - neutral / centre) *
+          factor(fitted(StripCalibration::flexibility_spin_x));
+  m.l23 = flexibility.l23 * factor(fitted(StripCalibration::flexibility_spin_y));
+  m.neutral_y =
+      (patch.y_stiff - (centre - neutral) * psi * b) * (1.0 + fitted(StripCalibration::neutral_line));
+  m.turning = 1.4 * factor(fitted(StripCalibration::turning));
+  m.B = 4.0 / (3.0 * a) * patch.pressure_per_length * friction;
+  m.elastic = m.B * (creepage_area * (m.t11 - m.t22) + m.t11 * fitted(StripCalibration::elastic_slip));
   return m;
 }
 
@@ -94,7 +155,7 @@ struct Group {
   Lane<T> onset_u{};        ///< u_s [m]
   Lane<T> kappa{}, lambda{}, psi{};
   Lane<T> wx{}, wy{};  ///< rigid slip at the strip's middle
-  Lane<T> elastic{};   ///< (2 B L11 - 2 B L22) / 2 [1/m]
+  Lane<T> elastic{};   ///< half of what 2 B L differs by between x and y [1/m]
 };
 
 /// State of the march: traction over the bound of the march, and that bound.
@@ -116,16 +177,16 @@ void prepare(const Model<T>& m, const Strips& strips, std::int32_t first, std::i
     g.width[i] = strips.width[j];
     g.wx[i] = m.nu_x - m.phi * g.y[i];
     g.wy[i] = m.nu_y + m.phi * g.centre[i];
-    const T gx = m.nu_x / m.l11 - m.phi * g.y[i] / m.l13;
+    const T gx = m.nu_x / m.l11 - m.phi * (g.y[i] - m.neutral_y) / m.l13;
     const T gy = m.nu_y / m.l22 + m.phi * g.centre[i] / m.l23;
     const T k = 0.5 * m.phi / m.l23;
     g.gx[i] = gx;
     g.gy[i] = gy;
     g.k[i] = k;
     g.bound[i] = m.friction * strips.peak[j];
-    const T B = m.bound_per_width * g.bound[i] / l;
+    const T B = m.B;
     g.B[i] = B;
-    g.elastic[i] = B * (m.l11 - m.l22);
+    g.elastic[i] = m.elastic;
 
     // onset of slip, as onset_parabolic() in stick_zone.hpp
     const T c = gx * gx + gy * gy, A = B * B - k * k, H = -(gy * k);
@@ -172,7 +233,6 @@ struct Row {
 template <class T>
 inline void step(const Group<T>& g, const Model<T>& m, std::int32_t i, std::int32_t cells, double shape_mean,
                  State<T>& state, Row<T>& row) {
-  const double stick_form = m.stick_form;
   const double ahead_of_cell = cells - i, behind_cell = cells - i - 1;  // u at the cell's borders / h
   const double inverse_weight =
       1.0 / (ahead_of_cell * std::sqrt(ahead_of_cell) - behind_cell * std::sqrt(behind_cell));
@@ -187,8 +247,7 @@ inline void step(const Group<T>& g, const Model<T>& m, std::int32_t i, std::int3
     // little.
     const T us_cells = us * (1.0 / h);
     const T near = larger(T(0.0), ahead_of_cell - us_cells), far = larger(T(0.0), behind_cell - us_cells);
-    const T whole = (near * root(near) - far * root(far)) * inverse_weight;
-    const T s = whole * (1.0 - stick_form + stick_form * whole);
+    const T s = (near * root(near) - far * root(far)) * inverse_weight;
     const T stick_x = g.kappa[k] * (1.0 - s);
     const T stick_y = g.lambda[k] + (g.psi[k] - g.lambda[k]) * s;
 
@@ -316,9 +375,11 @@ TangentialForces result(double fx, double fy, double mz, double area, double sli
 
 }  // namespace
 
-TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
+TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                               const StripCalibration& calibration) {
   const Creepage& c = contact.creepage;
-  const Model<double> m = model<double>(contact, c.longitudinal, c.lateral, c.spin, contact.friction, fault);
+  const Model<double> m =
+      model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, contact.friction, fault);
   const Forces<double> f = solve(contact, m, fields);
   const TangentialForces forces = result(f.fx, f.fy, f.mz, f.area, f.slid_area, c);
   const double scale = f.local_power > 0.0 ? forces.power_per_speed / f.local_power : 0.0;
@@ -334,9 +395,9 @@ TangentialForces strip_fastsim(const RollingContact& contact, TangentialSensitiv
   // The load acts through mu N alone (pressure proportional to it), so four inputs give five derivatives.
   using Number = Dual<4>;
   const Creepage& c = contact.creepage;
-  const Model<Number> m =
-      model<Number>(contact, Number::input(c.longitudinal, 0), Number::input(c.lateral, 1),
-                    Number::input(c.spin, 2), Number::input(contact.friction, 3), fault);
+  const Model<Number> m = model<Number>(contact, fitted_calibration, Number::input(c.longitudinal, 0),
+                                        Number::input(c.lateral, 1), Number::input(c.spin, 2),
+                                        Number::input(contact.friction, 3), fault);
   const Forces<Number> f = solve(contact, m, {});
   const double N = totals(contact.region).normal_force;
   const Number* rows[3] = {&f.fx, &f.fy, &f.mz};

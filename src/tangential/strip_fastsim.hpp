@@ -33,12 +33,15 @@
 #pragma once
 
 #include "tangential/rolling_contact.hpp"
+#include "tangential/strip_calibration.hpp"
 
 namespace wrc {
 
 /// contact.region: the strips of the actual patch; contact.a, contact.b, contact.shape_number: its SDEC.
 /// contact.bound is not used: the bound is mu p_n.
-TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
+/// Other constants than the fitted ones are for the calibration itself.
+TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                               const StripCalibration& calibration = fitted_calibration);
 
 /// Forces with their derivatives, exact for the discrete model at a fixed patch.
 struct TangentialSensitivities {
