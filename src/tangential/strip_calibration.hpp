@@ -1,11 +1,11 @@
 /// The fitted constants of strip FASTSIM: how a patch of finite width deviates from strip theory as it
 /// saturates.
 ///
-/// Each quantity is a sum of constants times terms. x, e, s are the longitudinal force (with the part spin has
-/// in it), the lateral force of lateral creepage and that of spin in linear theory, over the friction limit mu
-/// N; with Q = 1 + x^2 + e^2 + s^2 every term lies between -1 and 1, vanishes with the creepages (but for the
-/// first two) and tends to a constant for large ones. u = (a - b) / (a + b) is the slenderness. All terms stay
-/// the same when the patch is mirrored and when all creepages change sign.
+/// Each quantity is a sum of constants times terms. x, e, s are the longitudinal force (with the part spin
+/// has in it), the lateral force of lateral creepage and that of spin in linear theory, over the friction
+/// limit mu N; with Q = 1 + x^2 + e^2 + s^2 every term lies between -1 and 1, vanishes with the creepages
+/// (but for the first two) and tends to a constant for large ones. u = (a - b) / (a + b) is the slenderness.
+/// All terms stay the same when the patch is mirrored and when all creepages change sign.
 ///
 /// tests/calibration makes the constants; its README has the commands. Zeros are terms the fit did not need.
 #pragma once
@@ -15,19 +15,19 @@ namespace wrc {
 struct StripCalibration {
   enum Term {
     constant,
-    slender,          ///< u
-    longitudinal,     ///< x^2 / Q
-    lateral,          ///< e^2 / Q
-    spin,             ///< s^2 / Q
-    pull,             ///< e s / Q: lateral creepage pulls with spin (> 0) or against it
-    pull_squared,     ///< its square
-    longitudinal_u,   ///< u x^2 / Q
-    lateral_u,        ///< u e^2 / Q
-    spin_u,           ///< u s^2 / Q
-    pull_u,           ///< u e s / Q
-    pull_squared_u,   ///< u times the square
-    unison,           ///< 1 where s^2 = 1, where strip theory lets all strips slip at once; falls off to both sides
-    lopsided,         ///< psi x s / Q: the wider half pulls with the longitudinal force or against it
+    slender,         ///< u
+    longitudinal,    ///< x^2 / Q
+    lateral,         ///< e^2 / Q
+    spin,            ///< s^2 / Q
+    pull,            ///< e s / Q: lateral creepage pulls with spin (> 0) or against it
+    pull_squared,    ///< its square
+    longitudinal_u,  ///< u x^2 / Q
+    lateral_u,       ///< u e^2 / Q
+    spin_u,          ///< u s^2 / Q
+    pull_u,          ///< u e s / Q
+    pull_squared_u,  ///< u times the square
+    unison,    ///< 1 where s^2 = 1, where strip theory lets all strips slip at once; falls off to both sides
+    lopsided,  ///< psi x s / Q: the wider half pulls with the longitudinal force or against it
     terms
   };
   enum Quantity {
@@ -43,7 +43,8 @@ struct StripCalibration {
   double constants[quantities][terms];
 };
 
-/// clang-format off: a table
+/// Rows as Quantity, columns as Term.
+// clang-format off
 inline constexpr StripCalibration fitted_calibration = {{
     {0, 0, 0.05174, 0, 0, 0.114, 0, 0.1218, 0, 0.5455, 0.4398, 0, 0, 0},  // flexibility_x
     {0, 0, 0.1138, 0.06507, 0.1409, -0.2237, 0.4827, 0.149, 0, 0, 0, 0, 0, 0.2084},  // flexibility_y
@@ -53,5 +54,6 @@ inline constexpr StripCalibration fitted_calibration = {{
     {0, 0, -0.8948, -0.426, -1.02, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // neutral_line
     {0, 0, 0.09297, -0.1438, 1.067, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // elastic_slip
 }};
+// clang-format on
 
 }  // namespace wrc

@@ -92,14 +92,6 @@ T factor(const T& q) {
   return q + root(1.0 + q * q);
 }
 
-/// Neutral line of spin over psi b: with it and C13 the model has the C33 of linear theory. Fitted to the
-/// coefficients of src/halfspace/linear_theory for a/b 0.2 to 5, Poisson ratios 0.25 and 0.3, |psi| <= 0.7,
-/// within 0.018.
-double neutral_line(double u, double poisson, double shape_number) {
-  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
-         0.077 * shape_number * shape_number;
-}
-
 template <class T>
 Model<T> model(const RollingContact& c, const StripCalibration& calibration, const T& nu_x, const T& nu_y,
                const T& phi, const T& friction, Fault& fault) {
@@ -184,7 +176,7 @@ void prepare(const Model<T>& m, const Strips& strips, std::int32_t first, std::i
     g.gy[i] = gy;
     g.k[i] = k;
     g.bound[i] = m.friction * strips.peak[j];
-    const T B = m.B;
+    const T B = m.B;  // the same in all strips: see the file's header
     g.B[i] = B;
     g.elastic[i] = m.elastic;
 
@@ -374,6 +366,11 @@ TangentialForces result(double fx, double fy, double mz, double area, double sli
 }
 
 }  // namespace
+
+double neutral_line(double u, double poisson, double shape_number) {
+  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
+         0.077 * shape_number * shape_number;
+}
 
 TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                                const StripCalibration& calibration) {
