@@ -37,7 +37,7 @@ struct StripCalibration {
     flexibility_spin_y,  ///< factor on l23
     turning,             ///< factor on the flexibility with which slip turns the traction
     neutral_line,        ///< added to 1: how far the neutral line of spin is from where it does not stretch
-    elastic_slip,        ///< added: what the elastic slip differs by between x and y
+    torsion,  ///< lateral elastic slip, in units of that of a slipping strip's edge, for s^2 / Q = 1
     quantities
   };
   double constants[quantities][terms];
@@ -46,13 +46,13 @@ struct StripCalibration {
 /// Rows as Quantity, columns as Term.
 // clang-format off
 inline constexpr StripCalibration fitted_calibration = {{
-    {0, 0, 0.05174, 0, 0, 0.114, 0, 0.1218, 0, 0.5455, 0.4398, 0, 0, 0},  // flexibility_x
-    {0, 0, 0.1138, 0.06507, 0.1409, -0.2237, 0.4827, 0.149, 0, 0, 0, 0, 0, 0.2084},  // flexibility_y
-    {0, 0, 0.09169, 0, 0, 0.1415, 0, 0.1715, 0, 1.062, 0.4683, 0, 0.1025, 0},  // flexibility_spin_x
-    {0, 0, -0.1168, 0.2531, -0.1313, 0, 0, 0, 0, 0.1024, 0, 0, 0, 0.1685},  // flexibility_spin_y
-    {0.1353, 0.1329, -0.5429, 0, -1.154, 0.1633, -0.9914, 0, 0, 0.2471, 0, 0, -0.3123, 0.3341},  // turning
-    {0, 0, -0.8948, -0.426, -1.02, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // neutral_line
-    {0, 0, 0.09297, -0.1438, 1.067, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // elastic_slip
+    {0, 0, 0.04591, 0.006608, 0, 0.01436, -0.4932, 0.08937, 0.1801, 0.3785, 0.524, 0, 0.01103, 0.172},  // flexibility_x
+    {0, 0, 0.1196, 0.074, 0.2363, -0.1601, 0.07169, 0.05931, 0.05635, 0, 0, 0, 0, 0.3122},  // flexibility_y
+    {0, 0, 0.1134, 0, -0.0599, 0.02446, -0.4499, 0.1555, 0.2607, 0.6838, 0.5914, 0, 0.1025, 0.2344},  // flexibility_spin_x
+    {0, 0, -0.069, 0.2258, -0.1272, 0, 0, -0.08325, 0, 0.1785, -0.05042, 0, -0.004714, 0.1406},  // flexibility_spin_y
+    {-0.1237, 0.1397, -0.3638, 0, -2.244, -0.5309, 0.4595, 0, 0, 0.6902, 0, 0, -0.4787, 0.2158},  // turning
+    {0, 0, -0.8315, -0.6103, -0.8158, -0.2928, 0, 0, 0, 0, 0, 0, 0, 0},  // neutral_line
+    {0.1692, 0.135, 0.2348, 0.01398, 0.5213, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // torsion
 }};
 // clang-format on
 

@@ -15,6 +15,7 @@ namespace wrc {
 namespace {
 
 constexpr double tiny_stress = 1e-6;         // [Pa]
+constexpr double least_force2 = 1e-30;       // [N^2]: neither friction nor creepages
 constexpr double largest_slenderness = 0.6;  // of the patches the calibration was fitted to
 
 /// What the patch, its load and the creepages make of the model; T carries derivatives or not.
@@ -25,6 +26,7 @@ struct Model {
   T neutral_y;           ///< neutral line of spin in the stick zone [m]
   double t11, t22;       ///< flexibilities of linear theory, for the turning of slip [m/Pa]
   T turning;             ///< factor on them
+  T torsion;             ///< lateral elastic slip of a patch that spins [-]
   T elastic;             ///< what the elastic slip differs by between x and y, (l_x - l_y) B [1/m]
   T B;                   ///< bound of the march [Pa/m^2]
 };
@@ -60,13 +62,11 @@ Equivalent equivalent(const RollingContact& c) {
   return patch;
 }
 
-/// The terms of the calibration; x, e, s and the limit mu N, all as forces [N].
+/// The terms of the calibration; x, e, s and the limit mu N as forces [N], Q the sum of their squares.
 template <class T>
 std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_number, const T& x,
-                                                         const T& e, const T& s, const T& limit) {
-  constexpr double least_force2 = 1e-30;  // [N^2]: neither friction nor creepages
-  const T limit2 = limit * limit + least_force2, translation = x * x + e * e;
-  const T inverse = 1.0 / (limit2 + s * s + translation);
+                                                         const T& e, const T& s, const T& limit, const T& Q) {
+  const T limit2 = limit * limit + least_force2, inverse = 1.0 / Q;
   const T longitudinal = x * x * inverse, lateral = e * e * inverse, spin = s * s * inverse;
   const T pull = e * s * inverse, pull2 = pull * pull;
   const T ratio = s * s / (limit2 + s * s), even = 4.0 * ratio * (1.0 - ratio), even2 = even * even;
@@ -82,7 +82,7 @@ std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_
           u * spin,
           u * pull,
           u * pull2,
-          even2 * even2 * (limit2 / (limit2 + translation)),
+          even2 * even2 * (limit2 / (limit2 + x * x + e * e)),
           shape_number * (x * s * inverse)};
 }
 
@@ -101,11 +101,16 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   Fault reported;
   const Flexibility flexibility = sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
 
+  // Forces of linear theory and what friction allows [N].
   const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
-  const std::array<T, StripCalibration::terms> terms = calibration_terms<T>(
-      std::clamp(u, -largest_slenderness, largest_slenderness), psi,
-      stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi), (stiffness * linear.c22) * nu_y,
-      (stiffness * size * linear.c23) * phi, friction * patch.normal_force);
+  const T longitudinal = stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi);
+  const T lateral = (stiffness * linear.c22) * nu_y, spin = (stiffness * size * linear.c23) * phi;
+  const T limit = friction * patch.normal_force;
+  const T saturation2 =
+      limit * limit + longitudinal * longitudinal + lateral * lateral + spin * spin + least_force2;
+  const std::array<T, StripCalibration::terms> terms =
+      calibration_terms<T>(std::clamp(u, -largest_slenderness, largest_slenderness), psi, longitudinal,
+                           lateral, spin, limit, saturation2);
   const auto fitted = [&](StripCalibration::Quantity quantity) {
     T sum = 0.0;
     for (int i = 0; i < StripCalibration::terms; ++i) sum += calibration.constants[quantity][i] * terms[i];
@@ -134,7 +139,8 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
       (patch.y_stiff - (centre - neutral) * psi * b) * (1.0 + fitted(StripCalibration::neutral_line));
   m.turning = 1.4 * factor(fitted(StripCalibration::turning));
   m.B = 4.0 / (3.0 * a) * patch.pressure_per_length * friction;
-  m.elastic = m.B * (creepage_area * (m.t11 - m.t22) + m.t11 * fitted(StripCalibration::elastic_slip));
+  m.elastic = m.B * creepage_area * (m.t11 - m.t22);
+  m.torsion = m.B * (m.t22 * a) * (spin / root(saturation2)) * fitted(StripCalibration::torsion);
   return m;
 }
 
@@ -146,7 +152,7 @@ struct Group {
   Lane<T> B{}, bound{};     ///< parabolic bound B u v of the march; mu p at the strip's middle
   Lane<T> onset_u{};        ///< u_s [m]
   Lane<T> kappa{}, lambda{}, psi{};
-  Lane<T> wx{}, wy{};  ///< rigid slip at the strip's middle
+  Lane<T> wx{}, wy{};  ///< rigid slip at the strip's middle, with torsion
   Lane<T> elastic{};   ///< half of what 2 B L differs by between x and y [1/m]
 };
 
@@ -168,7 +174,7 @@ void prepare(const Model<T>& m, const Strips& strips, std::int32_t first, std::i
     g.y[i] = strips.y[j];
     g.width[i] = strips.width[j];
     g.wx[i] = m.nu_x - m.phi * g.y[i];
-    g.wy[i] = m.nu_y + m.phi * g.centre[i];
+    g.wy[i] = m.nu_y + m.phi * g.centre[i] + m.torsion;
     const T gx = m.nu_x / m.l11 - m.phi * (g.y[i] - m.neutral_y) / m.l13;
     const T gy = m.nu_y / m.l22 + m.phi * g.centre[i] / m.l23;
     const T k = 0.5 * m.phi / m.l23;
