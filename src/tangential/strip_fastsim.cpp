@@ -152,6 +152,7 @@ struct Group {
   Lane<T> B{}, bound{};     ///< parabolic bound B u v of the march; mu p at the strip's middle
   Lane<T> onset_u{};        ///< u_s [m]
   Lane<T> kappa{}, lambda{}, psi{};
+  Lane<T> form{};      ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
   Lane<T> wx{}, wy{};  ///< rigid slip at the strip's middle, with torsion
   Lane<T> elastic{};   ///< half of what 2 B L differs by between x and y [1/m]
 };
@@ -189,7 +190,13 @@ void prepare(const Model<T>& m, const Strips& strips, std::int32_t first, std::i
     // onset of slip, as onset_parabolic() in stick_zone.hpp
     const T c = gx * gx + gy * gy, A = B * B - k * k, H = -(gy * k);
     const T lead = gy + 2.0 * k * l;
-    const bool slips_at_edge = gx * gx + lead * lead >= 4.0 * B * B * (l * l);
+    const T edge2 = gx * gx + lead * lead, bound2 = 4.0 * B * B * (l * l);
+    const bool slips_at_edge = edge2 >= bound2;
+    // A strip about to slip at the leading edge may, with |psi| > 1, have sticking material behind it, to
+    // which the march gives FASTSIM's form: the closed form must arrive there too, or forces jump strip by
+    // strip.
+    const T near_edge = smaller(T(1.0), edge2 / (bound2 + tiny_stress * tiny_stress));
+    g.form[i] = near_edge * near_edge * (near_edge * near_edge);
     const T S = root(larger(T(0.0), H * H + A * c));
     const bool cancels = H < T(0.0);
     const T numerator = cancels ? S - H : c, denominator = cancels ? A : H + S;
@@ -245,7 +252,8 @@ inline void step(const Group<T>& g, const Model<T>& m, std::int32_t i, std::int3
     // little.
     const T us_cells = us * (1.0 / h);
     const T near = larger(T(0.0), ahead_of_cell - us_cells), far = larger(T(0.0), behind_cell - us_cells);
-    const T s = (near * root(near) - far * root(far)) * inverse_weight;
+    const T whole = (near * root(near) - far * root(far)) * inverse_weight;
+    const T s = whole * (1.0 - g.form[k] + g.form[k] * whole);
     const T stick_x = g.kappa[k] * (1.0 - s);
     const T stick_y = g.lambda[k] + (g.psi[k] - g.lambda[k]) * s;
 
