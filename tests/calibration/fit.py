@@ -127,10 +127,10 @@ def main():
         active = list(zip(*np.nonzero(constants)))
     else:
         constants = np.zeros(errors.shape)
-        # The first two terms do not vanish with the creepages: only the turning of slip may have them. The other
+        # The first two terms do not vanish with the creepages: only turning and torsion, which are not in linear theory, may have them. The other
         # terms left out here were never worth their place in any trial.
         active = [(q, t) for q in range(errors.shape[0]) for t in range(2, errors.shape[1])
-                  if q < 5 or t < (5 if q == 6 else 6)] + [(4, 0), (4, 1)]
+                  if q < 5 or t < (5 if q == 6 else 6)] + [(4, 0), (4, 1), (6, 0), (6, 1)]
         constants, _, _ = fit(errors, constants, active, 2, 25)
     constants, best, matrix = fit(errors, constants, active, 3, 40)
     while arguments.keep and len(active) > arguments.keep:
