@@ -121,11 +121,11 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
                            [](const RollingContact& c, const TangentialFields& f, Fault& fault) {
                              return strip_fastsim(c, f, fault);
                            });
-  EXPECT_LT(strip.force.median, 0.0075);
-  EXPECT_LT(strip.force.p95, 0.035);
-  EXPECT_LT(strip.force.max, 0.05);
-  EXPECT_LT(strip.balance.median, 0.033);
-  EXPECT_LT(strip.balance.p95, 0.165);
+  EXPECT_LT(strip.force.median, 0.006);
+  EXPECT_LT(strip.force.p95, 0.019);
+  EXPECT_LT(strip.force.max, 0.032);
+  EXPECT_LT(strip.balance.median, 0.011);
+  EXPECT_LT(strip.balance.p95, 0.035);
   EXPECT_LT(sdec.force.median, 0.014);
   EXPECT_LT(sdec.force.p95, 0.115);
   EXPECT_LT(sdec.force.max, 0.128);
