@@ -21,7 +21,8 @@ std::string text_of(const Case& c) {
   char text[300];
   std::snprintf(text, sizeof text, ",%.8g,%.8g,%.8g,%.8g,%.6f,%d,%d,%.1e,%.1e,", f.fx, f.fy, f.mz, f.power,
                 f.adhesion, fine_cells, fine_cells, f.force_shift, f.power_shift);
-  std::string line = text_of(c.patch) + text;
+  std::string line = text_of(c.patch);
+  line += text;
   for (const Strip& s : c.patch.strips) {
     std::snprintf(text, sizeof text, "%.9g %.9g %.9g %.9g %.9g ", s.y, s.width, s.centre, s.half_length,
                   s.peak);

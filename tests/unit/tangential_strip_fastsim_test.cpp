@@ -260,7 +260,7 @@ TEST(StripFastsim, ForcesAreContinuousInTheCreepages) {
   const SdecTable table(0.28);
   Fault fault;
   double largest = 0.0;
-  for (int scan = 0; scan < 24; ++scan) {
+  for (int scan = 0; scan < 12; ++scan) {
     const double ratio = std::pow(2.0, 1.5 * part(random)), psi = 0.6 * part(random);
     const double a = c * std::sqrt(ratio), b = c / std::sqrt(ratio), level = 3.0 * mu * N / (G * a * b);
     const OwnedStrips strips = sdec_strips(a, b, psi, N, 32);
