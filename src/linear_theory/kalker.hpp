@@ -30,6 +30,8 @@ class KalkerTable {
   /// For any ratio a/b > 0; flags WRC_FLAG_TABLE_RANGE where the asymptotes are used.
   KalkerCoefficients at(double ratio, Fault& fault) const;
 
+  double poisson() const { return poisson_; }
+
  private:
   using Reciprocal = HermiteTable<tables::ratio_count>;
   double poisson_ = 0.0;

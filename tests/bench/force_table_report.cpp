@@ -150,8 +150,8 @@ class Timed {
     patch.b = c.patch.b;
     patch.psi = c.patch.psi;
     patch.normal_force = c.normal_force;
-    wrc_creepage creepage = {sizeof creepage, 0,  c.creepage.longitudinal, c.creepage.lateral,
-                             c.creepage.spin, 1.0, 0.0};
+    wrc_creepage creepage = {
+        sizeof creepage, 0, c.creepage.longitudinal, c.creepage.lateral, c.creepage.spin, 1.0, 0.0};
     wrc_friction friction;
     friction.struct_size = sizeof friction;
     wrc_friction_init(&friction);

@@ -35,7 +35,7 @@ Report compare_wheelrail(const Csv& file) {
   Report report;
   report.kind = "wheelrail";
   report.rows = file.rows();
-  report.measures = {"force", "power", "peak_pressure", "area", "approach"};
+  report.measures = {"force", "power", "power_balance", "peak_pressure", "area", "approach"};
   report.default_variant = variants[0].name;
   for (const Variant& variant : variants) {
     report.variants.emplace_back(variant.name);
@@ -82,6 +82,10 @@ Report compare_wheelrail(const Csv& file) {
       errors["force"].add(row,
                           std::hypot(forces.fx - file(row, "Fx_N"), forces.fy - file(row, "Fy_N")) / limit);
       errors["power"].add(row, forces.power / file(row, "P_W") - 1.0);
+      // The same sign in both frames of reference; see sdec_kind.cpp on the two powers.
+      const double balance = -(file(row, "Fx_N") * file(row, "cksi") + file(row, "Fy_N") * file(row, "ceta") +
+                               file(row, "Mz_Nm") * file(row, "cphi_per_m"));
+      errors["power_balance"].add(row, forces.power / (balance * file(row, "vs_mps")) - 1.0);
       errors["peak_pressure"].add(row, patch.peak_pressure / (1e6 * file(row, "pmax_MPa")) - 1.0);
       errors["area"].add(row, patch.area / (1e-6 * file(row, "area_mm2")) - 1.0);
       errors["approach"].add(row, patch.approach / (1e-3 * file(row, "pen_mm")) - 1.0);

@@ -218,8 +218,8 @@ struct StickCell {
 
 /// Adds a cell of the first stick zone.
 template <bool sensitivities>
-inline void stick(const Group& g, const Cell& cell, bool wanted,
-                  StickSums& sums, Sums& strong, Derivative* derivative, StickCell& result) {
+inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums, Sums& strong,
+                  Derivative* derivative, StickCell& result) {
   const Pack zero = 0.0, one = 1.0;
   const Pack form = g.form;
   // The mean of sqrt(1 - t_s) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
@@ -343,9 +343,8 @@ inline void differentiate(const Group& g, const Cell& cell, Mask moving, const S
     const Pack rho_x = d.ratio * before.ex - before.rho_y * d.angle;
     const Pack rho_y = d.ratio * before.ey + before.rho_x * d.angle;
     const SlipChange change{
-        select(end_moves, d.slip_end, zero), d.wx + elastic * rho_x,
-        d.wy + d.spin * cell.x - elastic * rho_y, d.spin,
-        d.bound * moved.flexibility + slip.d * d.turning + d_by_x * rho_x + d_by_y * rho_y};
+        select(end_moves, d.slip_end, zero), d.wx + elastic * rho_x, d.wy + d.spin * cell.x - elastic * rho_y,
+        d.spin, d.bound * moved.flexibility + slip.d * d.turning + d_by_x * rho_x + d_by_y * rho_y};
     Pack angle = turned(slope, d.angle, change), ratio = zero;
     if (any_sticks) {
       const Pack middle = 2.0 * cell.x + moved.dv;
@@ -373,8 +372,8 @@ inline void differentiate(const Group& g, const Cell& cell, Mask moving, const S
 inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, const State& s) {
   const Pack zero = 0.0;
   const Pack rigid = -(g.wx * s.rho_x + (g.wy + g.spin * cell.x) * s.rho_y);
-  const Pack elastic = 2.0 * cell.x * g.slope *
-                       (task.l11 * (s.rho_x * s.rho_x) + task.l22 * (s.rho_y * s.rho_y));
+  const Pack elastic =
+      2.0 * cell.x * g.slope * (task.l11 * (s.rho_x * s.rho_x) + task.l22 * (s.rho_y * s.rho_y));
   const Pack behind = larger(zero, g.slip_end - (2.0 - cell.t));
   const Pack partial = select(g.slip_end < 2.0, 2.0 * root(behind * cell.t) / (behind + cell.t), 1.0);
   return larger(zero, rigid - elastic) * partial;
