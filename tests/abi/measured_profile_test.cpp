@@ -78,7 +78,8 @@ struct Points {
       return static_cast<double>(seed) / 4294967296.0;
     };
     std::size_t at = 0;
-    for (double where = from_y.front() + 1e-9; where < from_y.back();) {
+    double where = from_y.front() + 1e-9;
+    while (where < from_y.back()) {
       while (at + 2 < from_y.size() && from_y[at + 1] < where) ++at;
       const double slope = (from_z[at + 1] - from_z[at]) / (from_y[at + 1] - from_y[at]);
       const double secant = std::sqrt(1.0 + slope * slope);

@@ -18,8 +18,8 @@ struct Result {
 template <typename Curve>
 Result smoothed(double from, double to, double spacing, double wavelength, Curve&& curve) {
   Result r;
-  for (double t = from; t < to; t += spacing) {
-    const auto [y, z] = curve(t);
+  for (int i = 0; from + i * spacing < to; ++i) {
+    const auto [y, z] = curve(from + i * spacing);
     r.y.push_back(y);
     r.z.push_back(z);
   }
