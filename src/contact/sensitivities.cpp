@@ -102,12 +102,12 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
 
 Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities) {
   sensitivities = {};
+  if (contact.reached >= Stage::tangential && !contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   if (contact.reached < Stage::tangential || !contact.pressed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "forces",
             .cause = "call wrc_step, or wrc_normal and wrc_tangential, first"};
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   // Wide enough that the last digits of the normal solution, whose strips are cut anew for every patch, do
   // not show: they are 1e-4 of the forces.
   constexpr double relative_load_step = 0.01;

@@ -169,7 +169,7 @@ void run_patches(wrc_contact* contact, Hash& hash) {
 
 void add_host_data(Plan& plan) {
   add_gaps(plan);
-  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+  for (int32_t tangential : tangential_methods) {
     add_model(plan, WRC_NORMAL_EKP, tangential);
     plan.jobs.push_back({"strips", plan.models.size() - 1, {}, run_strips});
     plan.jobs.push_back({"patches", plan.models.size() - 1, {}, run_patches});

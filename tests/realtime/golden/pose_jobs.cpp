@@ -94,7 +94,7 @@ void add_methods(Plan& plan) {
     add_job(plan, std::string("normal ") + normal_names[normal], poses);
   }
   const std::vector<Step> few = {poses[0], poses[2], poses[3], poses[5]};
-  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+  for (int32_t tangential : tangential_methods) {
     const std::string group = std::string("tangential ") + tangential_names[tangential];
     for (int32_t normal = 0; normal < normal_methods; ++normal) {
       wrc_config& config = add_model(plan);
@@ -121,7 +121,7 @@ void add_methods(Plan& plan) {
 void add_flexibilities(Plan& plan) {
   const std::vector<Step> steps = {at(0.0, 0.0, 0.0, 80e3), at(5.1e-3, 0.0, 4e-3, 80e3)};
   for (int32_t flexibility : {WRC_FLEXIBILITY_SINGLE, WRC_FLEXIBILITY_BLENDED}) {
-    for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+    for (int32_t tangential : tangential_methods) {
       wrc_config& config = add_model(plan);
       config.tangential_method = tangential;
       config.flexibility = flexibility;
