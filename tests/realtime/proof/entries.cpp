@@ -79,10 +79,20 @@ void wear_numbers(Wheel& wheel) {
   wrc_wear_numbers(wheel.contact, nullptr, &wear);
 }
 
+void sensitivities(Wheel& wheel) {
+  wrc_sensitivity forces = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_sensitivities(wheel.contact, &forces);
+}
+
+void step_sensitivities(Wheel& wheel) {
+  wrc_step_sensitivity forces = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  wrc_step_sensitivities(wheel.contact, &forces);
+}
+
 void contact_patch(Wheel& wheel) { wrc_contact_patch(wheel.contact, 0, &wheel.patch, &wheel.forces); }
 
 void field(Wheel& wheel) {
-  for (int32_t id = 0; id <= WRC_FIELD_STRIP_WEAR; ++id) {
+  for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
     wrc_view view = made<wrc_view>(wrc_view_init);
     wrc_field(wheel.contact, 0, id, &view);
   }
@@ -177,6 +187,8 @@ const std::vector<Entry>& all_entries() {
       {"wrc_tangential", tangential},
       {"wrc_damage_numbers", damage_numbers},
       {"wrc_wear_numbers", wear_numbers},
+      {"wrc_sensitivities", sensitivities},
+      {"wrc_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},
       {"wrc_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},

@@ -13,11 +13,11 @@
 namespace {
 
 #ifdef NDEBUG
-constexpr std::size_t allowed = 16 * 1024;  ///< what docs/realtime.md promises of release builds [bytes]
+constexpr std::size_t allowed = 80 * 1024;  ///< what docs/realtime.md promises of release builds [bytes]
 #else
-constexpr std::size_t allowed = 64 * 1024;  ///< without optimisation every temporary has its own place
+constexpr std::size_t allowed = 512 * 1024;  ///< without optimisation every temporary has its own place
 #endif
-constexpr std::size_t stack_size = 256 * 1024;
+constexpr std::size_t stack_size = 1024 * 1024;
 constexpr unsigned char paint = 0xa5;
 constexpr std::size_t own_frame = 512;  ///< room below the measuring frame for what it calls while painting
 
