@@ -490,7 +490,8 @@ typedef struct wrc_sensitivity {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
-                             (same patch, pressure growing in proportion), friction coefficient [-] */
+                             (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the
+                             whole law; with friction.zones, their mean over the load) */
 } wrc_sensitivity;
 
 /** Derivatives of the last whole step, creepages and friction held. */
@@ -761,7 +762,9 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
 /** Derivatives of the forces of the last wrc_tangential (or wrc_step) with respect to creepages, load and friction, for
  * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
  * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and slip;
- * there it is the derivative from one side. Nothing in the contact changes, fields included.
+ * there it is the derivative from one side. FaStrip, modified FASTSIM, WRC_TANGENTIAL_COARSE_HALFSPACE and _TABLE, single
+ * and blended flexibilities, and friction that falls with speed have central differences instead, with steps of a
+ * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential).

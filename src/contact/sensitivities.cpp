@@ -56,6 +56,8 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
   const double size =
       std::max({std::abs(creep.longitudinal), std::abs(creep.lateral), std::abs(creep.spin) * c, saturating});
   const double h = relative_step * size;
+  // What the caller's coefficient scales is the whole law; zones have their mean for it.
+  const double coefficient = contact.law.law.zones.count > 0 ? contact.friction : contact.law.law.coefficient;
   Fault fault;
   for (int input = 0; input < 4; ++input) {
     const double step = input == 2 ? h / c : input == 3 ? relative_step : h;
@@ -80,7 +82,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
         sensitivities.d[r][input] = slope;
       } else {
         sensitivities.d[r][3] = slope / contact.extent.normal_force;
-        sensitivities.d[r][4] = contact.friction > 0.0 ? slope / contact.friction : 0.0;
+        sensitivities.d[r][4] = coefficient > 0.0 ? slope / coefficient : 0.0;
       }
     }
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tangential/exponential.hpp"
+#include "elementary.hpp"
 
 namespace wrc {
 namespace {
@@ -19,12 +19,13 @@ double integral_between(double y0, double c0, double y1, double c1, double from,
 }  // namespace
 
 double friction_fall(const FrictionLaw& law, double sliding_speed) {
+  constexpr double endless = 690.0;  // e^-690 is nothing, and within what natural_exp takes
   const double A = law.kinetic_ratio;
   switch (law.fall) {
     case FrictionLaw::Fall::none:
       break;
     case FrictionLaw::Fall::exponential:
-      return (1.0 - A) * decaying_exponential(law.fall_rate * sliding_speed) + A;
+      return (1.0 - A) * natural_exp(-std::min(law.fall_rate * sliding_speed, endless)) + A;
     case FrictionLaw::Fall::hyperbolic:
       return A + (1.0 - A) / (1.0 + sliding_speed / law.half_speed);
   }

@@ -5,59 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "wrc/wrc.h"
+#include "abi/reference_contact.hpp"
 
 namespace {
 
-template <typename Struct>
-Struct made(int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  EXPECT_EQ(init(&value), WRC_OK);
-  return value;
-}
-
 /// S1002 on UIC60, 80 kN, the paper's Case 2, in partial slip.
-class Sensitivities : public testing::Test {
+class Sensitivities : public ReferenceContact {
  protected:
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
-
-  void SetUp() override {
-    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.wheel = &wheel;
-    config.rail = &rail;
-    load.normal_force = 80e3;
-    creepage.longitudinal = -0.49e-3;
-    creepage.lateral = -0.22e-3;
-    creepage.spin = 0.29;
-    friction.coefficient = 0.35;
+  /// The contact of another configuration.
+  void remake() {
+    TearDown();
     ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
     ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
-  }
-  void TearDown() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-
-  int32_t step() {
-    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-    wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
-    return wrc_step(contact, &input, &output);
-  }
-  std::string error() const {
-    char text[256];
-    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
-    return text;
   }
   /// Everything the contact holds.
   std::vector<char> state() const {
@@ -152,6 +111,58 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   EXPECT_EQ(of_step.by_load[3], 0.0);
   EXPECT_EQ(wrc_sensitivities(nullptr, &s), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_sensitivities(contact, nullptr), WRC_FLAG_NO_CONTACT);
+}
+
+/// Methods and laws without derivatives of their own: against differences of wrc_tangential with steps of
+/// another size.
+TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
+  struct Choice {
+    int32_t method, flexibility, friction;
+  };
+  for (const Choice& choice :
+       {Choice{WRC_TANGENTIAL_MODIFIED_FASTSIM, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{WRC_TANGENTIAL_FASTRIP_SDEC, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{WRC_TANGENTIAL_COARSE_HALFSPACE, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{WRC_TANGENTIAL_FASTSIM_SDEC, WRC_FLEXIBILITY_BLENDED, WRC_FRICTION_CONSTANT},
+        Choice{WRC_TANGENTIAL_STRIP_FASTSIM, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
+    SCOPED_TRACE(choice.method);
+    config.tangential_method = choice.method;
+    config.flexibility = choice.flexibility;
+    friction.kind = choice.friction;
+    creepage.speed = 20.0;
+    remake();
+    ASSERT_GE(step(), 0) << error();
+    const std::vector<char> before = state();
+    wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
+    ASSERT_GE(wrc_sensitivities(contact, &s), 0) << error();
+    EXPECT_EQ(state(), before);
+
+    const double limit = forces.fn * friction.coefficient;
+    double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin,
+                              &friction.coefficient};
+    const int columns[] = {0, 1, 2, 4};
+    const double steps[] = {2e-5, 2e-5, 4e-3, 2e-3};
+    for (int k = 0; k < 4; ++k) {
+      const double at = *inputs[k];
+      double ends[2][2];
+      for (int end = 0; end < 2; ++end) {
+        *inputs[k] = end == 0 ? at - steps[k] : at + steps[k];
+        ASSERT_GE(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), 0) << error();
+        ends[end][0] = forces.fx;
+        ends[end][1] = forces.fy;
+      }
+      *inputs[k] = at;
+      for (int row = 0; row < 2; ++row) {
+        // What changes over a step, against a hundredth of what friction allows.
+        const double slope = (ends[1][row] - ends[0][row]) / (2.0 * steps[k]);
+        EXPECT_NEAR(s.forces[row][columns[k]] * steps[k], slope * steps[k], 1e-3 * limit)
+            << "row " << row << " input " << k;
+        EXPECT_NE(s.forces[row][columns[k]], 0.0);
+      }
+      EXPECT_NEAR(s.forces[0][3] * forces.fn, s.forces[0][4] * friction.coefficient,
+                  1e-6 * limit);  // load and friction act through their product
+    }
+  }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-// The friction law: falling, zones, the coefficient of each strip, and the exponential it is made of.
+// The friction law: falling, zones, the coefficient of each strip.
 #include <gtest/gtest.h>
 
-#include "tangential/exponential.hpp"
 #include "tangential/friction.hpp"
 #include "tangential_patches.hpp"
 
@@ -11,18 +10,6 @@ namespace {
 using test::OwnedStrips;
 using test::sdec_strips;
 using Fall = FrictionLaw::Fall;
-
-TEST(Exponential, IsThatOfTheLibraryWithinTwoUnitsOfTheLastPlace) {
-  for (int i = 0; i < 200000; ++i) {
-    const double x = 707.9 * i / 200000.0;
-    const double exact = std::exp(-x);
-    ASSERT_LE(std::fabs(decaying_exponential(x) - exact), 2.0 * 2.3e-16 * exact) << x;
-  }
-  EXPECT_EQ(decaying_exponential(0.0), 1.0);
-  EXPECT_EQ(decaying_exponential(1e-300), 1.0);
-  EXPECT_EQ(decaying_exponential(708.0), 0.0);
-  EXPECT_EQ(decaying_exponential(1e300), 0.0);
-}
 
 TEST(FrictionLaw, FallsAsPolachHasIt) {
   // mu_0 = 0.36, A = 0.38, B = 0.7 s/m (Polach): at 1 m/s 0.36 (0.62 exp(-0.7) + 0.38) = 0.2476378
