@@ -6,8 +6,7 @@
 std::vector<Methods> all_methods() {
   std::vector<Methods> all;
   for (int32_t normal = 0; normal < normal_methods; ++normal) {
-    for (int32_t tangential : tangential_methods)
-      all.push_back({normal, tangential, WRC_SIDE_RIGHT, 32, 32});
+    for (int32_t tangential : tangential_methods) all.push_back({normal, tangential, WRC_SIDE_RIGHT, 32, 32});
   }
   return all;
 }
