@@ -265,7 +265,7 @@ void CoarseRolling<n>::gmres(double accuracy) {
   for (int k = 0; k < size_; ++k) norm2 += rhs_[k] * rhs_[k];
   if (!(norm2 > 0.0)) return;
   const double norm = std::sqrt(norm2);
-  double cosine[max_products], sine[max_products], projected[max_products + 1];
+  double cosine[max_products], minus_sine[max_products], projected[max_products + 1];
   for (int k = 0; k < size_; ++k) basis_[0][k] = rhs_[k] / norm;
   projected[0] = norm;
   int used = 0;
@@ -290,17 +290,19 @@ void CoarseRolling<n>::gmres(double accuracy) {
     for (int k = 0; k < size_; ++k) length2 += next[k] * next[k];
     const double length = std::sqrt(length2);
     for (int i = 0; i < m; ++i) {
-      const double upper = cosine[i] * column[i] + sine[i] * column[i + 1];
-      column[i + 1] = cosine[i] * column[i + 1] - sine[i] * column[i];
+      // Two sums, not a sum and a difference: gcc 12 would make fused operations of such a pair for
+      // processors that have them, whatever it is told about contraction.
+      const double upper = cosine[i] * column[i] + (-minus_sine[i]) * column[i + 1];
+      column[i + 1] = cosine[i] * column[i + 1] + minus_sine[i] * column[i];
       column[i] = upper;
     }
     const double radius = std::sqrt(column[m] * column[m] + length2);
     if (!(radius > 0.0)) break;
     cosine[m] = column[m] / radius;
-    sine[m] = length / radius;
+    minus_sine[m] = -(length / radius);
     column[m] = radius;
     if (m + 1 < max_products) hessenberg_[m + 1][m + 1] = 0.0;
-    projected[m + 1] = -sine[m] * projected[m];
+    projected[m + 1] = minus_sine[m] * projected[m];
     projected[m] *= cosine[m];
     if (!(length > 0.0)) {
       ++used;
