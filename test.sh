@@ -17,7 +17,7 @@ suite() {
   cmake --preset "$preset" >"build/$preset.log" 2>&1 || { cat "build/$preset.log"; return 1; }
   cmake --build --preset "$preset" >>"build/$preset.log" 2>&1 || { cat "build/$preset.log"; return 1; }
   echo "== $preset: tests"
-  ctest --preset "$preset" "${@:2}" >"$log" 2>&1 || true
+  ctest --preset "$preset" -j 2 "${@:2}" >"$log" 2>&1 || true
   grep -vE '^(Test project|    Start|Total Test time)' "$log" || true
   total_passed=$((total_passed + $(grep -cE '  Passed  ' "$log" || true)))
   total_failed=$((total_failed + $(grep -cE '\*\*\*(Failed|Timeout|Exception|Not Run)' "$log" || true)))
