@@ -73,13 +73,5 @@ Dual<n> root(const Dual<n>& a) {
   const double r = std::sqrt(a.value);
   return a.chain(r, r > 0.0 ? 0.5 / r : 0.0);
 }
-template <class T>
-T larger(const T& a, const T& b) {
-  return a < b ? b : a;
-}
-template <class T>
-T smaller(const T& a, const T& b) {
-  return b < a ? b : a;
-}
 
 }  // namespace wrc
