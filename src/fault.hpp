@@ -12,15 +12,18 @@ namespace wrc {
 
 struct Fault {
   std::int32_t status = WRC_OK;  ///< a value of wrc_status: < 0 failed, > 0 usable but flagged
+  std::int32_t index = -1;       ///< element of an array the fault is about, -1 if none
   const char* field = nullptr;   ///< what is wrong, by the name the caller knows ("load.normal_force")
   double value = 0.0;            ///< its value, in `unit`
   const char* unit = nullptr;    ///< nullptr: the fault is not about a number
   double low = 0.0, high = 0.0;  ///< allowed range; low >= high: there is none to name
   const char* cause = nullptr;   ///< likely cause or remedy, a short clause ("did you pass kN?")
-  std::int32_t index = -1;       ///< element of an array the fault is about, -1 if none
 
   bool failed() const { return status < 0; }
 };
+
+// A contact's saved state holds its last fault: with padding here, equal states could differ in their bytes.
+static_assert(sizeof(Fault) == 2 * sizeof(std::int32_t) + 3 * (sizeof(const char*) + sizeof(double)));
 
 /// Keeps the gravest: a failure over a flag, a flag over nothing; of equals the first.
 inline void worsen(Fault& kept, const Fault& next) {

@@ -88,11 +88,11 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* field, 
   for (std::uint32_t j = 1; j < count; ++j) {
     if (!(y[j] > y[j - 1])) {
       return {.status = WRC_ERROR_GAP,
+              .index = static_cast<std::int32_t>(j),
               .field = field,
               .value = y[j],
               .unit = "m",
-              .cause = cause,
-              .index = static_cast<std::int32_t>(j)};
+              .cause = cause};
     }
   }
   return {};
@@ -187,11 +187,11 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
     if (j > 0 &&
         strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
       return {.status = WRC_ERROR_RANGE,
+              .index = static_cast<std::int32_t>(j),
               .field = "strips.y",
               .value = strips.y[j],
               .unit = "m",
-              .cause = "strips must be in order of increasing y and not overlap",
-              .index = static_cast<std::int32_t>(j)};
+              .cause = "strips must be in order of increasing y and not overlap"};
     }
   }
   // The strips of the caller are only read; the internal view has no const form.

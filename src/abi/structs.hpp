@@ -154,10 +154,10 @@ inline Fault check_finite(const double* values, std::size_t count, const char* f
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(values[i])) {
       return {.status = WRC_ERROR_NOT_FINITE,
+              .index = static_cast<std::int32_t>(i),
               .field = field,
               .value = values[i],
-              .unit = unit,
-              .index = static_cast<std::int32_t>(i)};
+              .unit = unit};
     }
   }
   return {};

@@ -58,11 +58,11 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
   for (std::int32_t i = 1; i < source.count; ++i) {
     if (!(smooth.y[i] > smooth.y[i - 1]))
       return {.status = WRC_ERROR_PROFILE,
+              .index = i,
               .field = "profile.smoothing",
               .value = source.smoothing,
               .unit = "m",
-              .cause = "so long a smoothing folds the steep part of the profile at this point",
-              .index = i};
+              .cause = "so long a smoothing folds the steep part of the profile at this point"};
   }
   deviation = smooth.deviation;
   return spline_through(body, source.count, smooth.y, smooth.z, scratch, memory, profile);

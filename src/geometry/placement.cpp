@@ -81,11 +81,11 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
     memory.slope[i] = (c * slope - s) / (c + s * slope);
     if (!usable(first + i) || (i > 0 && memory.y[i] <= memory.y[i - 1])) {
       return {.status = WRC_ERROR_PROFILE,
+              .index = first + i,
               .field = "rail inclination",
               .value = placement.inclination,
               .unit = "",
-              .cause = "the canted profile folds back: it is no longer a height over lateral position",
-              .index = first + i};
+              .cause = "the canted profile folds back: it is no longer a height over lateral position"};
     }
   }
   placed = profile_in(memory, count);

@@ -16,11 +16,11 @@ Names names_of(ProfileBody body) {
 
 Fault unusable(const char* field, double value, const char* cause, std::int32_t index = -1) {
   return {.status = WRC_ERROR_PROFILE,
+          .index = index,
           .field = field,
           .value = value,
           .unit = "m",
-          .cause = cause,
-          .index = index};
+          .cause = cause};
 }
 
 /// Mean of z over y, by trapezoids [m].
@@ -127,11 +127,11 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
     const bool y_bad = !std::isfinite(y[i]);
     if (y_bad || !std::isfinite(z[i])) {
       return {.status = WRC_ERROR_NOT_FINITE,
+              .index = i,
               .field = y_bad ? name.y : name.z,
               .value = y_bad ? y[i] : z[i],
               .unit = "m",
-              .cause = "a point is NaN or infinite",
-              .index = i};
+              .cause = "a point is NaN or infinite"};
     }
     const bool y_far = std::abs(y[i]) > profile_reach;
     if (y_far || std::abs(z[i]) > profile_reach) {

@@ -15,27 +15,27 @@ Fault check_rows(const GapRows& rows) {
             .value = static_cast<double>(rows.count),
             .cause = "at least four rows are needed"};
   // Finiteness first, by bits: a comparison with a NaN would raise a trap that the host may have armed.
-  if (!std::isfinite(rows.height[0])) return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = 0};
+  if (!std::isfinite(rows.height[0])) return {.status = WRC_ERROR_NOT_FINITE, .index = 0, .field = "gap"};
   double lowest = rows.height[0], highest = rows.height[0];
   for (std::int32_t j = 0; j < rows.count; ++j) {
     for (const double value : {rows.y[j], rows.height[j], rows.centre[j], rows.curvature[j]})
-      if (!std::isfinite(value)) return {.status = WRC_ERROR_NOT_FINITE, .field = "gap", .index = j};
+      if (!std::isfinite(value)) return {.status = WRC_ERROR_NOT_FINITE, .index = j, .field = "gap"};
     lowest = std::min(lowest, rows.height[j]);
     highest = std::max(highest, rows.height[j]);
     if (j > 0 && rows.y[j] <= rows.y[j - 1])
       return {.status = WRC_ERROR_GAP,
+              .index = j,
               .field = "gap.y",
               .value = rows.y[j],
               .unit = "m",
-              .cause = "rows must be ordered by increasing y",
-              .index = j};
+              .cause = "rows must be ordered by increasing y"};
     if (rows.curvature[j] <= 0.0)
       return {.status = WRC_ERROR_GAP,
+              .index = j,
               .field = "gap.curvature",
               .value = rows.curvature[j],
               .unit = "1/m",
-              .cause = "bodies that conform along the rolling direction are no rolling contact",
-              .index = j};
+              .cause = "bodies that conform along the rolling direction are no rolling contact"};
   }
   if (!(highest > lowest))
     return {.status = WRC_ERROR_GAP,

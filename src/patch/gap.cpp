@@ -119,9 +119,9 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
         !std::isfinite(fit.lowest)) {
       return {
           .status = WRC_ERROR_GAP,
+          .index = j,
           .field = "gap.h row",
-          .cause = "the row has no minimum along x: is the gap convex there, and x the rolling direction?",
-          .index = j};
+          .cause = "the row has no minimum along x: is the gap convex there, and x the rolling direction?"};
     }
     height[j] = fit.lowest;
     centre[j] = fit.at;
