@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "tangential/problem.hpp"
-#include "tangential/simd/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace wrc {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tangential/fastsim_sdec.hpp"
-#include "tangential/simd/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "tangential/strip_fastsim.hpp"
 #include "unit/tangential_patches.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "tangential/fastsim_sdec.hpp"
-#include "tangential/simd/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 #include "tangential/simd/kernels.hpp"
 #include "tangential/strip_fastsim.hpp"
 #include "tangential_patches.hpp"

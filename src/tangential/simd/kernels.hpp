@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "tangential/problem.hpp"
-#include "tangential/simd/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace wrc {
 

@@ -15,7 +15,7 @@
 
 #include "tangential/march_grid.hpp"
 #include "tangential/simd/kernels.hpp"
-#include "tangential/simd/pack.hpp"
+#include "simd/pack.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 

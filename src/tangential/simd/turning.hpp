@@ -10,7 +10,7 @@
 #pragma once
 
 #include "tangential/simd/kernels.hpp"
-#include "tangential/simd/pack.hpp"
+#include "simd/pack.hpp"
 
 namespace wrc::simd {
 namespace {

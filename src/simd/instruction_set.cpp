@@ -1,4 +1,4 @@
-#include "tangential/simd/instruction_set.hpp"
+#include "simd/instruction_set.hpp"
 
 #if defined(__x86_64__)
 #include <cpuid.h>
