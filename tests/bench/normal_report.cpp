@@ -1,10 +1,16 @@
-/// Continuity and speed of the normal methods through the C interface, printed:
+/// Continuity and speed of the normal methods through the C interface, printed; S1002 on the benchmark UIC60.
 ///     normal_report sweep [--rows FILE.csv]    lateral shift -6..+7 mm by 0.02 mm, yaw -20..20 mrad, 80 kN
-///     normal_report jumps                      the same sweep: what is left of every change as the step
-///     shrinks normal_report flange                     first touch leaping to the flange, against the exact
-///     solver normal_report speed                      microseconds per solve of every method, 60 strips
+///
+///     normal_report jumps                      the same: what is left of its changes as the step shrinks
+///
+///     normal_report flange [CELLS]             first touch leaping to the flange, against the exact solver
+///                                              on CELLS x 2 CELLS cells [160]
+///
+///     normal_report speed                      microseconds per solve of every method, 60 strips
+///
 ///     normal_report solves METHOD cold|warm N  N solves of one method and nothing else, for a profiler
-/// S1002 on the benchmark UIC60. The first two end with one line of JSON when --json is given.
+///
+/// The first two end with one line of JSON when --json is given.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -292,13 +298,14 @@ int jumps() {
 
 // ------------------------------------------------------------------------------------------------ flange
 
-/// The strips against the exact half-space solver of the same gap, where first touch moves to the flange.
-int flange() {
+/// The strips against the exact half-space solver of the same gap, where first touch moves to the flange;
+/// `cells` along x, twice as many along y. Also where the exact peak lies: x from the middle of its row.
+int flange(uint32_t cells) {
   std::printf(
       "strip_halfspace against the exact solver on the same gap, %.0f kN; errors in %%\n"
-      "%8s %6s %8s %9s %9s %9s | %9s %9s %9s\n",
-      1e-3 * load_of_all, "lateral", "yaw", "patches", "approach", "area", "peak", "approach", "area",
-      "peak");
+      "%8s %6s %8s %9s %9s %9s | %9s %9s %9s %12s\n",
+      1e-3 * load_of_all, "lateral", "yaw", "patches", "approach", "area", "peak", "approach", "area", "peak",
+      "off mid [mm]");
   Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false);
   for (double yaw : {0.0, 0.010})
     for (double lateral = 6.0e-3;
@@ -308,26 +315,31 @@ int flange() {
       const Wheel::Extent extent = wheel.extent();
       constexpr double margin = 1e-3;
       wrc_grid grid = made<wrc_grid>(wrc_grid_init);
-      grid.nx = 160;
-      grid.ny = 320;
+      grid.nx = cells;
+      grid.ny = 2 * cells;
       grid.dx = (extent.x_to - extent.x_from + 2.0 * margin) / grid.nx;
       grid.dy = (extent.y_to - extent.y_from + 2.0 * margin) / grid.ny;
       grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
       grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
-      std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny);
+      std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny), pressure(gap.size());
       wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
       wrc_exact_normal_solution exact = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
       problem.normal_force = wheel.patch.normal_force;
       problem.grid = &grid;
       problem.gap = gap.data();
+      exact.pressure = pressure.data();
       if (wrc_exact_gap(wheel.contact(), &grid, gap.data()) < 0 ||
           wrc_exact_normal(&problem, &exact, nullptr, 0) < 0)
         return 1;
+      const std::ptrdiff_t peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
+      const auto row = gap.begin() + peak - peak % cells;
+      const std::ptrdiff_t middle = std::min_element(row, row + cells) - row;
       const wrc_patch& p = wheel.patch;
-      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f | %+9.2f %+9.2f %+9.2f\n", 1e3 * lateral, 1e3 * yaw,
-                  p.patches, 1e6 * p.approach, 1e6 * p.area, 1e-6 * p.peak_pressure,
+      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f | %+9.2f %+9.2f %+9.2f %12.2f\n", 1e3 * lateral,
+                  1e3 * yaw, p.patches, 1e6 * p.approach, 1e6 * p.area, 1e-6 * p.peak_pressure,
                   100.0 * (p.approach / exact.approach - 1.0), 100.0 * (p.area / exact.area - 1.0),
-                  100.0 * (p.peak_pressure / exact.peak_pressure - 1.0));
+                  100.0 * (p.peak_pressure / exact.peak_pressure - 1.0),
+                  1e3 * grid.dx * static_cast<double>(peak % cells - middle));
     }
   return 0;
 }
@@ -405,13 +417,16 @@ int main(int argc, char** argv) {
   }
   if (what == "sweep") return sweep(json, rows);
   if (what == "jumps") return jumps();
-  if (what == "flange") return flange();
+  if (what == "flange") {
+    const int cells = argc > 2 ? std::atoi(argv[2]) : 160;
+    if (cells >= 4 && cells <= 512) return flange(static_cast<uint32_t>(cells));
+  }
   if (what == "speed") return speed(json);
   if (what == "solves" && argc > 4)
     return solves(argv[2], std::strcmp(argv[3], "warm") == 0, std::atoi(argv[4]));
-  std::fprintf(
-      stderr,
-      "usage: normal_report sweep [--rows FILE] [--json] | jumps | flange | speed [--json] | solves METHOD "
-      "cold|warm N\n");
+  std::fprintf(stderr,
+               "usage: normal_report sweep [--rows FILE] [--json] | jumps | flange [CELLS 4..512] | speed "
+               "[--json] | solves METHOD "
+               "cold|warm N\n");
   return 2;
 }
