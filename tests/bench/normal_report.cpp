@@ -348,8 +348,8 @@ int flange(uint32_t cells) {
   std::printf("\n");
   Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false), rows(WRC_NORMAL_STRIP_HALFSPACE, false);
   for (double yaw : {0.0, 0.010})
-    for (double lateral = 6.0e-3;
-         lateral<7.01e-3; lateral += lateral> 6.45e-3 && lateral < 6.75e-3 ? 0.05e-3 : 0.1e-3) {
+    for (double lateral : {6.0, 6.1, 6.2, 6.3, 6.4, 6.5, 6.55, 6.6, 6.65, 6.7, 6.75, 6.85, 6.95}) {
+      lateral *= 1e-3;
       wheel.place(lateral, yaw);
       wheel.solve();
       rows.take_rows(wheel);

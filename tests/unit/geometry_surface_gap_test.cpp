@@ -101,8 +101,8 @@ TEST(SurfaceGap, IsNewtonsOverBothCoordinatesOfTheRealWheel) {
     std::int32_t found = 0;
     ASSERT_EQ(find_contact(bodies.rail, wheel, 1, &contact, found).status, WRC_OK);
     const SurfaceGap gap{bodies.rail, wheel, contact};
-    for (double x = -12.0 * mm; x < 12.5 * mm; x += 3.0 * mm)
-      for (double y = -3.0 * mm; y < 3.1 * mm; y += 0.5 * mm)
+    for (const double x : {-12.0 * mm, -5.0 * mm, 0.0, 3.0 * mm, 11.0 * mm})
+      for (const double y : {-3.0 * mm, -1.1 * mm, -0.3 * mm, 0.0, 0.2 * mm, 0.9 * mm, 3.0 * mm})
         EXPECT_NEAR(gap.at(x, y), separation(bodies, wheel, contact, x, y), 1e-13)
             << pose.lateral << " x " << x << " y " << y;
   }
@@ -194,7 +194,7 @@ TEST(SurfaceGap, IsFiniteAndApartFarOff) {
       if (find_contact(bodies.rail, wheel, 1, &contact, found).failed()) continue;
       const SurfaceGap gap{bodies.rail, wheel, contact};
       for (const double x : {-11.0, -1.0, -0.2, 0.2, 0.5, 11.0})
-        for (double y = -30.0 * mm; y < 31.0 * mm; y += 5.0 * mm)
+        for (const double y : {-30.0 * mm, -15.0 * mm, -5.0 * mm, 0.0, 5.0 * mm, 15.0 * mm, 30.0 * mm})
           EXPECT_GT(gap.at(x, y), 0.0) << yaw << " " << lateral << " " << x << " " << y;
     }
   }
