@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elementary.hpp"
+#include "felt.hpp"
 
 namespace wrc {
 namespace {
@@ -63,7 +64,7 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
       const double turn = creepage.spin * strips.half_length[j];
       slip = std::sqrt(x * x + lateral * lateral + turn * turn / 3.0);
     }
-    shares[j] = mu * friction_fall(law, speed * slip);
+    shares[j] = felt(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
     const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
     limit += shares[j] * carried;
     load += carried;
