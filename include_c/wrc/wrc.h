@@ -667,7 +667,7 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* 
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
 /** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
- * for any contact of the same model, in this process.
+ * for any contact of the same model, in this process. After the same calls it has the same bytes.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
  * @param bytes of buffer, as from wrc_contact_size()

@@ -233,7 +233,7 @@ wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patc
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
   ours.strips = strips;
-  ours.iterations = contact.normal.iterations;
+  ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
   ours.patches = contact.patches;
   ours.a = shape.sdec.a;
   ours.b = shape.sdec.b;
