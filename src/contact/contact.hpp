@@ -138,7 +138,7 @@ static_assert(sizeof(Load) == 4 * sizeof(double));
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
                                    sizeof(TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) == sizeof(Model*) + sizeof(Fault) + sizeof(Stage) + 4 * sizeof(bool) +
+static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 4 * sizeof(bool) +
                                      4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) +
                                      sizeof(ContactPoint) + sizeof(Load) + sizeof(NormalSolution) +
                                      sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
