@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "felt.hpp"
 #include "geometry/gap_rows.hpp"
 #include "normal/analyn.hpp"
 #include "normal/damping.hpp"
@@ -187,7 +188,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
   std::copy_n(rows.y, rows.count, array(contact, Array::gap_y));
   std::copy_n(rows.height, rows.count, array(contact, Array::gap_height));
   if (rows.centre != nullptr) {
-    std::copy_n(rows.centre, rows.count, array(contact, Array::gap_centre));
+    std::transform(rows.centre, rows.centre + rows.count, array(contact, Array::gap_centre), felt);
   } else {
     std::fill_n(array(contact, Array::gap_centre), rows.count, 0.0);
   }
@@ -342,12 +343,12 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   std::copy_n(strips.y, strips.count, ours.y);
   std::copy_n(strips.width, strips.count, ours.width);
   if (strips.centre != nullptr) {
-    std::copy_n(strips.centre, strips.count, ours.centre);
+    std::transform(strips.centre, strips.centre + strips.count, ours.centre, felt);
   } else {
     std::fill_n(ours.centre, strips.count, 0.0);
   }
   std::copy_n(strips.half_length, strips.count, ours.half_length);
-  std::copy_n(strips.peak, strips.count, ours.peak);
+  std::transform(strips.peak, strips.peak + strips.count, ours.peak, felt);
   const Fault fault = find_patches(contact);
   contact.touching = contact.extent.normal_force > 0.0;
   return contact.touching ? fault : Fault{.status = WRC_FLAG_NO_CONTACT};

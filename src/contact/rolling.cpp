@@ -79,7 +79,7 @@ Creepage creepage_at_patch(const Contact& contact, const Patch& patch) {
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin) {
   const ModelOptions& options = contact.model->options;
   FrictionFrame frame{.origin = origin};
-  if (friction.zones_on_rail) {
+  if (friction.zone_frame == ZoneFrame::rail) {
     frame.zone_origin = contact.point.y_rail;
     frame.zone_slope = options.side == Side::left ? -contact.point.cosine : contact.point.cosine;
   }
@@ -256,7 +256,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
             .field = "patch",
             .cause = "there is no patch: call wrc_normal first, or hand over strips or a patch"};
   }
-  if (friction.zones_on_rail && !contact.posed) {
+  if (friction.zone_frame == ZoneFrame::rail && !contact.posed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "friction.zone_frame",
             .cause = "zones over the rail need the contact point of a wrc_geometry"};
