@@ -173,6 +173,7 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.B = m.B;
   task.elastic = m.elastic;
   task.shape = &contact.grid->elliptic;
+  task.inverse_weight = contact.grid->inverse_weight;
   task.cells = contact.grid->cells;
   task.fields = &fields;
   return task;

@@ -10,10 +10,10 @@
 /// so that its sums, and their derivatives, are made of sums of s and of its slope.
 #pragma once
 
+#include "simd/pack.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/simd/kernels.hpp"
-#include "tangential/simd/march_kernel.hpp"
-#include "simd/pack.hpp"
+#include "tangential/simd/strip_group.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
@@ -24,50 +24,60 @@ namespace strip {
 
 constexpr double tiny_stress = 1e-6;  // [Pa]: keeps divisions finite, far below any stress of interest
 
+/// What a step of length dv to a cell at x is made of: tractions of full adhesion grow by (gx, gy + curvature
+/// (2 x + dv)), and the slip times dv at the cell is (wx, wy + spin x), to which comes its elastic part;
+/// `bend` is by how much the slip's y part falls along the step.
+struct Advance {
+  Pack gx, gy, curvature;
+  Pack wx, wy, spin, bend, elastic;
+};
+
 /// What does not change along the strips of a group.
-struct Group {
-  std::int32_t first, count;
-  std::int32_t all_stick, all_move, last_stick;  ///< cells, as in the march; last_stick: of any strip
-  bool any_strong;                               ///< the stick zone of a strip may reach the bound
-  Pack gx, gy, curvature;                        ///< growth of adhesion tractions (gx, gy + 2 curvature x)
-  Pack slip_end, stick_cells;                    ///< u_s; cells whose middle lies before it
+struct Group : StripGroup {
+  bool any_strong;         ///< the stick zone of a strip may reach the bound
+  Pack gx, gy, curvature;  ///< growth of adhesion tractions (gx, gy + 2 curvature x)
+  Pack slip_end;           ///< u_s
   Pack kappa, lambda, psi;
   Mask strong;        ///< |psi| > 1
   Pack wx, wy, spin;  ///< rigid slip (wx, wy + spin x)
   Pack elastic;       ///< that part of the elastic slip which differs between x and y, at the leading edge
+  Advance over_cell;  ///< a whole one
+  Pack centre;        ///< x of it [m]
   Pack slope;         ///< B l [Pa/m]
   Pack near_edge;     ///< tractions of adhesion over the bound at the leading edge, squared; at most 1
   Pack form;          ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
   Pack t11, t22;      ///< flexibilities for the turning of slip, relative
-  Pack centre, y, half_length, cell, bound;
-  Pack scale;  ///< of growth, to be relative [m/Pa]
+  Pack scale;         ///< of growth, to be relative [m/Pa]
 };
 
 struct State {
-  Pack ex, ey;         ///< direction of the traction
-  Pack rho_x, rho_y;   ///< traction over bound
-  Pack px, py, bound;  ///< the traction of the march and its bound
+  Pack ex, ey;        ///< direction of the traction
+  Pack rho_x, rho_y;  ///< traction over bound
+  Pack ahead;         ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  Pack bound;         ///< of the march; up to date in lanes that have not moved yet
 };
 
 /// Sums over the first stick zone; those of slopes are for the derivatives.
 struct StickSums {
-  Pack bent, t_bent;           ///< of (1 - s)
-  Pack straight, t_straight;   ///< of s
+  Pack mean, t_mean;           ///< of the bound
+  Pack straight, t_straight;   ///< of s, times the bound as all that follow
   Pack slope, t_slope;         ///< of ds / du_s
   Pack form, t_form;           ///< of ds / d(stick form)
   Pack power_near, root_near;  ///< (u / h - u_s / h)^(3/2) and ^(1/2) at the next cell's leading border
 };
 
 struct Sums {
-  Pack px, py, t_py, slid, power;
+  ForceSums force;
+  Pack power, unslid;
 };
 
 struct Derivative {
   Pack gx, gy, curvature, slip_end, kappa, lambda, psi, wx, wy, spin;
+  Advance over_cell;
   double turning;  ///< relative
   Pack form;
-  Pack angle, ratio, bound;  ///< of the state; ratio = |rho|
-  Pack px, py, t_py;         ///< of the sums
+  Pack angle, ratio, bound, ahead;  ///< of the state; ratio = |rho|
+  ForceSums force;
 };
 
 /// A cell, the same for all strips.
@@ -75,23 +85,24 @@ struct Cell {
   std::int32_t index;
   double t, x;                 ///< at its middle
   double shape_before, shape;  ///< of the march's bound, at the middle of the cell before and of this one
-  double per_shape;
-  double mean;  ///< of the bound mu p
+  double mean;                 ///< of the bound mu p
   double h, per_h;
   double behind, inverse_weight;  ///< u / h at its trailing border; of the mean of sqrt(1 - t_s)
 };
+
+template <class G>  // of the group or of its derivatives
+inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
+  const Pack spin = g.spin * dv;
+  return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
+}
 
 inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g,
                     State& state) {
   const Strips& strips = *task.region;
   const double h = 2.0 / task.cells;
   const Pack zero = 0.0, one = 1.0;
-  g.first = first;
-  g.count = count;
-  g.half_length = load(strips.half_length, first, count, 1.0);
+  place(strips, task.cells, first, count, g);
   g.centre = load(strips.centre, first, count, 0.0);
-  g.y = load(strips.y, first, count, 0.0);
-  g.cell = g.half_length * h * load(strips.width, first, count, 0.0);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : one;
   g.bound = task.friction * (share * load(strips.peak, first, count, 0.0));
   g.slope = task.B * share * g.half_length;
@@ -104,6 +115,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
   g.wy = task.nu_y + task.phi * g.centre + task.torsion.value;
   g.spin = task.phi * g.half_length;
   g.elastic = task.elastic * share * g.half_length;
+  g.over_cell = advance_over(g, g.elastic, h);
   g.t11 = task.turning.value * task.t11 / g.scale;
   g.t22 = task.turning.value * task.t22 / g.scale;
 
@@ -116,17 +128,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
 
   const AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
   g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
-  g.stick_cells = nearest_integer((2.0 - g.slip_end) * (0.5 * task.cells));
-  double cells[lanes];
-  store_pack(cells, g.stick_cells);
-  g.all_stick = task.cells;
-  g.last_stick = 0;
-  for (std::int32_t k = 0; k < count; ++k) {
-    const auto own = static_cast<std::int32_t>(cells[k]);
-    g.all_stick = own < g.all_stick ? own : g.all_stick;
-    g.last_stick = own > g.last_stick ? own : g.last_stick;
-  }
-  g.all_move = g.last_stick + 1;
+  set_stick_zone(2.0 - g.slip_end, task.cells, g);
 
   const Pack per_end = one / (g.slip_end + tiny_stress / middle);
   const Pack gy_end = g.gy + g.curvature * g.slip_end;
@@ -150,8 +152,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
     ex = -(wx * inverse);
     ey = -(wy * inverse);
   }
-  const Pack bound = g.slip_end * (2.0 - g.slip_end);
-  state = {ex, ey, ex, ey, bound * ex, bound * ey, bound};
+  state = {ex, ey, ex, ey, first_ahead, g.slip_end * (2.0 - g.slip_end)};
 }
 
 /// Change of the angle of -(x, y).
@@ -209,6 +210,7 @@ inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Gr
     d.angle = select(at_edge, angle, d.angle);
   }
   d.bound = 2.0 * (1.0 - u) * d.slip_end;
+  d.over_cell = advance_over(d, zero, 2.0 / task.cells);
 }
 
 /// Traction over bound in the first stick zone; at most one, which |psi| > 1 could exceed.
@@ -230,9 +232,9 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
   const Pack whole = (sums.power_near - power_far) * cell.inverse_weight;
   const Pack s = whole * (1.0 - form + form * whole);
   const Mask here = Pack(cell.index + 0.5) < g.stick_cells;
-  const Pack bent = select(here, cell.mean * (one - s), zero), straight = select(here, cell.mean * s, zero);
-  sums.bent += bent;
-  sums.t_bent += cell.t * bent;
+  sums.mean += select(here, Pack(cell.mean), zero);
+  sums.t_mean += select(here, Pack(cell.t * cell.mean), zero);
+  const Pack straight = select(here, cell.mean * s, zero);
   sums.straight += straight;
   sums.t_straight += cell.t * straight;
   [[maybe_unused]] Pack by_end, by_form;
@@ -257,9 +259,9 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
   result = {s, x, y, share};
   if (!g.any_strong) return;
   const Pack less = select(here, cell.mean * (share - one), zero);
-  strong.px += less * x;
-  strong.py += less * y;
-  strong.t_py += cell.t * (less * y);
+  strong.force.stick_px += less * x;
+  strong.force.stick_py += less * y;
+  strong.force.stick_t_py += cell.t * (less * y);
   if constexpr (sensitivities) {
     const Mask cut = here & g.strong & (size > one);
     for (std::int32_t k = 0; k < inputs; ++k) {
@@ -270,99 +272,140 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
       const Pack along = (x * dx + y * dy) * share * share;
       const Pack more_x = select(cut, cell.mean * (share * (dx - x * along) - dx), zero);
       const Pack more_y = select(cut, cell.mean * (share * (dy - y * along) - dy), zero);
-      d.px += more_x;
-      d.py += more_y;
-      d.t_py += cell.t * more_y;
+      d.force.stick_px += more_x;
+      d.force.stick_py += more_y;
+      d.force.stick_t_py += cell.t * more_y;
     }
   }
 }
 
+/// What a step did, for fields and derivatives.
 struct Moved {
   Mask stick, slips;
-  Pack dv, part;  ///< length of the step; of a cell that has slid since the last cell
+  bool any_sticks;
+  Pack dv, part;    ///< length of the step; of a cell that has slid since the last cell
+  Advance advance;  ///< over it
   Pack flexibility;
+  Pack inverse_trial;  ///< one over the traction of lanes that stick
+  Turn turn;
 };
 
 /// One march step of a group through slip; see march_kernel.hpp.
 template <bool entering>
-inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Sums& sums, Slip& slip,
-                  Turn& turning) {
+inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
   moved.dv = entering ? larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t))) : Pack(cell.h);
-  moved.flexibility = g.t11 * (one - s.rho_x * s.rho_x) + g.t22 * (one - s.rho_y * s.rho_y);
-  const Pack elastic = g.elastic * cell.x;
-  const Pack wx = g.wx + elastic * s.rho_x, wy = g.wy + g.spin * cell.x - elastic * s.rho_y;
-  const Pack bounds = (entering ? s.bound : Pack(cell.shape_before)) + cell.shape;
-  slip = {moved.dv, wx, wy, g.spin * moved.dv, bounds * moved.flexibility};
-  const Pack trial_x = s.px - moved.dv * g.gx;
-  const Pack trial_y = s.py - moved.dv * (g.gy + g.curvature * (2.0 * cell.x + moved.dv));
+  moved.advance = entering ? advance_over(g, g.elastic, moved.dv) : g.over_cell;
+  const Advance& a = moved.advance;
+  const Pack bound_before = entering ? s.bound : Pack(cell.shape_before);
+  const Pack trial_x = bound_before * s.rho_x - a.gx;
+  const Pack trial_y = bound_before * s.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
   moved.stick = trial2 <= cell.shape * cell.shape;
-  Pack ex = s.ex, ey = s.ey;
-  turning = turn(slip, wy + 0.5 * slip.rate_dv, moved.stick, trial_x, trial_y, trial2, ex, ey);
+  if constexpr (entering) moved.stick = moved.stick & moving;
+  moved.any_sticks = any(moved.stick);
 
-  const Pack ratio = select(moved.stick, turning.R * cell.per_shape, one);
-  const State after{
-      ex, ey, ratio * ex, ratio * ey, cell.shape * (ratio * ex), cell.shape * (ratio * ey), cell.shape};
-  moved.part = entering ? select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one) : one;
-  moved.slips = entering ? moving & !moved.stick : !moved.stick;
+  moved.flexibility = g.t11 * (one - s.rho_x * s.rho_x) + g.t22 * (one - s.rho_y * s.rho_y);
+  const Pack elastic = a.elastic * cell.x;
+  const Pack Vx = a.wx + elastic * s.rho_x;
+  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * s.rho_y + a.bend * s.ahead;
+  Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
+  moved.turn = turn(Vx, Vy, (bound_before + cell.shape) * moved.flexibility, ex, ey, ahead);
+
+  moved.part = one;
+  moved.slips = !moved.stick;
   if constexpr (entering) {
-    s.ex = select(moving, after.ex, s.ex);
-    s.ey = select(moving, after.ey, s.ey);
-    s.rho_x = select(moving, after.rho_x, s.rho_x);
-    s.rho_y = select(moving, after.rho_y, s.rho_y);
-    s.px = select(moving, after.px, s.px);
-    s.py = select(moving, after.py, s.py);
+    moved.part = select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one);
+    moved.slips = moving & moved.slips;
+    sums.unslid += select(moving, one - moved.part, zero);
+  }
+  Pack rho_x = ex, rho_y = ey;
+  if (moved.any_sticks) {
+    const Pack size = root(trial2), per_shape = 1.0 / cell.shape;
+    const Mask turns = moved.stick & (size > 1e-150);
+    moved.inverse_trial = one / select(turns, size, one);
+    ex = select(turns, trial_x * moved.inverse_trial, ex);
+    ey = select(turns, trial_y * moved.inverse_trial, ey);
+    rho_x = select(moved.stick, trial_x * per_shape, ex);
+    rho_y = select(moved.stick, trial_y * per_shape, ey);
+    sums.unslid += select(moved.stick, moved.part, zero);
+  }
+  if constexpr (entering) {
+    s.ex = select(moving, ex, s.ex);
+    s.ey = select(moving, ey, s.ey);
+    s.rho_x = select(moving, rho_x, s.rho_x);
+    s.rho_y = select(moving, rho_y, s.rho_y);
+    s.ahead = select(moving, ahead, s.ahead);
     s.bound = select(moving, cell.shape, s.bound);
   } else {
-    s = after;
+    s = {ex, ey, rho_x, rho_y, ahead, s.bound};
   }
-  const Pack x = cell.mean * after.rho_x, y = cell.mean * after.rho_y;
-  sums.px += entering ? select(moving, x, zero) : x;
-  sums.py += entering ? select(moving, y, zero) : y;
-  sums.t_py += cell.t * (entering ? select(moving, y, zero) : y);
-  sums.slid += select(moved.slips, moved.part, zero);
+  const Pack px = cell.mean * rho_x, py = cell.mean * rho_y;
+  add_cell(entering ? select(moving, px, zero) : px, entering ? select(moving, py, zero) : py, sums.force);
   return moved;
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
+template <bool entering>
 inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                          const State& after, const Slip& slip, const Turn& turning, const Moved& moved,
-                          Derivative (&derivative)[inputs]) {
+                          const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const Mask end_moves = (moved.dv > zero) & (moved.dv < cell.h);
-  const Mask turns = moving & turning.moves, sticks = moving & moved.stick;
-  const TurnSlopes slope = slopes(slip, g.spin, turning);
-  const bool any_sticks = any(sticks);
-  const Pack bounds = before.bound + cell.shape;
+  const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  const Pack bound_before = entering ? before.bound : Pack(cell.shape_before);
+  const Pack bounds = bound_before + cell.shape;
   const Pack d_by_x = -2.0 * bounds * g.t11 * before.rho_x, d_by_y = -2.0 * bounds * g.t22 * before.rho_y;
-  const Pack elastic = g.elastic * cell.x;
+  const Pack elastic = moved.advance.elastic * cell.x, middle = 2.0 * cell.x + moved.dv;
+  const double per_shape = 1.0 / cell.shape;
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
     const Pack rho_x = d.ratio * before.ex - before.rho_y * d.angle;
     const Pack rho_y = d.ratio * before.ey + before.rho_x * d.angle;
-    const SlipChange change{
-        select(end_moves, d.slip_end, zero), d.wx + elastic * rho_x, d.wy + d.spin * cell.x - elastic * rho_y,
-        d.spin, d.bound * moved.flexibility + slip.d * d.turning + d_by_x * rho_x + d_by_y * rho_y};
-    Pack angle = turned(slope, d.angle, change), ratio = zero;
-    if (any_sticks) {
-      const Pack middle = 2.0 * cell.x + moved.dv;
-      const Pack x = rho_x * before.bound + before.rho_x * d.bound - moved.dv * d.gx - change.dv * g.gx;
-      const Pack y = rho_y * before.bound + before.rho_y * d.bound -
-                     moved.dv * (d.gy + d.curvature * middle + g.curvature * change.dv) -
-                     change.dv * (g.gy + g.curvature * middle);
-      ratio = select(sticks, (after.ex * x + after.ey * y) * cell.per_shape, zero);
-      angle = select(sticks, (after.ex * y - after.ey * x) * turning.inverse, angle);
+    Pack dv = zero;
+    Advance a = d.over_cell;
+    Pack resists = moved.turn.d * d.turning + d_by_x * rho_x + d_by_y * rho_y;
+    if constexpr (entering) {
+      dv = select((moved.dv > zero) & (moved.dv < cell.h), d.slip_end, zero);
+      a = advance_over(d, zero, moved.dv);
+      a.gx += g.gx * dv;
+      a.gy += g.gy * dv + moved.advance.curvature * dv;
+      a.curvature += g.curvature * dv;
+      a.wx += (g.wx + g.elastic * cell.x * before.rho_x) * dv;
+      a.wy += (g.wy - g.elastic * cell.x * before.rho_y) * dv;
+      a.spin += g.spin * dv;
+      a.bend += 2.0 * moved.advance.spin * dv;
+      resists += d.bound * moved.flexibility;
     }
-    d.angle = select(turns, angle, d.angle);
-    d.ratio = select(moving, ratio, d.ratio);
-    d.bound = select(moving, zero, d.bound);
-    const Pack x = cell.mean * (d.ratio * after.ex - after.rho_y * d.angle);
-    const Pack y = cell.mean * (d.ratio * after.ey + after.rho_x * d.angle);
-    d.px += select(moving, x, zero);
-    d.py += select(moving, y, zero);
-    d.t_py += cell.t * select(moving, y, zero);
+    const Pack Vx = a.wx + elastic * rho_x;
+    const Pack Vy =
+        (a.wy + a.spin * cell.x) - elastic * rho_y + a.bend * before.ahead + moved.advance.bend * d.ahead;
+    Pack angle = slope.kept * d.angle + slope.by_x * Vx + slope.by_y * Vy + slope.by_d * resists;
+    const Pack ahead = slope.ahead_by_x * Vx + slope.ahead_by_y * Vy + slope.ahead_by_d * resists;
+    Pack ratio = zero;
+    if (moved.any_sticks) {
+      const Pack x = rho_x * bound_before + before.rho_x * d.bound - a.gx;
+      const Pack y = rho_y * bound_before + before.rho_y * d.bound - (a.gy + a.curvature * middle);
+      ratio = select(moved.stick, (after.ex * x + after.ey * y) * per_shape, zero);
+      angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
+    }
+    Pack x = -(after.rho_y * angle), y = after.rho_x * angle;
+    if (moved.any_sticks) {
+      x += ratio * after.ex;
+      y += ratio * after.ey;
+    }
+    if constexpr (entering) {
+      d.angle = select(moving, angle, d.angle);
+      d.ratio = select(moving, ratio, d.ratio);
+      d.ahead = select(moving, ahead, d.ahead);
+      d.bound = select(moving, zero, d.bound);
+      x = select(moving, x, zero);
+      y = select(moving, y, zero);
+    } else {
+      d.angle = angle;
+      d.ratio = ratio;
+      d.ahead = ahead;
+    }
+    add_cell(cell.mean * x, cell.mean * y, d.force);
   }
 }
 
@@ -389,54 +432,19 @@ struct Marching {
 
 /// The first stick zone's share of a group's sums, from the sums over s.
 inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
-  sums.px += g.kappa * s.bent;
-  sums.py += g.lambda * s.bent + g.psi * s.straight;
-  sums.t_py += g.lambda * s.t_bent + g.psi * s.t_straight;
+  const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
+  sums.force.stick_px += g.kappa * bent;
+  sums.force.stick_py += g.lambda * bent + g.psi * s.straight;
+  sums.force.stick_t_py += g.lambda * t_bent + g.psi * s.t_straight;
 }
 
 inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
+  const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
   const Pack change = d.slip_end * s.slope + d.form * s.form;  // of the sum of s
   const Pack t_change = d.slip_end * s.t_slope + d.form * s.t_form;
-  d.px += d.kappa * s.bent - g.kappa * change;
-  d.py += d.lambda * s.bent + d.psi * s.straight + (g.psi - g.lambda) * change;
-  d.t_py += d.lambda * s.t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
-}
-
-/// The sums of a group, scaled to what they stand for and added strip by strip; fx, fy, mz of each lane.
-inline void lane_forces(const Group& g, Pack px, Pack py, Pack t_py, double* fx, double* fy, double* mz) {
-  const Pack force = g.bound * g.cell;
-  store_pack(fx, force * px);
-  store_pack(fy, force * py);
-  store_pack(mz, force * ((g.centre + g.half_length) * py - g.half_length * t_py - g.y * px));
-}
-
-inline void add(const StripFastsimTask& task, const Group& g, const Sums& s, simd::Sums& total) {
-  double fx[lanes], fy[lanes], mz[lanes], power[lanes], cell[lanes], slid[lanes];
-  lane_forces(g, s.px, s.py, s.t_py, fx, fy, mz);
-  store_pack(power, g.cell * s.power);
-  store_pack(cell, g.cell);
-  store_pack(slid, g.cell * s.slid);
-  for (std::int32_t k = 0; k < g.count; ++k) {
-    total.fx += fx[k];
-    total.fy += fy[k];
-    total.mz += mz[k];
-    total.power_per_speed += power[k];
-    total.area += task.cells * cell[k];
-    total.slid_area += slid[k];
-  }
-}
-
-inline void add(const Group& g, const Derivative (&derivative)[inputs], simd::Sums& total) {
-  for (std::int32_t i = 0; i < inputs; ++i) {
-    const Derivative& d = derivative[i];
-    double fx[lanes], fy[lanes], mz[lanes];
-    lane_forces(g, d.px, d.py, d.t_py, fx, fy, mz);
-    for (std::int32_t k = 0; k < g.count; ++k) {
-      total.d[0][i] += fx[k];
-      total.d[1][i] += fy[k];
-      total.d[2][i] += mz[k];
-    }
-  }
+  d.force.stick_px += d.kappa * bent - g.kappa * change;
+  d.force.stick_py += d.lambda * bent + d.psi * s.straight + (g.psi - g.lambda) * change;
+  d.force.stick_t_py += d.lambda * t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
 }
 
 /// Tractions of a cell, and the slip not yet scaled; adds to the power it stands for.
@@ -482,30 +490,28 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       }
     }
     for (std::int32_t i = 0; i < task.cells; ++i) {
-      const double t = (i + 0.5) * h, ahead = task.cells - i, behind = ahead - 1.0, shape = t * (2.0 - t);
+      const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
       const double t_before =
           (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
-      const double inverse_weight = 1.0 / (ahead * __builtin_sqrt(ahead) - behind * __builtin_sqrt(behind));
-      const strip::Cell cell{i,     t,           1.0 - t,       t_before * (2.0 - t_before),
-                             shape, 1.0 / shape, mean[i],       h,
-                             per_h, behind,      inverse_weight};
+      const strip::Cell cell{i, t,     1.0 - t, t_before * (2.0 - t_before), shape, mean[i],
+                             h, per_h, behind,  task.inverse_weight[i]};
       for (std::int32_t k = 0; k < groups; ++k) {
         strip::Marching& m = marching[k];
         strip::StickCell stuck{};
         strip::Moved moved{};
         const Mask moving = m.group.stick_cells <= Pack(i);
-        if (i < m.group.last_stick)
+        if (i < m.group.all_move - 1)
           strip::stick<sensitivities>(m.group, cell, fields, m.stick, m.sums,
                                       derivative[sensitivities ? k : 0], stuck);
-        if (i >= m.group.all_stick) {
-          Slip slip;
-          Turn turning;
-          const strip::State before = m.state;
-          moved = i < m.group.all_move
-                      ? strip::step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
-                      : strip::step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
+        const strip::State before = m.state;
+        if (i >= m.group.all_move) {
+          moved = strip::step<false>(m.group, cell, moving, m.state, m.sums);
           if constexpr (sensitivities)
-            strip::differentiate(m.group, cell, moving, before, m.state, slip, turning, moved, derivative[k]);
+            strip::differentiate<false>(m.group, cell, moving, before, m.state, moved, derivative[k]);
+        } else if (i >= m.group.all_stick) {
+          moved = strip::step<true>(m.group, cell, moving, m.state, m.sums);
+          if constexpr (sensitivities)
+            strip::differentiate<true>(m.group, cell, moving, before, m.state, moved, derivative[k]);
         }
         if (fields)
           strip::store_cell(task, m.group, cell, moving, moved.slips, moved.part, m.state, stuck, m.sums);
@@ -514,10 +520,12 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
     for (std::int32_t k = 0; k < groups; ++k) {
       strip::Marching& m = marching[k];
       strip::add_stick(m.group, m.stick, m.sums);
-      strip::add(task, m.group, m.sums, total);
+      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, total);
       if constexpr (sensitivities) {
-        for (std::int32_t n = 0; n < inputs; ++n) strip::add_stick(m.group, m.stick, derivative[k][n]);
-        strip::add(m.group, derivative[k], total);
+        for (std::int32_t n = 0; n < inputs; ++n) {
+          strip::add_stick(m.group, m.stick, derivative[k][n]);
+          add_group(m.group, task.cells, derivative[k][n].force, n, total);
+        }
       }
     }
   }
