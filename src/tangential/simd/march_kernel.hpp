@@ -22,8 +22,8 @@
 namespace wrc::simd {
 namespace {
 
-/// What the tractions of full adhesion grow by over a step dv to a cell at t: (x, y - rate t), where
-/// `bend` = rate dv is the fall of y - rate t along the step.
+/// What the tractions of full adhesion grow by over a cell at t: (x, y - rate t); `bend` is how much larger y
+/// - rate t is at the cell's leading border than at its trailing one.
 struct Growth {
   Pack x, y, rate, bend;
 };
@@ -31,31 +31,33 @@ struct Growth {
 /// What does not change along the strips of a group.
 struct Group : StripGroup {
   Pack gx, gy, rate;  ///< growth of adhesion tractions: (gx, gy - rate t)
-  Growth over_cell;   ///< the same over a whole cell
-  Pack onset;         ///< t at which the first stick zone ends
-  Pack last_share;    ///< of the last of these cells' tractions that is within the bound
-  Pack stiffness;     ///< bound / half length: unit of growth [Pa/m]
+  Growth over_cell;
+  Pack onset;        ///< t at which the first stick zone ends
+  Pack onset_cells;  ///< the same in cells
+  Pack onset_bound;  ///< bound there
+  Pack last_share;   ///< of the last stick cell's tractions that is within the bound
+  Pack stiffness;    ///< bound / half length: unit of growth [Pa/m]
 };
 
-/// What the march carries from cell to cell: the traction, and the bound where the last step ended.
+/// What the march carries from cell to cell.
 struct State {
   Pack ex, ey;  ///< direction of the traction
-  Pack px, py;  ///< traction
   Pack ahead;   ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
-  Pack bound;   ///< up to date in lanes that have not moved yet
+  bool stuck;   ///< in some lane the traction is below the bound:
+  Pack size;    ///< then the size of it in each lane, else not set
 };
 
 struct GroupSums {
   ForceSums force;
-  Pack power, power_x;  ///< of slip over a cell against the bound, and the part of it along x
-  Pack unslid;          ///< moved cells that have not slid
+  Pack power;   ///< of slip over a cell against the bound
+  Pack unslid;  ///< moved cells that have not slid
 };
 
 /// Derivatives with respect to one input.
 struct GroupDerivative {
-  Pack gx, gy, rate, onset;
+  Pack gx, gy, rate, onset, onset_bound;
   Growth over_cell;
-  Pack angle, size, bound, ahead;  ///< of the state
+  Pack angle, size, ahead;  ///< of the state; size: of the traction, zero where it is the bound
   ForceSums force;
 };
 
@@ -75,9 +77,8 @@ inline Pack bound_at(const MarchTask& task, Pack t) {
   return task.parabolic ? shape : root(larger(0.0, shape));
 }
 
-inline Growth growth_over(Pack gx, Pack gy, Pack rate, Pack dv) {
-  const Pack rate_dv = rate * dv;
-  return {gx * dv, gy * dv, rate_dv, rate_dv * dv};
+inline Growth growth_over(Pack gx, Pack gy, Pack rate, double h) {
+  return {h * gx, h * gy, h * rate, (h * h) * rate};
 }
 
 /// Mean over a cell around t of the tractions of full adhesion.
@@ -110,6 +111,16 @@ inline void last_stick_cell(const MarchTask& task, const Group& g, double h, Pac
   t = (g.stick_cells - 0.5) * h;
 }
 
+/// Of the cell whose middle lies `middle` cells from the leading edge, the part of the step to it that is
+/// slip.
+inline Pack share_of_cell(const Group& g, Pack middle) {
+  return larger(0.0, smaller(1.0, middle - g.onset_cells));
+}
+
+/// The slip of the cell after the onset stands for everything slid since then, half a cell to one and a half;
+/// that of the others for a cell.
+inline Pack onset_part(Pack share) { return select(share < 1.0, 0.5 + share, 1.0); }
+
 inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g, State& state,
                     GroupSums& sums) {
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
@@ -131,7 +142,9 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
 
   // The first stick zone, summed without marching. Where slip sets in just behind the middle of a cell, the
   // mean of the adhesion tractions over the cell may exceed that of the bound: it is cut.
-  set_stick_zone(g.onset, task.cells, g);
+  g.onset_cells = g.onset * (0.5 * task.cells);
+  g.onset_bound = bound_at(task, g.onset);
+  set_stick_zone(g.onset_cells, task.cells, g);
   sums = {};
   adhesion_sums(g.gx, g.gy, g.rate, g.stick_cells, h, sums.force.stick_px, sums.force.stick_py,
                 sums.force.stick_t_py);
@@ -145,6 +158,9 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   sums.force.stick_px += -(excess * px);
   sums.force.stick_py += -(excess * py);
   sums.force.stick_t_py += -(excess * t * py);
+  // the cell of the onset is slid in part
+  sums.unslid =
+      select(g.stick_cells < Pack(task.cells), 1.0 - onset_part(share_of_cell(g, g.stick_cells + 0.5)), 0.0);
 
   // Traction at the onset of slip. Where a strip slips from its leading edge on, only the direction of the
   // (vanishing) traction matters, which is that of the adhesion tractions there.
@@ -155,9 +171,7 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   state.ex = select(grows, -(g.gx * inverse), 1.0);
   state.ey = select(grows, -(gy * inverse), 0.0);
   state.ahead = first_ahead;
-  state.bound = bound_at(task, g.onset);
-  state.px = state.bound * state.ex;
-  state.py = state.bound * state.ey;
+  state.stuck = false;
 }
 
 /// Derivatives of what prepare() sets, for input k.
@@ -184,11 +198,9 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   const Pack square = g.gx * g.gx + c * c;
   const Mask grows = square > 1e-280;
   d.angle = select(grows, (g.gx * c_change - c * d.gx) / select(grows, square, 1.0), zero);
-  const Pack bound = bound_at(task, v);
   const Pack slope =
-      task.parabolic ? 2.0 * (1.0 - v) : select(inside, (1.0 - v) / select(inside, bound, 1.0), zero);
-  d.bound = slope * d.onset;
-  d.size = d.bound;
+      task.parabolic ? 2.0 * (1.0 - v) : select(inside, (1.0 - v) / select(inside, g.onset_bound, 1.0), zero);
+  d.onset_bound = slope * d.onset;
 
   // the first stick zone, and its last cell where that is cut: the direction may turn, not the size grow
   adhesion_sums(d.gx, d.gy, d.rate, g.stick_cells, h, d.force.stick_px, d.force.stick_py, d.force.stick_t_py);
@@ -207,10 +219,11 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
 /// A step's result beside the state.
 /// What a step did, for fields and derivatives.
 struct Moved {
-  Mask stick, slips;
+  Pack share;              ///< of the cell that is slip
+  Pack bend;               ///< of the growth along the step
+  Pack size_before, size;  ///< of the traction
+  Mask stick;
   bool any_sticks;
-  Pack dv;             ///< length of the step
-  Growth growth;       ///< over it
   Pack inverse_trial;  ///< one over the traction of lanes that stick
   Pack lambda;         ///< excess of growth over what the bound allows, over a whole cell, in slip
   Turn turn;
@@ -219,62 +232,52 @@ struct Moved {
 /// One march step of a group. With `entering`, lanes may still be in their first stick zone or just leave it;
 /// the others are `moving`. No lane's numbers depend on what the others do.
 template <bool entering>
-inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, GroupSums& sums) {
+inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving, State& s,
+                  GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
-  moved.dv = entering ? larger(zero, smaller(cell.h, cell.t - g.onset)) : Pack(cell.h);
-  moved.growth = entering ? growth_over(g.gx, g.gy, g.rate, moved.dv) : g.over_cell;
-  const Growth& growth = moved.growth;
-  const Pack gy = growth.y - growth.rate * cell.t;
-  const Pack trial_x = s.px - growth.x, trial_y = s.py - (gy + 0.5 * growth.bend);
+  Pack x = g.over_cell.x, bound_before = cell.bound_before, bound = cell.bound;
+  const Pack whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
+  Pack y = whole_y;
+  moved.bend = g.over_cell.bend;
+  moved.size_before = s.stuck ? s.size : bound_before;
+  if constexpr (entering) {
+    moved.share = share_of_cell(g, cell.index + 0.5);
+    x = moved.share * x;
+    y = moved.share * y;
+    moved.bend = (moved.share * moved.share) * moved.bend;
+    const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
+    bound_before = select(begins, g.onset_bound, bound_before);
+    moved.size_before = select(begins, g.onset_bound, moved.size_before);
+    bound = select(moving, bound, zero);  // what sums up to nothing
+  }
+  const Pack trial_x = moved.size_before * s.ex - x,
+             trial_y = moved.size_before * s.ey - (y + 0.5 * moved.bend);
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
   moved.stick = trial2 <= cell.bound * cell.bound;
   if constexpr (entering) moved.stick = moved.stick & moving;
   moved.any_sticks = any(moved.stick);
 
   Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
-  const Pack bounds = (entering ? s.bound : Pack(cell.bound_before)) + cell.bound;
-  moved.turn = turn(growth.x, gy + growth.bend * s.ahead, bounds, ex, ey, ahead);
-  Pack px = cell.bound * ex, py = cell.bound * ey;
-  const Pack gy_cell = entering ? g.over_cell.y - g.over_cell.rate * cell.t : gy;
-  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + gy_cell * ey));
-  if constexpr (entering) {
-    // the slip of the cell after the onset stands for everything slid since then
-    const Pack part = select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one);
-    moved.lambda = select(moving, part * moved.lambda, zero);
-    sums.unslid += select(moving, one - part, zero);
-    moved.slips = moving & !moved.stick;
-    if (moved.any_sticks) sums.unslid += select(moved.stick, part, zero);
-  } else {
-    moved.slips = !moved.stick;
-    if (moved.any_sticks) sums.unslid += select(moved.stick, one, zero);
-  }
+  moved.turn = turn(x, y + moved.bend * s.ahead, bound_before + cell.bound, ex, ey, ahead);
+  moved.size = bound;
+  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + whole_y * ey));
+  if constexpr (entering) moved.lambda = onset_part(moved.share) * moved.lambda;
+  s.stuck = moved.any_sticks;
   if (moved.any_sticks) {
-    const Pack size = root(trial2);
-    const Mask turns = moved.stick & (size > 1e-150);
-    moved.inverse_trial = one / select(turns, size, one);
+    s.size = moved.size = select(moved.stick, root(trial2), bound);
+    const Mask turns = moved.stick & (moved.size > 1e-150);
+    moved.inverse_trial = one / select(turns, moved.size, one);
     ex = select(turns, trial_x * moved.inverse_trial, ex);
     ey = select(turns, trial_y * moved.inverse_trial, ey);
-    px = select(moved.stick, trial_x, px);
-    py = select(moved.stick, trial_y, py);
     moved.lambda = select(moved.stick, zero, moved.lambda);
+    sums.unslid += select(moved.stick, entering ? onset_part(moved.share) : one, zero);
   }
-
-  if constexpr (entering) {
-    s.ex = select(moving, ex, s.ex);
-    s.ey = select(moving, ey, s.ey);
-    s.px = select(moving, px, s.px);
-    s.py = select(moving, py, s.py);
-    s.ahead = select(moving, ahead, s.ahead);
-    s.bound = select(moving, cell.bound, s.bound);
-    add_cell(select(moving, px, zero), select(moving, py, zero), sums.force);
-  } else {
-    s = {ex, ey, px, py, ahead, s.bound};
-    add_cell(px, py, sums.force);
-  }
-  const Pack lost = moved.lambda * cell.bound;
-  sums.power += lost;
-  sums.power_x += lost * (ex * ex);
+  s.ex = entering ? select(moving, ex, s.ex) : ex;
+  s.ey = entering ? select(moving, ey, s.ey) : ey;
+  s.ahead = entering ? select(moving, ahead, s.ahead) : ahead;
+  add_cell(moved.size * ex, moved.size * ey, sums.force);
+  sums.power += (moved.lambda * bound) * (task.l22 + (task.l11 - task.l22) * (ex * ex));
   return moved;
 }
 
@@ -284,51 +287,38 @@ inline void differentiate(const Group& g, const Cell& cell, Mask moving, const S
                           const State& after, const Moved& moved, GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  [[maybe_unused]] const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
   for (std::int32_t k = 0; k < inputs; ++k) {
     GroupDerivative& d = derivative[k];
-    Pack dv = zero, bound = zero;
-    Growth growth = d.over_cell;
+    Pack x = d.over_cell.x, y = d.over_cell.y - d.over_cell.rate * cell.t, bend = d.over_cell.bend;
+    Pack bound_before = zero, size_before = d.size;
     if constexpr (entering) {
-      dv = select((moved.dv > zero) & (moved.dv < cell.h), -d.onset, zero);
-      bound = d.bound;
-      growth = growth_over(d.gx, d.gy, d.rate, moved.dv);
-      growth.x += g.gx * dv;
-      growth.y += g.gy * dv;
-      growth.rate += g.rate * dv;
-      growth.bend += 2.0 * moved.growth.rate * dv;
+      const Pack share = select((moved.share > zero) & (moved.share < 1.0), -(d.onset * cell.per_h), zero);
+      x = moved.share * x + share * g.over_cell.x;
+      y = moved.share * y + share * (g.over_cell.y - g.over_cell.rate * cell.t);
+      bend = moved.share * (moved.share * bend + 2.0 * share * g.over_cell.bend);
+      bound_before = select(begins, d.onset_bound, zero);
+      size_before = select(begins, d.onset_bound, size_before);
     }
-    const Pack gy = growth.y - growth.rate * cell.t;
-    const Pack Vy = gy + growth.bend * before.ahead + moved.growth.bend * d.ahead;
-    Pack angle = slope.kept * d.angle + slope.by_x * growth.x + slope.by_y * Vy;
-    Pack ahead = slope.ahead_by_x * growth.x + slope.ahead_by_y * Vy;
+    const Pack Vy = y + bend * before.ahead + moved.bend * d.ahead;
+    Pack angle = slope.kept * d.angle + slope.by_x * x + slope.by_y * Vy;
+    Pack ahead = slope.ahead_by_x * x + slope.ahead_by_y * Vy;
     if constexpr (entering) {
-      angle += slope.by_d * bound;
-      ahead += slope.ahead_by_d * bound;
+      angle += slope.by_d * bound_before;
+      ahead += slope.ahead_by_d * bound_before;
     }
-    Pack size = zero;
+    d.size = zero;
     if (moved.any_sticks) {
-      const Pack x = d.size * before.ex - before.py * d.angle - growth.x;
-      const Pack y = d.size * before.ey + before.px * d.angle - (gy + 0.5 * growth.bend);
-      size = select(moved.stick, after.ex * x + after.ey * y, zero);
-      angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
+      const Pack turned = moved.size_before * d.angle;
+      const Pack trial_x = size_before * before.ex - turned * before.ey - x;
+      const Pack trial_y = size_before * before.ey + turned * before.ex - (y + 0.5 * bend);
+      d.size = select(moved.stick, after.ex * trial_x + after.ey * trial_y, zero);
+      angle = select(moved.stick, (after.ex * trial_y - after.ey * trial_x) * moved.inverse_trial, angle);
     }
-    Pack x = -(after.py * angle), y = after.px * angle;
-    if (moved.any_sticks) {
-      x += size * after.ex;
-      y += size * after.ey;
-    }
-    if constexpr (entering) {
-      d.angle = select(moving, angle, d.angle);
-      d.size = select(moving, size, d.size);
-      d.bound = select(moving, zero, d.bound);
-      d.ahead = select(moving, ahead, d.ahead);
-      add_cell(select(moving, x, zero), select(moving, y, zero), d.force);
-    } else {
-      d.angle = angle;
-      d.size = size;
-      d.ahead = ahead;
-      add_cell(x, y, d.force);
-    }
+    d.angle = entering ? select(moving, angle, d.angle) : angle;
+    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+    const Pack turned = moved.size * angle;
+    add_cell(d.size * after.ex - turned * after.ey, d.size * after.ey + turned * after.ex, d.force);
   }
 }
 
@@ -349,18 +339,35 @@ inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, 
   store_field(g.stiffness * sy, task.fields->slip_y, at, g.count);
 }
 
-/// Power of the slip of a group's lanes over the speed [N].
-inline Pack power(const MarchTask& task, const Group& g, const GroupSums& s) {
-  const Pack per_cell = 0.5 * task.cells * g.stiffness;
-  return g.bound * g.cell * per_cell * (task.l22 * s.power + (task.l11 - task.l22) * s.power_x);
-}
-
 /// One group of strips on its way.
 struct Marching {
   Group group;
   State state;
   GroupSums sums;
 };
+
+/// A cell of a group that moves: the step, its derivatives, the fields.
+template <bool entering, bool sensitivities>
+inline void move(const MarchTask& task, const Cell& cell, bool fields, Marching& m,
+                 GroupDerivative (&derivative)[inputs]) {
+  const Mask moving = m.group.stick_cells <= Pack(cell.index);
+  [[maybe_unused]] State before;
+  if constexpr (sensitivities) before = m.state;
+  const Moved moved = step<entering>(task, m.group, cell, moving, m.state, m.sums);
+  if constexpr (sensitivities)
+    differentiate<entering>(m.group, cell, moving, before, m.state, moved, derivative);
+  if (!fields) return;
+  const State& s = m.state;
+  Pack px = moved.size * s.ex, py = moved.size * s.ey, slip = cell.per_h * moved.lambda;
+  if constexpr (entering) {
+    Pack stick_x, stick_y;
+    first_stick(m.group, cell, stick_x, stick_y);
+    px = select(moving, px, stick_x);
+    py = select(moving, py, stick_y);
+    slip = select(moving, slip, 0.0);
+  }
+  store_cell(task, m.group, cell, px, py, 0.0 - slip * task.l11 * s.ex, 0.0 - slip * task.l22 * s.ey);
+}
 
 template <bool sensitivities>
 void march_kernel(const MarchTask& task, Sums& total) {
@@ -387,43 +394,22 @@ void march_kernel(const MarchTask& task, Sums& total) {
       const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
-        if (i < m.group.all_stick) {
-          if (!fields) continue;
+        GroupDerivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        if (i >= m.group.all_move) {
+          move<false, sensitivities>(task, cell, fields, m, d);
+        } else if (i >= m.group.all_stick) {
+          move<true, sensitivities>(task, cell, fields, m, d);
+        } else if (fields) {
           Pack px, py;
           first_stick(m.group, cell, px, py);
           store_cell(task, m.group, cell, px, py, 0.0, 0.0);
-          continue;
-        }
-        const State before = m.state;
-        const bool entering = i < m.group.all_move;
-        const Mask moving = m.group.stick_cells <= Pack(i);
-        Moved moved;
-        if (entering) {
-          moved = step<true>(m.group, cell, moving, m.state, m.sums);
-          if constexpr (sensitivities)
-            differentiate<true>(m.group, cell, moving, before, m.state, moved, derivative[k]);
-        } else {
-          moved = step<false>(m.group, cell, moving, m.state, m.sums);
-          if constexpr (sensitivities)
-            differentiate<false>(m.group, cell, moving, before, m.state, moved, derivative[k]);
-        }
-        if (fields) {
-          const State& s = m.state;
-          Pack px = s.px, py = s.py;
-          if (entering) {
-            Pack stick_x, stick_y;
-            first_stick(m.group, cell, stick_x, stick_y);
-            px = select(moving, px, stick_x);
-            py = select(moving, py, stick_y);
-          }
-          store_cell(task, m.group, cell, px, py, 0.0 - moved.lambda * (per_h * task.l11) * s.ex,
-                     0.0 - moved.lambda * (per_h * task.l22) * s.ey);
         }
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
       const Marching& m = marching[k];
-      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power(task, m.group, m.sums), total);
+      const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
+      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, total);
       if constexpr (sensitivities) {
         for (std::int32_t n = 0; n < inputs; ++n)
           add_group(m.group, task.cells, derivative[k][n].force, n, total);

@@ -128,7 +128,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
 
   const AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
   g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
-  set_stick_zone(2.0 - g.slip_end, task.cells, g);
+  set_stick_zone((2.0 - g.slip_end) * (0.5 * task.cells), task.cells, g);
 
   const Pack per_end = one / (g.slip_end + tiny_stress / middle);
   const Pack gy_end = g.gy + g.curvature * g.slip_end;

@@ -33,9 +33,9 @@ inline void place(const Strips& strips, std::int32_t cells, std::int32_t first, 
   g.cell = g.half_length * (2.0 / cells) * load(strips.width, first, count, 0.0);
 }
 
-/// Sets the first stick zones, of length `stick` half lengths.
+/// Sets the first stick zones, `stick` cells long.
 inline void set_stick_zone(Pack stick, std::int32_t cells, StripGroup& g) {
-  g.stick_cells = nearest_integer(stick * (0.5 * cells));
+  g.stick_cells = nearest_integer(stick);
   double of_strip[lanes];
   store_pack(of_strip, g.stick_cells);
   double least = cells, most = 0.0;
