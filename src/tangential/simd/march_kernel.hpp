@@ -232,8 +232,8 @@ struct Moved {
 /// One march step of a group. With `entering`, lanes may still be in their first stick zone or just leave it;
 /// the others are `moving`. No lane's numbers depend on what the others do.
 template <bool entering>
-inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving, State& s,
-                  GroupSums& sums) {
+[[gnu::always_inline]] inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving,
+                                         State& s, GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
   Pack x = g.over_cell.x, bound_before = cell.bound_before, bound = cell.bound;
@@ -283,8 +283,9 @@ inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask 
 
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
-inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                          const State& after, const Moved& moved, GroupDerivative (&derivative)[inputs]) {
+[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
+                                                 const State& before, const State& after, const Moved& moved,
+                                                 GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
   [[maybe_unused]] const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
@@ -348,8 +349,8 @@ struct Marching {
 
 /// A cell of a group that moves: the step, its derivatives, the fields.
 template <bool entering, bool sensitivities>
-inline void move(const MarchTask& task, const Cell& cell, bool fields, Marching& m,
-                 GroupDerivative (&derivative)[inputs]) {
+[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, bool fields, Marching& m,
+                                        GroupDerivative (&derivative)[inputs]) {
   const Mask moving = m.group.stick_cells <= Pack(cell.index);
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;

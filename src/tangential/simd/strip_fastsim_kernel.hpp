@@ -213,15 +213,16 @@ inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Gr
   d.over_cell = advance_over(d, zero, 2.0 / task.cells);
 }
 
-/// Traction over bound in the first stick zone; at most one, which |psi| > 1 could exceed.
+/// Traction over bound.
 struct StickCell {
-  Pack s, x, y, share;  ///< rho = share (x, y)
+  Pack x, y;
 };
 
-/// Adds a cell of the first stick zone.
+/// Adds a cell of the first stick zone; returns the traction if it is wanted. At most one, which |psi| > 1
+/// could exceed.
 template <bool sensitivities>
-inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums, Sums& strong,
-                  Derivative* derivative, StickCell& result) {
+[[gnu::always_inline]] inline StickCell stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums,
+                                              Sums& strong, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0, one = 1.0;
   const Pack form = g.form;
   // The mean of sqrt(1 - t_s) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
@@ -251,13 +252,13 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
     sums.root_near = root_far;
   }
   sums.power_near = power_far;
-  if (!wanted && !g.any_strong) return;
+  if (!wanted && !g.any_strong) return {};
 
   const Pack x = g.kappa * (one - s), y = g.lambda * (one - s) + g.psi * s;
   const Pack size = root(larger(one, x * x + y * y));
   const Pack share = select(g.strong, one / size, one);
-  result = {s, x, y, share};
-  if (!g.any_strong) return;
+  const StickCell result{share * x, share * y};
+  if (!g.any_strong) return result;
   const Pack less = select(here, cell.mean * (share - one), zero);
   strong.force.stick_px += less * x;
   strong.force.stick_py += less * y;
@@ -277,6 +278,7 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
       d.force.stick_t_py += cell.t * more_y;
     }
   }
+  return result;
 }
 
 /// What a step did, for fields and derivatives.
@@ -292,7 +294,8 @@ struct Moved {
 
 /// One march step of a group through slip; see march_kernel.hpp.
 template <bool entering>
-inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Sums& sums) {
+[[gnu::always_inline]] inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s,
+                                         Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
   moved.dv = entering ? larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t))) : Pack(cell.h);
@@ -348,8 +351,9 @@ inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Sums&
 
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
-inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                          const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
+[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
+                                                 const State& before, const State& after, const Moved& moved,
+                                                 Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
   const Pack bound_before = entering ? before.bound : Pack(cell.shape_before);
@@ -422,14 +426,6 @@ inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& 
   return larger(zero, rigid - elastic) * partial;
 }
 
-/// One group of strips on its way.
-struct Marching {
-  Group group;
-  State state;
-  StickSums stick;
-  Sums sums;
-};
-
 /// The first stick zone's share of a group's sums, from the sums over s.
 inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
   const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
@@ -448,18 +444,51 @@ inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
 }
 
 /// Tractions of a cell, and the slip not yet scaled; adds to the power it stands for.
-inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, Mask moving,
-                       Mask slips, Pack part, const State& s, const StickCell& stuck, Sums& sums) {
+inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x, Pack rho_y,
+                       Pack slip, Sums& sums) {
   const Pack zero = 0.0, bound = cell.mean * g.bound;
-  const Pack rho_x = select(moving, s.rho_x, stuck.share * stuck.x),
-             rho_y = select(moving, s.rho_y, stuck.share * stuck.y);
-  const Pack size = select(slips & (bound > zero), part * slip_size(task, g, cell, s), zero);
-  sums.power += size * bound;
+  sums.power += slip * bound;
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
   store_field(bound * rho_x, task.fields->traction_x, at, g.count);
   store_field(bound * rho_y, task.fields->traction_y, at, g.count);
-  store_field(zero - size * s.rho_x, task.fields->slip_x, at, g.count);
-  store_field(zero - size * s.rho_y, task.fields->slip_y, at, g.count);
+  store_field(zero - slip * rho_x, task.fields->slip_x, at, g.count);
+  store_field(zero - slip * rho_y, task.fields->slip_y, at, g.count);
+}
+
+/// One group of strips on its way.
+struct Marching {
+  Group group;
+  State state;
+  StickSums stick;
+  Sums sums;
+};
+
+/// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
+template <bool sticking, bool moving, bool sensitivities>
+[[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, bool fields,
+                                        Marching& m, Derivative (&derivative)[inputs]) {
+  const Group& g = m.group;
+  const Mask moves = g.stick_cells <= Pack(cell.index);
+  Pack rho_x = m.state.rho_x, rho_y = m.state.rho_y, size = 0.0;
+  if constexpr (moving) {
+    [[maybe_unused]] State before;
+    if constexpr (sensitivities) before = m.state;
+    const Moved moved = step<sticking>(g, cell, moves, m.state, m.sums);
+    if constexpr (sensitivities) differentiate<sticking>(g, cell, moves, before, m.state, moved, derivative);
+    if (fields) {
+      rho_x = m.state.rho_x;
+      rho_y = m.state.rho_y;
+      size = select(moved.slips & (g.bound > 0.0), moved.part * slip_size(task, g, cell, m.state), 0.0);
+    }
+  }
+  if constexpr (sticking) {
+    const StickCell stuck = stick<sensitivities>(g, cell, fields, m.stick, m.sums, derivative);
+    if (fields) {
+      rho_x = select(moves, rho_x, stuck.x);
+      rho_y = select(moves, rho_y, stuck.y);
+    }
+  }
+  if (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
 }
 
 }  // namespace strip
@@ -497,24 +526,13 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
                              h, per_h, behind,  task.inverse_weight[i]};
       for (std::int32_t k = 0; k < groups; ++k) {
         strip::Marching& m = marching[k];
-        strip::StickCell stuck{};
-        strip::Moved moved{};
-        const Mask moving = m.group.stick_cells <= Pack(i);
-        if (i < m.group.all_move - 1)
-          strip::stick<sensitivities>(m.group, cell, fields, m.stick, m.sums,
-                                      derivative[sensitivities ? k : 0], stuck);
-        const strip::State before = m.state;
-        if (i >= m.group.all_move) {
-          moved = strip::step<false>(m.group, cell, moving, m.state, m.sums);
-          if constexpr (sensitivities)
-            strip::differentiate<false>(m.group, cell, moving, before, m.state, moved, derivative[k]);
-        } else if (i >= m.group.all_stick) {
-          moved = strip::step<true>(m.group, cell, moving, m.state, m.sums);
-          if constexpr (sensitivities)
-            strip::differentiate<true>(m.group, cell, moving, before, m.state, moved, derivative[k]);
-        }
-        if (fields)
-          strip::store_cell(task, m.group, cell, moving, moved.slips, moved.part, m.state, stuck, m.sums);
+        strip::Derivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        if (i >= m.group.all_move)
+          strip::move<false, true, sensitivities>(task, cell, fields, m, d);
+        else if (i >= m.group.all_stick)
+          strip::move<true, true, sensitivities>(task, cell, fields, m, d);
+        else
+          strip::move<true, false, sensitivities>(task, cell, fields, m, d);
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {

@@ -31,7 +31,7 @@ struct Turn {
 };
 
 /// Turns (ex, ey) against the slip V over a step; d: what resists. `ahead` becomes the next step's 1/(2 + z).
-inline Turn turn(Pack Vx, Pack Vy, Pack d, Pack& ex, Pack& ey, Pack& ahead) {
+[[gnu::always_inline]] inline Turn turn(Pack Vx, Pack Vy, Pack d, Pack& ex, Pack& ey, Pack& ahead) {
   Turn t;
   t.Vx = Vx;
   t.Vy = Vy;
@@ -61,7 +61,7 @@ struct TurnSlopes {
 };
 
 /// (ex, ey): the direction before the step.
-inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
+[[gnu::always_inline]] inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   TurnSlopes s;
   const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d;
   const Pack across = twice * (ex * t.Vy - ey * t.Vx);
