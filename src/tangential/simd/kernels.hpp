@@ -72,7 +72,6 @@ struct Kernels {
   InstructionSet set;
   void (*march)(const simd::MarchTask& task, simd::Sums& sums);
   void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
-  /// power_per_speed and the fields of slip are in proportion only; see strip_fastsim.cpp.
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
 };

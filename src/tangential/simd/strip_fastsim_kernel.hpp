@@ -37,6 +37,7 @@ struct Group : StripGroup {
   bool any_strong;         ///< the stick zone of a strip may reach the bound
   Pack gx, gy, curvature;  ///< growth of adhesion tractions (gx, gy + 2 curvature x)
   Pack slip_end;           ///< u_s
+  Pack end_bound;          ///< bound of the march there
   Pack kappa, lambda, psi;
   Mask strong;        ///< |psi| > 1
   Pack wx, wy, spin;  ///< rigid slip (wx, wy + spin x)
@@ -52,9 +53,12 @@ struct Group : StripGroup {
 
 struct State {
   Pack ex, ey;        ///< direction of the traction
-  Pack rho_x, rho_y;  ///< traction over bound
   Pack ahead;         ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
-  Pack bound;         ///< of the march; up to date in lanes that have not moved yet
+  bool stuck;         ///< in some lane the traction is below the bound:
+  Pack rho_x, rho_y;  ///< then the traction over the bound in each lane, else not set
+
+  Pack x() const { return stuck ? rho_x : ex; }
+  Pack y() const { return stuck ? rho_y : ey; }
 };
 
 /// Sums over the first stick zone; those of slopes are for the derivatives.
@@ -75,8 +79,8 @@ struct Derivative {
   Pack gx, gy, curvature, slip_end, kappa, lambda, psi, wx, wy, spin;
   Advance over_cell;
   double turning;  ///< relative
-  Pack form;
-  Pack angle, ratio, bound, ahead;  ///< of the state; ratio = |rho|
+  Pack form, end_bound;
+  Pack angle, ratio, ahead;  ///< of the state; ratio = |rho|
   ForceSums force;
 };
 
@@ -152,7 +156,11 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
     ex = -(wx * inverse);
     ey = -(wy * inverse);
   }
-  state = {ex, ey, ex, ey, first_ahead, g.slip_end * (2.0 - g.slip_end)};
+  state.ex = ex;
+  state.ey = ey;
+  state.ahead = first_ahead;
+  state.stuck = false;
+  g.end_bound = g.slip_end * (2.0 - g.slip_end);
 }
 
 /// Change of the angle of -(x, y).
@@ -209,7 +217,7 @@ inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Gr
     }
     d.angle = select(at_edge, angle, d.angle);
   }
-  d.bound = 2.0 * (1.0 - u) * d.slip_end;
+  d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
   d.over_cell = advance_over(d, zero, 2.0 / task.cells);
 }
 
@@ -255,10 +263,9 @@ template <bool sensitivities>
   if (!wanted && !g.any_strong) return {};
 
   const Pack x = g.kappa * (one - s), y = g.lambda * (one - s) + g.psi * s;
+  if (!g.any_strong) return {x, y};
   const Pack size = root(larger(one, x * x + y * y));
   const Pack share = select(g.strong, one / size, one);
-  const StickCell result{share * x, share * y};
-  if (!g.any_strong) return result;
   const Pack less = select(here, cell.mean * (share - one), zero);
   strong.force.stick_px += less * x;
   strong.force.stick_py += less * y;
@@ -278,16 +285,17 @@ template <bool sensitivities>
       d.force.stick_t_py += cell.t * more_y;
     }
   }
-  return result;
+  return {share * x, share * y};
 }
 
 /// What a step did, for fields and derivatives.
 struct Moved {
   Mask stick, slips;
   bool any_sticks;
-  Pack dv, part;    ///< length of the step; of a cell that has slid since the last cell
-  Advance advance;  ///< over it
-  Pack flexibility;
+  Pack dv, part;      ///< length of the step; of a cell that has slid since the last cell
+  Advance advance;    ///< over it
+  Pack rho_x, rho_y;  ///< traction over bound before
+  Pack bound_before, flexibility;
   Pack inverse_trial;  ///< one over the traction of lanes that stick
   Turn turn;
 };
@@ -298,23 +306,30 @@ template <bool entering>
                                          Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
-  moved.dv = entering ? larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t))) : Pack(cell.h);
-  moved.advance = entering ? advance_over(g, g.elastic, moved.dv) : g.over_cell;
+  moved.rho_x = s.x();
+  moved.rho_y = s.y();
+  moved.dv = cell.h;
+  moved.advance = g.over_cell;
+  moved.bound_before = cell.shape_before;
+  if constexpr (entering) {
+    moved.dv = larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t)));
+    moved.advance = advance_over(g, g.elastic, moved.dv);
+    moved.bound_before = select(Pack(cell.index - 0.5) < g.stick_cells, g.end_bound, moved.bound_before);
+  }
   const Advance& a = moved.advance;
-  const Pack bound_before = entering ? s.bound : Pack(cell.shape_before);
-  const Pack trial_x = bound_before * s.rho_x - a.gx;
-  const Pack trial_y = bound_before * s.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
+  const Pack trial_x = moved.bound_before * moved.rho_x - a.gx;
+  const Pack trial_y = moved.bound_before * moved.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
   moved.stick = trial2 <= cell.shape * cell.shape;
   if constexpr (entering) moved.stick = moved.stick & moving;
   moved.any_sticks = any(moved.stick);
 
-  moved.flexibility = g.t11 * (one - s.rho_x * s.rho_x) + g.t22 * (one - s.rho_y * s.rho_y);
+  moved.flexibility = g.t11 * (one - moved.rho_x * moved.rho_x) + g.t22 * (one - moved.rho_y * moved.rho_y);
   const Pack elastic = a.elastic * cell.x;
-  const Pack Vx = a.wx + elastic * s.rho_x;
-  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * s.rho_y + a.bend * s.ahead;
+  const Pack Vx = a.wx + elastic * moved.rho_x;
+  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * moved.rho_y + a.bend * s.ahead;
   Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
-  moved.turn = turn(Vx, Vy, (bound_before + cell.shape) * moved.flexibility, ex, ey, ahead);
+  moved.turn = turn(Vx, Vy, (moved.bound_before + cell.shape) * moved.flexibility, ex, ey, ahead);
 
   moved.part = one;
   moved.slips = !moved.stick;
@@ -322,30 +337,26 @@ template <bool entering>
     moved.part = select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one);
     moved.slips = moving & moved.slips;
     sums.unslid += select(moving, one - moved.part, zero);
+    ex = select(moving, ex, s.ex);
+    ey = select(moving, ey, s.ey);
+    ahead = select(moving, ahead, s.ahead);
   }
-  Pack rho_x = ex, rho_y = ey;
+  s.stuck = moved.any_sticks;
   if (moved.any_sticks) {
     const Pack size = root(trial2), per_shape = 1.0 / cell.shape;
     const Mask turns = moved.stick & (size > 1e-150);
     moved.inverse_trial = one / select(turns, size, one);
     ex = select(turns, trial_x * moved.inverse_trial, ex);
     ey = select(turns, trial_y * moved.inverse_trial, ey);
-    rho_x = select(moved.stick, trial_x * per_shape, ex);
-    rho_y = select(moved.stick, trial_y * per_shape, ey);
+    s.rho_x = select(moved.stick, trial_x * per_shape, ex);
+    s.rho_y = select(moved.stick, trial_y * per_shape, ey);
     sums.unslid += select(moved.stick, moved.part, zero);
   }
-  if constexpr (entering) {
-    s.ex = select(moving, ex, s.ex);
-    s.ey = select(moving, ey, s.ey);
-    s.rho_x = select(moving, rho_x, s.rho_x);
-    s.rho_y = select(moving, rho_y, s.rho_y);
-    s.ahead = select(moving, ahead, s.ahead);
-    s.bound = select(moving, cell.shape, s.bound);
-  } else {
-    s = {ex, ey, rho_x, rho_y, ahead, s.bound};
-  }
-  const Pack px = cell.mean * rho_x, py = cell.mean * rho_y;
-  add_cell(entering ? select(moving, px, zero) : px, entering ? select(moving, py, zero) : py, sums.force);
+  s.ex = ex;
+  s.ey = ey;
+  s.ahead = ahead;
+  const Pack mean = entering ? select(moving, Pack(cell.mean), zero) : Pack(cell.mean);
+  add_cell(mean * s.x(), mean * s.y(), sums.force);
   return moved;
 }
 
@@ -356,71 +367,79 @@ template <bool entering>
                                                  Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
-  const Pack bound_before = entering ? before.bound : Pack(cell.shape_before);
-  const Pack bounds = bound_before + cell.shape;
-  const Pack d_by_x = -2.0 * bounds * g.t11 * before.rho_x, d_by_y = -2.0 * bounds * g.t22 * before.rho_y;
-  const Pack elastic = moved.advance.elastic * cell.x, middle = 2.0 * cell.x + moved.dv;
-  const double per_shape = 1.0 / cell.shape;
+  // A change of rho changes the elastic slip and the flexibility.
+  const Pack elastic = moved.advance.elastic * cell.x;
+  const Pack bounds = -2.0 * (moved.bound_before + cell.shape);
+  const Pack d_by_x = bounds * g.t11 * moved.rho_x, d_by_y = bounds * g.t22 * moved.rho_y;
+  const auto by_rho = [&](Pack x, Pack y) {
+    return slope.by_x * (elastic * x) - slope.by_y * (elastic * y) + slope.by_d * (d_by_x * x + d_by_y * y);
+  };
+  const auto ahead_by_rho = [&](Pack x, Pack y) {
+    return slope.ahead_by_x * (elastic * x) - slope.ahead_by_y * (elastic * y) +
+           slope.ahead_by_d * (d_by_x * x + d_by_y * y);
+  };
+  const Pack kept = slope.kept + by_rho(-moved.rho_y, moved.rho_x);
+  const Pack ahead_by_angle = ahead_by_rho(-moved.rho_y, moved.rho_x);
+  const Pack by_turning = slope.by_d * moved.turn.d, ahead_by_turning = slope.ahead_by_d * moved.turn.d;
+  const Pack rho_x = cell.mean * after.x(), rho_y = cell.mean * after.y();
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
-    const Pack rho_x = d.ratio * before.ex - before.rho_y * d.angle;
-    const Pack rho_y = d.ratio * before.ey + before.rho_x * d.angle;
-    Pack dv = zero;
     Advance a = d.over_cell;
-    Pack resists = moved.turn.d * d.turning + d_by_x * rho_x + d_by_y * rho_y;
+    Pack bound = zero;
     if constexpr (entering) {
-      dv = select((moved.dv > zero) & (moved.dv < cell.h), d.slip_end, zero);
+      const Pack dv = select((moved.dv > zero) & (moved.dv < cell.h), d.slip_end, zero);
       a = advance_over(d, zero, moved.dv);
       a.gx += g.gx * dv;
       a.gy += g.gy * dv + moved.advance.curvature * dv;
       a.curvature += g.curvature * dv;
-      a.wx += (g.wx + g.elastic * cell.x * before.rho_x) * dv;
-      a.wy += (g.wy - g.elastic * cell.x * before.rho_y) * dv;
+      a.wx += (g.wx + g.elastic * cell.x * moved.rho_x) * dv;
+      a.wy += (g.wy - g.elastic * cell.x * moved.rho_y) * dv;
       a.spin += g.spin * dv;
       a.bend += 2.0 * moved.advance.spin * dv;
-      resists += d.bound * moved.flexibility;
+      bound = select(Pack(cell.index - 0.5) < g.stick_cells, d.end_bound, zero);
     }
-    const Pack Vx = a.wx + elastic * rho_x;
-    const Pack Vy =
-        (a.wy + a.spin * cell.x) - elastic * rho_y + a.bend * before.ahead + moved.advance.bend * d.ahead;
-    Pack angle = slope.kept * d.angle + slope.by_x * Vx + slope.by_y * Vy + slope.by_d * resists;
-    const Pack ahead = slope.ahead_by_x * Vx + slope.ahead_by_y * Vy + slope.ahead_by_d * resists;
+    const Pack wy = a.wy + a.spin * cell.x + a.bend * before.ahead + moved.advance.bend * d.ahead;
+    Pack angle = kept * d.angle + slope.by_x * a.wx + slope.by_y * wy + by_turning * d.turning;
+    Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_x * a.wx + slope.ahead_by_y * wy +
+                 ahead_by_turning * d.turning;
+    if constexpr (entering) {
+      angle += slope.by_d * (bound * moved.flexibility);
+      ahead += slope.ahead_by_d * (bound * moved.flexibility);
+    }
+    if (before.stuck) {
+      angle += by_rho(before.ex, before.ey) * d.ratio;
+      ahead += ahead_by_rho(before.ex, before.ey) * d.ratio;
+    }
     Pack ratio = zero;
     if (moved.any_sticks) {
-      const Pack x = rho_x * bound_before + before.rho_x * d.bound - a.gx;
-      const Pack y = rho_y * bound_before + before.rho_y * d.bound - (a.gy + a.curvature * middle);
-      ratio = select(moved.stick, (after.ex * x + after.ey * y) * per_shape, zero);
+      const Pack middle = 2.0 * cell.x + moved.dv;
+      const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
+      const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
+      const Pack x = dx * moved.bound_before + moved.rho_x * bound - a.gx;
+      const Pack y = dy * moved.bound_before + moved.rho_y * bound - (a.gy + a.curvature * middle);
+      ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
       angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
     }
-    Pack x = -(after.rho_y * angle), y = after.rho_x * angle;
+    Pack x = -(rho_y * angle), y = rho_x * angle;
     if (moved.any_sticks) {
-      x += ratio * after.ex;
-      y += ratio * after.ey;
+      x += cell.mean * ratio * after.ex;
+      y += cell.mean * ratio * after.ey;
     }
-    if constexpr (entering) {
-      d.angle = select(moving, angle, d.angle);
-      d.ratio = select(moving, ratio, d.ratio);
-      d.ahead = select(moving, ahead, d.ahead);
-      d.bound = select(moving, zero, d.bound);
-      x = select(moving, x, zero);
-      y = select(moving, y, zero);
-    } else {
-      d.angle = angle;
-      d.ratio = ratio;
-      d.ahead = ahead;
-    }
-    add_cell(cell.mean * x, cell.mean * y, d.force);
+    d.angle = entering ? select(moving, angle, d.angle) : angle;
+    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+    d.ratio = ratio;
+    add_cell(entering ? select(moving, x, zero) : x, entering ? select(moving, y, zero) : y, d.force);
   }
 }
 
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
 /// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times what Carter's solution, in
 /// which s is proportional to sqrt(v (u_s - u)), makes of it when only u < u_s slips.
-inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, const State& s) {
+inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x,
+                      Pack rho_y) {
   const Pack zero = 0.0;
-  const Pack rigid = -(g.wx * s.rho_x + (g.wy + g.spin * cell.x) * s.rho_y);
-  const Pack elastic =
-      2.0 * cell.x * g.slope * (task.l11 * (s.rho_x * s.rho_x) + task.l22 * (s.rho_y * s.rho_y));
+  const Pack rigid = -(g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y);
+  const Pack elastic = 2.0 * cell.x * g.slope * (task.l11 * (rho_x * rho_x) + task.l22 * (rho_y * rho_y));
   const Pack behind = larger(zero, g.slip_end - (2.0 - cell.t));
   const Pack partial = select(g.slip_end < 2.0, 2.0 * root(behind * cell.t) / (behind + cell.t), 1.0);
   return larger(zero, rigid - elastic) * partial;
@@ -469,16 +488,16 @@ template <bool sticking, bool moving, bool sensitivities>
                                         Marching& m, Derivative (&derivative)[inputs]) {
   const Group& g = m.group;
   const Mask moves = g.stick_cells <= Pack(cell.index);
-  Pack rho_x = m.state.rho_x, rho_y = m.state.rho_y, size = 0.0;
+  Pack rho_x = 0.0, rho_y = 0.0, size = 0.0;
   if constexpr (moving) {
     [[maybe_unused]] State before;
     if constexpr (sensitivities) before = m.state;
     const Moved moved = step<sticking>(g, cell, moves, m.state, m.sums);
     if constexpr (sensitivities) differentiate<sticking>(g, cell, moves, before, m.state, moved, derivative);
     if (fields) {
-      rho_x = m.state.rho_x;
-      rho_y = m.state.rho_y;
-      size = select(moved.slips & (g.bound > 0.0), moved.part * slip_size(task, g, cell, m.state), 0.0);
+      rho_x = m.state.x();
+      rho_y = m.state.y();
+      size = select(moved.slips & (g.bound > 0.0), moved.part * slip_size(task, g, cell, rho_x, rho_y), 0.0);
     }
   }
   if constexpr (sticking) {
@@ -489,6 +508,27 @@ template <bool sticking, bool moving, bool sensitivities>
     }
   }
   if (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
+}
+
+}  // namespace strip
+
+namespace strip {
+
+/// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi); the fields of slip, whose power is known as that of
+/// their distribution only, are scaled to dissipate it.
+inline void balance_power(const StripFastsimTask& task, simd::Sums& total) {
+  const double balance = -(total.fx * task.nu_x + total.fy * task.nu_y + total.mz * task.phi);
+  const double power = balance > 0.0 ? balance : 0.0;
+  const double scale = total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0;
+  total.power_per_speed = power;
+  const std::int32_t cells = task.region->count * task.cells;
+  double* const fields[] = {task.fields->slip_x, task.fields->slip_y};
+  for (double* field : fields) {
+    for (std::int32_t at = 0; field != nullptr && at < cells; at += lanes) {
+      const std::int32_t count = cells - at < lanes ? cells - at : lanes;
+      store(scale * load(field, at, count, 0.0), field + at, count);
+    }
+  }
 }
 
 }  // namespace strip
@@ -547,6 +587,7 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       }
     }
   }
+  strip::balance_power(task, total);
 }
 
 }  // namespace
