@@ -288,11 +288,13 @@ template <bool entering>
                                                  GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  const Pack px = moved.size * after.ex, py = moved.size * after.ey;
   [[maybe_unused]] const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
   for (std::int32_t k = 0; k < inputs; ++k) {
     GroupDerivative& d = derivative[k];
-    Pack x = d.over_cell.x, y = d.over_cell.y - d.over_cell.rate * cell.t, bend = d.over_cell.bend;
-    Pack bound_before = zero, size_before = d.size;
+    Pack x = d.over_cell.x, y = d.over_cell.y, bend = d.over_cell.bend;
+    if (k == 2) y += -(d.over_cell.rate * cell.t);  // only spin changes the growth along a strip
+    Pack bound_before = zero, size_before = before.stuck ? d.size : zero;
     if constexpr (entering) {
       const Pack share = select((moved.share > zero) & (moved.share < 1.0), -(d.onset * cell.per_h), zero);
       x = moved.share * x + share * g.over_cell.x;
@@ -301,14 +303,15 @@ template <bool entering>
       bound_before = select(begins, d.onset_bound, zero);
       size_before = select(begins, d.onset_bound, size_before);
     }
-    const Pack Vy = y + bend * before.ahead + moved.bend * d.ahead;
+    Pack Vy = y + moved.bend * d.ahead;
+    if (entering || k == 2) Vy += bend * before.ahead;
     Pack angle = slope.kept * d.angle + slope.by_x * x + slope.by_y * Vy;
     Pack ahead = slope.ahead_by_x * x + slope.ahead_by_y * Vy;
     if constexpr (entering) {
       angle += slope.by_d * bound_before;
       ahead += slope.ahead_by_d * bound_before;
     }
-    d.size = zero;
+    if (before.stuck) d.size = zero;
     if (moved.any_sticks) {
       const Pack turned = moved.size_before * d.angle;
       const Pack trial_x = size_before * before.ex - turned * before.ey - x;
@@ -318,8 +321,12 @@ template <bool entering>
     }
     d.angle = entering ? select(moving, angle, d.angle) : angle;
     d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
-    const Pack turned = moved.size * angle;
-    add_cell(d.size * after.ex - turned * after.ey, d.size * after.ey + turned * after.ex, d.force);
+    Pack dpx = -(py * angle), dpy = px * angle;
+    if (moved.any_sticks) {
+      dpx += d.size * after.ex;
+      dpy += d.size * after.ey;
+    }
+    add_cell(dpx, dpy, d.force);
   }
 }
 

@@ -398,7 +398,8 @@ template <bool entering>
       a.bend += 2.0 * moved.advance.spin * dv;
       bound = select(Pack(cell.index - 0.5) < g.stick_cells, d.end_bound, zero);
     }
-    const Pack wy = a.wy + a.spin * cell.x + a.bend * before.ahead + moved.advance.bend * d.ahead;
+    Pack wy = a.wy + moved.advance.bend * d.ahead;
+    if (entering || k == 2) wy += a.spin * cell.x + a.bend * before.ahead;  // only spin turns the slip
     Pack angle = kept * d.angle + slope.by_x * a.wx + slope.by_y * wy + by_turning * d.turning;
     Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_x * a.wx + slope.ahead_by_y * wy +
                  ahead_by_turning * d.turning;
@@ -427,7 +428,7 @@ template <bool entering>
     }
     d.angle = entering ? select(moving, angle, d.angle) : angle;
     d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
-    d.ratio = ratio;
+    if (before.stuck || moved.any_sticks) d.ratio = ratio;
     add_cell(entering ? select(moving, x, zero) : x, entering ? select(moving, y, zero) : y, d.force);
   }
 }
