@@ -9,7 +9,7 @@ namespace wrc::simd {
 namespace {
 
 /// Groups of strips that are marched side by side, so that one computes while another waits for a root.
-constexpr std::int32_t in_flight = 4;
+constexpr std::int32_t in_flight = 2;
 
 struct StripGroup {
   std::int32_t first, count;  ///< strips

@@ -42,7 +42,9 @@ struct Turn {
   t.cx = keep * ex - t.s * Vx;
   t.cy = keep * ey - t.s * Vy;
   const Pack square = t.cx * t.cx + t.cy * t.cy;
-  const Pack inverse = 1.0 / (square * t.s);
+  // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
+  // be
+  const Pack inverse = 1.0 / larger(square * t.s, 1e-280);
   t.per_c = t.s * inverse;
   t.per_s = square * inverse;
   const Pack along = ex * t.cx + ey * t.cy;
