@@ -124,6 +124,13 @@ struct Pack {
   Native a, b;
 
   Pack() = default;
+  // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
+  Pack(const Pack& x) : a(x.a), b(x.b) {}
+  Pack& operator=(const Pack& x) {
+    a = x.a;
+    b = x.b;
+    return *this;
+  }
   Pack(Native first, Native second) : a(first), b(second) {}
   Pack(double everywhere) : a(broadcast(everywhere)), b(a) {}  // NOLINT: constants mix freely with packs
 
@@ -138,6 +145,15 @@ struct Pack {
 /// Yes or no for each lane.
 struct Mask {
   NativeMask a, b;
+
+  Mask() = default;
+  Mask(const Mask& x) : a(x.a), b(x.b) {}
+  Mask& operator=(const Mask& x) {
+    a = x.a;
+    b = x.b;
+    return *this;
+  }
+  Mask(NativeMask first, NativeMask second) : a(first), b(second) {}
 
   friend Mask operator&(Mask x, Mask y) { return {both(x.a, y.a), both(x.b, y.b)}; }
   friend Mask operator|(Mask x, Mask y) { return {either(x.a, y.a), either(x.b, y.b)}; }

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tangential/problem.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/problem.hpp"
 
 namespace wrc {
 
@@ -27,6 +27,9 @@ struct BoundShape {
 struct MarchGrid {
   std::int32_t cells = 0;
   BoundShape parabolic, elliptic;
+  /// 1 / ((n - i)^(3/2) - (n - i - 1)^(3/2)) for cell i of n: one over the integral over the cell of
+  /// 3/2 sqrt(u / h), u the distance from the trailing edge.
+  const double* inverse_weight = nullptr;
   const Kernels* kernels = nullptr;  ///< of an instruction set the processor has
 
   const BoundShape& shape(TractionBound bound) const {
@@ -35,7 +38,7 @@ struct MarchGrid {
 };
 
 /// Memory a grid needs [doubles].
-constexpr std::size_t march_grid_size(std::int32_t cells) { return 4 * static_cast<std::size_t>(cells); }
+constexpr std::size_t march_grid_size(std::int32_t cells) { return 5 * static_cast<std::size_t>(cells); }
 
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
 MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set = InstructionSet::baseline);
