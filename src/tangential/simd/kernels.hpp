@@ -3,12 +3,13 @@
 
 #include <cstdint>
 
-#include "tangential/problem.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/problem.hpp"
 
 namespace wrc {
 
 struct BoundShape;
+struct MarchGrid;
 
 namespace simd {
 
@@ -74,6 +75,8 @@ struct Kernels {
   /// power_per_speed and the fields of slip are in proportion only; see strip_fastsim.cpp.
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
+  void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 };
 
 /// The kernels of a set, which the processor must have.
