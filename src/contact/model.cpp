@@ -37,13 +37,12 @@ std::size_t scratch_size(const ProfileSource& source) {
          static_cast<std::size_t>(node_count(source));
 }
 
-std::size_t doubles(const ProfileSource& source) { return 3 * static_cast<std::size_t>(node_count(source)); }
+std::size_t doubles(const ProfileSource& source) { return profile_doubles(node_count(source)); }
 
 /// Cuts the nodes of one profile from the arrays behind the model.
 ProfileMemory cut(double*& arrays, std::int32_t nodes) {
-  const auto n = static_cast<std::size_t>(nodes);
-  const ProfileMemory memory{nodes, arrays, arrays + n, arrays + 2 * n};
-  arrays += 3 * n;
+  const ProfileMemory memory = profile_memory(nodes, arrays);
+  arrays += profile_doubles(nodes);
   return memory;
 }
 
