@@ -6,9 +6,8 @@
 namespace wrc {
 namespace {
 
-constexpr std::int32_t newton_cap =
-    12;  ///< two steps are typical: the start is extrapolated from the next row
-constexpr double newton_tolerance = 1e-7;    ///< last step [m]; what is left then is below 1e-12 m
+constexpr std::int32_t newton_cap = 12;      ///< one step is typical: see RowPoint
+constexpr double newton_tolerance = 1e-8;  ///< last step [m]; what is left then is below 1e-12 m
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
 constexpr double newton_step = 1e-3;         ///< longest step [m]
 constexpr double least_advance = 0.05;  ///< of y per parameter; below, the wheel's outline is about to fold
@@ -57,24 +56,39 @@ struct Frame {
   static double facing(double dz_dy) { return 1.0 / std::sqrt(1.0 + dz_dy * dz_dy); }
 };
 
-/// Newton's method for the parameter t at which `at(t).y` equals y, started from the previous row's point.
-/// Returns the point, carried over the last step by its tangent.
-template <class Curve>
-FramePoint at_frame_y(const Curve& at, double y, double low, double high, double& t, bool& converged) {
-  FramePoint p;
-  for (std::int32_t i = 0; i < newton_cap; ++i) {
-    p = at(t);
-    const double step = std::clamp((y - p.y) / std::max(p.dy_dt, least_advance), -newton_step, newton_step);
-    if (std::abs(step) <= newton_tolerance) {
-      p.z += p.dz_dy * (y - p.y);
-      p.y = y;
-      return p;
+/// Where a curve stands at the y of a row, and how it gets to the next row.
+struct RowPoint {
+  double t;           ///< the curve's parameter
+  double y;           ///< of the row [m]
+  double rate, bend;  ///< dy/dt, and by how much that changed since the row before
+  double z;           ///< [m]
+
+  /// Newton's method for the parameter at which `at(t).y` equals `next`, started from the parabola through
+  /// this row and the one before: then one evaluation is enough, but where the curvature jumps. The point is
+  /// carried over the last step by its tangent. False: not converged.
+  template <class Curve>
+  bool move_to(double next, const Curve& at, double low, double high) {
+    t += (next - y) / std::max(rate + 0.5 * bend, least_advance);
+    y = next;
+    FramePoint p;
+    bool converged = false;
+    for (std::int32_t i = 0; i < newton_cap && !converged; ++i) {
+      p = at(t);
+      const double ahead = y - p.y;
+      const double step = std::clamp(ahead / std::max(p.dy_dt, least_advance), -newton_step, newton_step);
+      converged = std::abs(step) <= newton_tolerance;
+      if (converged) {
+        p.z += p.dz_dy * ahead;
+      } else {
+        t = std::clamp(t + step, low, high);
+      }
     }
-    t = std::clamp(t + step, low, high);
+    z = p.z;
+    bend = p.dy_dt - rate;
+    rate = p.dy_dt;
+    return converged;
   }
-  converged = false;
-  return p;
-}
+};
 
 /// Gap of one row seen from a wheel station, without Newton: the vertical gap g and the inclinations of the
 /// wheel to the vertical and to the contact plane give the separation along the contact normal to first order
@@ -205,24 +219,21 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
   // From the rows next to the contact point outwards, so that every row starts where its neighbour ended.
   const auto march = [&](std::int32_t from, std::int32_t to, std::int32_t direction) {
     Frame frame(rail, wheel, contact);
-    double rail_y = contact.y, s = contact.wheel_s;
-    double y_before = 0.0;
-    FramePoint on_rail = frame.rail_at(rail_y), on_wheel;
     OutlinePoint point;
-    on_wheel = frame.wheel_at(s, point);
+    RowPoint on_rail{contact.y, 0.0, frame.rail_at(contact.y).dy_dt, 0.0, 0.0};
+    RowPoint on_wheel{contact.wheel_s, 0.0, frame.wheel_at(contact.wheel_s, point).dy_dt, 0.0, 0.0};
     for (std::int32_t j = from; j != to; j += direction) {
       const double y = window.low + j * step;
-      rail_y += (y - y_before) / std::max(on_rail.dy_dt, least_advance);
-      s += (y - y_before) / std::max(on_wheel.dy_dt, least_advance);
-      on_rail = at_frame_y([&](double t) { return frame.rail_at(t); }, y, rail_profile.y[0],
-                           rail_profile.y[rail_profile.count - 1], rail_y, converged);
-      on_wheel = at_frame_y([&](double t) { return frame.wheel_at(t, point); }, y, wheel_profile.y[0],
-                            wheel_profile.y[wheel_profile.count - 1], s, converged);
+      converged &= on_rail.move_to(
+          y, [&](double t) { return frame.rail_at(t); }, rail_profile.y[0],
+          rail_profile.y[rail_profile.count - 1]);
+      converged &= on_wheel.move_to(
+          y, [&](double t) { return frame.wheel_at(t, point); }, wheel_profile.y[0],
+          wheel_profile.y[wheel_profile.count - 1]);
       memory.y[j] = y;
       memory.height[j] = on_rail.z - on_wheel.z;
       memory.centre[j] = point.x - contact.x;
       memory.curvature[j] = longitudinal_curvature(wheel, point, contact.cosine, contact.sine);
-      y_before = y;
     }
   };
   const std::int32_t middle = std::clamp(static_cast<std::int32_t>(-window.low / step) + 1, 0, count);
