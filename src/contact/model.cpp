@@ -6,6 +6,7 @@
 #include "contact/contact.hpp"
 #include "damage/simd/kernels.hpp"
 #include "geometry/profile_points.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
 #include "tangential/coarse_halfspace.hpp"
@@ -145,6 +146,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, options.instruction_set);
   arrays += march_grid_size(options.sizes.cells);
+  model->geometry_kernels = &geometry_kernels(options.instruction_set);
   model->damage_kernels = &damage_kernels(options.instruction_set);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;

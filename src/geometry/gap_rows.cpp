@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/simd/kernels.hpp"
+
 namespace wrc {
 namespace {
 
-constexpr std::int32_t newton_cap = 12;      ///< one step is typical: see RowPoint
-constexpr double newton_tolerance = 1e-8;  ///< last step [m]; what is left then is below 1e-12 m
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
-constexpr double newton_step = 1e-3;         ///< longest step [m]
 constexpr double least_advance = 0.05;  ///< of y per parameter; below, the wheel's outline is about to fold
 constexpr double window_step = scan_spacing;
 
@@ -54,40 +53,6 @@ struct Frame {
 
   /// Cosine between a surface's normal and the contact normal, from its slope in the contact frame.
   static double facing(double dz_dy) { return 1.0 / std::sqrt(1.0 + dz_dy * dz_dy); }
-};
-
-/// Where a curve stands at the y of a row, and how it gets to the next row.
-struct RowPoint {
-  double t;           ///< the curve's parameter
-  double y;           ///< of the row [m]
-  double rate, bend;  ///< dy/dt, and by how much that changed since the row before
-  double z;           ///< [m]
-
-  /// Newton's method for the parameter at which `at(t).y` equals `next`, started from the parabola through
-  /// this row and the one before: then one evaluation is enough, but where the curvature jumps. The point is
-  /// carried over the last step by its tangent. False: not converged.
-  template <class Curve>
-  bool move_to(double next, const Curve& at, double low, double high) {
-    t += (next - y) / std::max(rate + 0.5 * bend, least_advance);
-    y = next;
-    FramePoint p;
-    bool converged = false;
-    for (std::int32_t i = 0; i < newton_cap && !converged; ++i) {
-      p = at(t);
-      const double ahead = y - p.y;
-      const double step = std::clamp(ahead / std::max(p.dy_dt, least_advance), -newton_step, newton_step);
-      converged = std::abs(step) <= newton_tolerance;
-      if (converged) {
-        p.z += p.dz_dy * ahead;
-      } else {
-        t = std::clamp(t + step, low, high);
-      }
-    }
-    z = p.z;
-    bend = p.dy_dt - rate;
-    rate = p.dy_dt;
-    return converged;
-  }
 };
 
 /// Gap of one row seen from a wheel station, without Newton: the vertical gap g and the inclinations of the
@@ -194,7 +159,8 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 }
 
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
-                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory, GapRows& rows) {
+                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
+                    const GeometryKernels& kernels, GapRows& rows) {
   rows = {};
   if (count < 4 || count > memory.capacity) {
     return {.status = WRC_ERROR_BUFFER,
@@ -212,33 +178,16 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
             .cause = "no width around the contact point in which the gap stays below its limit"};
   }
 
-  const Profile& rail_profile = rail.profile;
-  const Profile& wheel_profile = wheel.wheel->profile;
   const double step = (window.high - window.low) / (count - 1);
-  bool converged = true;
-  // From the rows next to the contact point outwards, so that every row starts where its neighbour ended.
-  const auto march = [&](std::int32_t from, std::int32_t to, std::int32_t direction) {
-    Frame frame(rail, wheel, contact);
-    OutlinePoint point;
-    RowPoint on_rail{contact.y, 0.0, frame.rail_at(contact.y).dy_dt, 0.0, 0.0};
-    RowPoint on_wheel{contact.wheel_s, 0.0, frame.wheel_at(contact.wheel_s, point).dy_dt, 0.0, 0.0};
-    for (std::int32_t j = from; j != to; j += direction) {
-      const double y = window.low + j * step;
-      converged &= on_rail.move_to(
-          y, [&](double t) { return frame.rail_at(t); }, rail_profile.y[0],
-          rail_profile.y[rail_profile.count - 1]);
-      converged &= on_wheel.move_to(
-          y, [&](double t) { return frame.wheel_at(t, point); }, wheel_profile.y[0],
-          wheel_profile.y[wheel_profile.count - 1]);
-      memory.y[j] = y;
-      memory.height[j] = on_rail.z - on_wheel.z;
-      memory.centre[j] = point.x - contact.x;
-      memory.curvature[j] = longitudinal_curvature(wheel, point, contact.cosine, contact.sine);
-    }
-  };
-  const std::int32_t middle = std::clamp(static_cast<std::int32_t>(-window.low / step) + 1, 0, count);
-  march(middle, count, +1);
-  march(middle - 1, -1, -1);
+  const bool converged = kernels.fill_rows({.rail = &rail,
+                                            .wheel = &wheel,
+                                            .contact = &contact,
+                                            .rail_piece = piece_at(rail.profile, contact.y),
+                                            .wheel_piece = piece_at(wheel.wheel->profile, contact.wheel_s),
+                                            .low = window.low,
+                                            .step = step,
+                                            .count = count,
+                                            .memory = &memory});
 
   rows = {count, memory.y, memory.height, memory.centre, memory.curvature};
   if (!converged) return {.status = WRC_FLAG_ITERATION_CAP, .field = "gap rows"};

@@ -51,11 +51,21 @@ Fault too_few_nodes(std::int32_t capacity, std::int32_t needed);
 
 /// Value and derivatives at one y. Outside the nodes the end tangent continues (curvature 0): a search that
 /// starts there is led back, and the gap there is flagged by the caller as beyond the profile.
-struct ProfilePoint {
-  double z = 0.0;       ///< [m]
-  double slope = 0.0;   ///< dz/dy [-]
-  double second = 0.0;  ///< d2z/dy2 [1/m]
+template <class Number>
+struct ProfilePointOf {
+  Number z = 0.0;       ///< [m]
+  Number slope = 0.0;   ///< dz/dy [-]
+  Number second = 0.0;  ///< d2z/dy2 [1/m]
 };
+using ProfilePoint = ProfilePointOf<double>;
+
+/// A piece's cubic at distance u from its node.
+template <class Number>
+ProfilePointOf<Number> evaluate_cubic(const Number& z, const Number& slope, const Number& square,
+                                      const Number& cube, const Number& u) {
+  return {z + u * (slope + u * (square + u * cube)), slope + u * (2.0 * square + 3.0 * u * cube),
+          2.0 * square + 6.0 * u * cube};
+}
 
 ProfilePoint evaluate(const Profile& profile, double y);
 
@@ -65,10 +75,8 @@ inline ProfilePoint evaluate_piece(const Profile& profile, double y, std::int32_
   if (y < profile.y[0]) return {profile.z[0] + profile.slope[0] * (y - profile.y[0]), profile.slope[0], 0.0};
   if (y > profile.y[last])
     return {profile.z[last] + profile.slope[last] * (y - profile.y[last]), profile.slope[last], 0.0};
-  const double u = y - profile.y[piece], slope = profile.slope[piece];
-  const double square = profile.square[piece], cube = profile.cube[piece];
-  return {profile.z[piece] + u * (slope + u * (square + u * cube)),
-          slope + u * (2.0 * square + 3.0 * u * cube), 2.0 * square + 6.0 * u * cube};
+  return evaluate_cubic(profile.z[piece], profile.slope[piece], profile.square[piece], profile.cube[piece],
+                        y - profile.y[piece]);
 }
 
 /// The same for a caller who moves along the profile in small steps: `piece` is the index of the Hermite
