@@ -164,7 +164,8 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   const GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
                             array(contact, Array::gap_height), array(contact, Array::gap_centre),
                             array(contact, Array::gap_curvature)};
-  worsen(fault, fill_gap_rows(model.rail, wheel, origin, window, memory.capacity, memory, rows));
+  worsen(fault, fill_gap_rows(model.rail, wheel, origin, window, memory.capacity, memory,
+                              *model.geometry_kernels, rows));
   if (fault.failed()) return fault;
   for (std::int32_t j = 0; j < rows.count; ++j) memory.height[j] += pressed_depth;
   contact.gap_rows = rows.count;

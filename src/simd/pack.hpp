@@ -27,6 +27,15 @@ using NativeMask = __mmask8;
 inline Native broadcast(double a) { return _mm512_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm512_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm512_storeu_pd(to, a); }
+inline NativeMask first_lanes(std::int32_t count) {
+  return static_cast<NativeMask>(count < 8 ? (1 << count) - 1 : 0xff);
+}
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return _mm512_mask_loadu_pd(rest, first_lanes(count), from);
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  _mm512_mask_storeu_pd(to, first_lanes(count), a);
+}
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
 inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
@@ -46,6 +55,16 @@ using NativeMask = __m256d;
 inline Native broadcast(double a) { return _mm256_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm256_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm256_storeu_pd(to, a); }
+inline __m256i first_lanes(std::int32_t count) {
+  return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_set_epi64x(3, 2, 1, 0));
+}
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  const __m256i wanted = first_lanes(count);
+  return _mm256_blendv_pd(rest, _mm256_maskload_pd(from, wanted), _mm256_castsi256_pd(wanted));
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  _mm256_maskstore_pd(to, first_lanes(count), a);
+}
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
@@ -64,6 +83,13 @@ using NativeMask = __m128d;
 inline Native broadcast(double a) { return _mm_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm_storeu_pd(to, a); }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 2 ? _mm_loadu_pd(from) : count == 1 ? _mm_loadl_pd(rest, from) : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 2) return _mm_storeu_pd(to, a);
+  if (count == 1) _mm_storel_pd(to, a);
+}
 inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm_min_pd(a, b); }
@@ -84,6 +110,13 @@ using NativeMask = uint64x2_t;
 inline Native broadcast(double a) { return vdupq_n_f64(a); }
 inline Native load_lanes(const double* from) { return vld1q_f64(from); }
 inline void store_lanes(double* to, Native a) { vst1q_f64(to, a); }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 2 ? vld1q_f64(from) : count == 1 ? vld1q_lane_f64(from, rest, 0) : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 2) return vst1q_f64(to, a);
+  if (count == 1) vst1q_lane_f64(to, a, 0);
+}
 inline Native root_of(Native a) { return vsqrtq_f64(a); }
 inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
 inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
@@ -102,6 +135,12 @@ using NativeMask = bool;
 inline Native broadcast(double a) { return Native{a}; }
 inline Native load_lanes(const double* from) { return Native{*from}; }
 inline void store_lanes(double* to, Native a) { *to = a[0]; }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 1 ? Native{*from} : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 1) *to = a[0];
+}
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
 inline NativeMask less_equal(Native a, Native b) { return a[0] <= b[0]; }
@@ -182,20 +221,23 @@ inline Pack nearest_integer(Pack a) {
   return (a + unit_spacing) - unit_spacing;
 }
 
-/// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.
+/// Lanes of a group of `count` that lie in the second vector of a pack.
+inline std::int32_t in_second(std::int32_t count) { return count > native_lanes ? count - native_lanes : 0; }
+
+/// Elements first .. first + count - 1 of an array, 0 <= count <= lanes; lanes behind them hold `rest`.
+/// Nothing is read behind the array.
 inline Pack load(const double* from, std::int32_t first, std::int32_t count, double rest) {
   if (count == lanes) return load_pack(from + first);
-  double buffer[lanes];
-  for (std::int32_t k = 0; k < lanes; ++k) buffer[k] = k < count ? from[first + k] : rest;
-  return load_pack(buffer);
+  const Native behind = broadcast(rest);
+  return {load_first(count, from + first, behind),
+          load_first(in_second(count), from + first + native_lanes, behind)};
 }
 
 /// The first `count` lanes to an array.
 inline void store(Pack a, double* to, std::int32_t count) {
   if (count == lanes) return store_pack(to, a);
-  double buffer[lanes];
-  store_pack(buffer, a);
-  for (std::int32_t k = 0; k < count; ++k) to[k] = buffer[k];
+  store_first(count, to, a.a);
+  store_first(in_second(count), to + native_lanes, a.b);
 }
 
 }  // namespace

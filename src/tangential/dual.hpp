@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "tangential/number.hpp"
+#include "number.hpp"
 
 namespace wrc {
 

@@ -9,6 +9,7 @@
 namespace wrc {
 
 struct BoundShape;
+struct MarchGrid;
 
 namespace simd {
 
@@ -74,6 +75,8 @@ struct Kernels {
   void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
+  void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 };
 
 /// The kernels of a set, which the processor must have.
