@@ -27,6 +27,9 @@ using NativeMask = __mmask8;
 inline Native broadcast(double a) { return _mm512_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm512_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm512_storeu_pd(to, a); }
+inline Native pick_lanes(const double* from, const std::int64_t* i) {
+  return Native{from[i[0]], from[i[1]], from[i[2]], from[i[3]], from[i[4]], from[i[5]], from[i[6]], from[i[7]]};
+}
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
 inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
@@ -46,6 +49,9 @@ using NativeMask = __m256d;
 inline Native broadcast(double a) { return _mm256_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm256_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm256_storeu_pd(to, a); }
+inline Native pick_lanes(const double* from, const std::int64_t* i) {
+  return Native{from[i[0]], from[i[1]], from[i[2]], from[i[3]]};
+}
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
@@ -64,6 +70,7 @@ using NativeMask = __m128d;
 inline Native broadcast(double a) { return _mm_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm_storeu_pd(to, a); }
+inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]], from[i[1]]}; }
 inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm_min_pd(a, b); }
@@ -84,6 +91,7 @@ using NativeMask = uint64x2_t;
 inline Native broadcast(double a) { return vdupq_n_f64(a); }
 inline Native load_lanes(const double* from) { return vld1q_f64(from); }
 inline void store_lanes(double* to, Native a) { vst1q_f64(to, a); }
+inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]], from[i[1]]}; }
 inline Native root_of(Native a) { return vsqrtq_f64(a); }
 inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
 inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
@@ -102,6 +110,7 @@ using NativeMask = bool;
 inline Native broadcast(double a) { return Native{a}; }
 inline Native load_lanes(const double* from) { return Native{*from}; }
 inline void store_lanes(double* to, Native a) { *to = a[0]; }
+inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]]}; }
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
 inline NativeMask less_equal(Native a, Native b) { return a[0] <= b[0]; }
@@ -164,6 +173,24 @@ inline void store_pack(double* to, Pack x) {
 inline Pack nearest_integer(Pack a) {
   const Pack unit_spacing = 4503599627370496.0;  // 2^52: the next double is one more
   return (a + unit_spacing) - unit_spacing;
+}
+
+/// The bits of a pack, for what is read off them.
+using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
+struct Bits {
+  NativeBits a, b;
+
+  friend Bits operator>>(Bits x, int by) { return {x.a >> by, x.b >> by}; }
+  friend Bits operator<<(Bits x, int by) { return {x.a << by, x.b << by}; }
+  friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
+  friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
+};
+inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
+inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
+
+/// Elements index[0] .. index[lanes - 1] of an array.
+inline Pack pick(const double* from, const std::int64_t* index) {
+  return {pick_lanes(from, index), pick_lanes(from, index + native_lanes)};
 }
 
 /// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.

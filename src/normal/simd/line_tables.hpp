@@ -1,0 +1,78 @@
+/// The tables of strip_kernel.hpp read for a pack of places at once.
+#pragma once
+
+#include "normal/simd/kernels.hpp"
+#include "normal/strip_kernel.hpp"
+#include "simd/pack.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// Intervals of an axis, and where in them the numbers lie (0..1).
+struct Places {
+  Pack interval;  ///< whole numbers
+  Pack fraction;
+};
+
+/// OctaveAxis::locate. Numbers outside the axis, and what is no number, are taken to its ends: an index is
+/// valid whatever comes in.
+template <OctaveAxis axis>
+Places locate(Pack x) {
+  constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
+  constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
+  constexpr double low = axis.node(0), high = std::bit_cast<double>(end - 1);
+  constexpr int mantissa_bits = 52, shift = mantissa_bits - axis.bits_per_octave;
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
+  constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
+  // Behind the exponent of 2^52, where the double spacing is one, a whole number is its own mantissa.
+  constexpr std::uint64_t unit_spacing = std::uint64_t{1023 + mantissa_bits} << mantissa_bits;
+  const Bits bits = bits_of(smaller(larger(x, low), high));
+  return {pack_of((bits >> shift) + (unit_spacing - (first >> shift))) - 4503599627370496.0,
+          pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0};
+}
+
+/// Whole numbers 0 <= x < 2^51 as indices.
+struct Indices {
+  std::int64_t at[lanes];
+};
+inline Indices indices(Pack x) {
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
+  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;
+  Indices i;
+  __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
+  __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
+  return i;
+}
+
+/// A table over the distance axis.
+inline Pack read(const double* table, Pack tau) {
+  const Places place = locate<StripKernel::distance_axis>(tau);
+  const Indices i = indices(place.interval);
+  const Pack low = pick(table, i.at), high = pick(table + 1, i.at);
+  return low + place.fraction * (high - low);
+}
+
+/// StripKernel::at: J(tau, xi).
+inline Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
+  const Pack tau2 = tau * tau;
+  const Pack to_trailing = root((xi + 1.0) * (xi + 1.0) + tau2);
+  const Pack to_leading = root((xi - 1.0) * (xi - 1.0) + tau2);
+  const Pack one_minus_eta = 1.0 - 0.5 * magnitude(to_trailing - to_leading);
+  const Places row = locate<StripKernel::chi_axis>(0.5 * (to_trailing + to_leading) - 1.0);
+  constexpr std::int32_t columns = StripKernel::eta_intervals;
+  const Pack v = root(larger(one_minus_eta, 0.0)) * static_cast<double>(columns);
+  const Pack nearest = nearest_integer(v);
+  const Pack column = smaller(select(nearest > v, nearest - 1.0, nearest), columns - 1.0);
+  const Pack g = v - column;
+  const Indices i = indices(row.interval * (columns + 1.0) + column);
+  const double* const low = tables.anywhere;
+  const double* const high = low + columns + 1;
+  const Pack low_left = pick(low, i.at), low_right = pick(low + 1, i.at);
+  const Pack high_left = pick(high, i.at), high_right = pick(high + 1, i.at);
+  const Pack at_low = low_left + g * (low_right - low_left);
+  const Pack at_high = high_left + g * (high_right - high_left);
+  return at_low + row.fraction * (at_high - at_low);
+}
+
+}  // namespace
+}  // namespace wrc::simd
