@@ -16,8 +16,9 @@ struct Places {
 
 /// OctaveAxis::locate. Numbers outside the axis, and what is no number, are taken to its ends: an index is
 /// valid whatever comes in.
-template <OctaveAxis axis>
+template <int lowest_exponent, int octaves, int bits_per_octave>
 Places locate(Pack x) {
+  constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
   constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
   constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
   constexpr double low = axis.node(0), high = std::bit_cast<double>(end - 1);
@@ -46,7 +47,8 @@ inline Indices indices(Pack x) {
 
 /// A table over the distance axis.
 inline Pack read(const double* table, Pack tau) {
-  const Places place = locate<StripKernel::distance_axis>(tau);
+  constexpr OctaveAxis axis = StripKernel::distance_axis;
+  const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
   const Indices i = indices(place.interval);
   const Pack low = pick(table, i.at), high = pick(table + 1, i.at);
   return low + place.fraction * (high - low);
@@ -58,7 +60,9 @@ inline Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
   const Pack to_trailing = root((xi + 1.0) * (xi + 1.0) + tau2);
   const Pack to_leading = root((xi - 1.0) * (xi - 1.0) + tau2);
   const Pack one_minus_eta = 1.0 - 0.5 * magnitude(to_trailing - to_leading);
-  const Places row = locate<StripKernel::chi_axis>(0.5 * (to_trailing + to_leading) - 1.0);
+  constexpr OctaveAxis axis = StripKernel::chi_axis;
+  const Places row = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(
+      0.5 * (to_trailing + to_leading) - 1.0);
   constexpr std::int32_t columns = StripKernel::eta_intervals;
   const Pack v = root(larger(one_minus_eta, 0.0)) * static_cast<double>(columns);
   const Pack nearest = nearest_integer(v);
