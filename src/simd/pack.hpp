@@ -27,8 +27,16 @@ using NativeMask = __mmask8;
 inline Native broadcast(double a) { return _mm512_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm512_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm512_storeu_pd(to, a); }
-inline Native pick_lanes(const double* from, const std::int64_t* i) {
-  return Native{from[i[0]], from[i[1]], from[i[2]], from[i[3]], from[i[4]], from[i[5]], from[i[6]], from[i[7]]};
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto four = [&](std::int32_t k) {  // elements k, k + 2, k + 4, k + 6, each with the one behind it
+    const Native first = _mm512_castpd128_pd512(_mm_loadu_pd(from + i[k]));
+    const Native second = _mm512_insertf64x2(first, _mm_loadu_pd(from + i[k + 2]), 1);
+    const Native third = _mm512_insertf64x2(second, _mm_loadu_pd(from + i[k + 4]), 2);
+    return _mm512_insertf64x2(third, _mm_loadu_pd(from + i[k + 6]), 3);
+  };
+  const Native even = four(0), odd = four(1);
+  at = _mm512_unpacklo_pd(even, odd);
+  behind = _mm512_unpackhi_pd(even, odd);
 }
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
@@ -49,8 +57,14 @@ using NativeMask = __m256d;
 inline Native broadcast(double a) { return _mm256_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm256_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm256_storeu_pd(to, a); }
-inline Native pick_lanes(const double* from, const std::int64_t* i) {
-  return Native{from[i[0]], from[i[1]], from[i[2]], from[i[3]]};
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto two = [&](std::int32_t k) {  // elements k and k + 2, each with the one behind it
+    const Native first = _mm256_castpd128_pd256(_mm_loadu_pd(from + i[k]));
+    return _mm256_insertf128_pd(first, _mm_loadu_pd(from + i[k + 2]), 1);
+  };
+  const Native even = two(0), odd = two(1);
+  at = _mm256_unpacklo_pd(even, odd);
+  behind = _mm256_unpackhi_pd(even, odd);
 }
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
@@ -70,7 +84,11 @@ using NativeMask = __m128d;
 inline Native broadcast(double a) { return _mm_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm_storeu_pd(to, a); }
-inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]], from[i[1]]}; }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = _mm_unpacklo_pd(even, odd);
+  behind = _mm_unpackhi_pd(even, odd);
+}
 inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm_min_pd(a, b); }
@@ -91,7 +109,11 @@ using NativeMask = uint64x2_t;
 inline Native broadcast(double a) { return vdupq_n_f64(a); }
 inline Native load_lanes(const double* from) { return vld1q_f64(from); }
 inline void store_lanes(double* to, Native a) { vst1q_f64(to, a); }
-inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]], from[i[1]]}; }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = vtrn1q_f64(even, odd);
+  behind = vtrn2q_f64(even, odd);
+}
 inline Native root_of(Native a) { return vsqrtq_f64(a); }
 inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
 inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
@@ -110,7 +132,10 @@ using NativeMask = bool;
 inline Native broadcast(double a) { return Native{a}; }
 inline Native load_lanes(const double* from) { return Native{*from}; }
 inline void store_lanes(double* to, Native a) { *to = a[0]; }
-inline Native pick_lanes(const double* from, const std::int64_t* i) { return Native{from[i[0]]}; }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  at = Native{from[i[0]]};
+  behind = Native{from[i[0] + 1]};
+}
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
 inline NativeMask less_equal(Native a, Native b) { return a[0] <= b[0]; }
@@ -188,9 +213,29 @@ struct Bits {
 inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
 inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
 
-/// Elements index[0] .. index[lanes - 1] of an array.
-inline Pack pick(const double* from, const std::int64_t* index) {
-  return {pick_lanes(from, index), pick_lanes(from, index + native_lanes)};
+/// Whole numbers 0 <= x < 2^51, one for each lane, as indices.
+struct Indices {
+  std::int64_t at[lanes];
+};
+inline Indices indices(Pack x) {
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
+  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;  // 2^52: the mantissa counts ones
+  Indices i;
+  __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
+  __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
+  __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
+  return i;
+}
+
+/// Elements i.at[0], i.at[1], .. of an array, and those behind them.
+struct Neighbours {
+  Pack at, behind;
+};
+inline Neighbours pick(const double* from, const Indices& i) {
+  Neighbours n;
+  pick_lanes(from, i.at, n.at.a, n.behind.a);
+  pick_lanes(from, i.at + native_lanes, n.at.b, n.behind.b);
+  return n;
 }
 
 /// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.

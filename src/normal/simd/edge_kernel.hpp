@@ -6,13 +6,19 @@
 namespace wrc::simd {
 namespace {
 
-/// Displacements by source number first of the first lane's edge, first + 1 of the next, ... [m Pa]
-inline Pack displacement_by(const StripTables& tables, const Sources& sources, std::int32_t first, Pack x,
-                            Pack y) {
-  const Pack inverse = load_pack(sources.inverse_length + first);
-  return load_pack(sources.strength + first) *
-         line_potential_at(tables, magnitude(load_pack(sources.y + first) - y) * inverse,
-                           magnitude(x - load_pack(sources.centre + first)) * inverse);
+/// As many edges as the processor's vector holds, twice: a pack sees two sources of each edge at a time.
+struct Edges {
+  Pack x, y;
+};
+
+/// Displacements by sources number first, second of the first edge, first + 1, second + 1 of the next, ...
+/// [m Pa]
+inline Pack displacements(const StripTables& tables, const Sources& sources, std::int32_t first,
+                          std::int32_t second, const Edges& edges) {
+  const auto both = [&](const double* of) { return Pack(load_lanes(of + first), load_lanes(of + second)); };
+  const Pack inverse = both(sources.inverse_length);
+  return both(sources.strength) * line_potential_at(tables, magnitude(both(sources.y) - edges.y) * inverse,
+                                                    magnitude(edges.x - both(sources.centre)) * inverse);
 }
 
 /// NormalKernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch
@@ -20,20 +26,27 @@ inline Pack displacement_by(const StripTables& tables, const Sources& sources, s
 void edge_displacements_kernel(const EdgeTask& task) {
   constexpr std::int32_t near = 4;  // strips to each side that are taken one by one
   static_assert(near < beyond_sources - most_lanes);
-  for (std::int32_t a = 0; a < task.count; a += lanes) {
-    const Pack x = load_pack(task.x + a), y = load_pack(task.y + a);
-    Pack below = 0.0, above = 0.0;
+  for (std::int32_t a = 0; a < task.count; a += native_lanes) {
+    const Native x = load_lanes(task.x + a), y = load_lanes(task.y + a);
+    const Edges edges{{x, x}, {y, y}};
+    Native below = broadcast(0.0), above = below;
     for (std::int32_t d = 1; d <= near; ++d) {
-      below += displacement_by(task.tables, task.strips, a - d, x, y);
-      above += displacement_by(task.tables, task.strips, a + d, x, y);
+      const Pack by = displacements(task.tables, task.strips, a - d, a + d, edges);
+      below = below + by.a;
+      above = above + by.b;
     }
-    for (std::int32_t k = a - near - 2; k + lanes > -1; k -= 2)
-      below += displacement_by(task.tables, task.pairs, k, x, y);
-    for (std::int32_t k = a + near + 1; k < task.count; k += 2)
-      above += displacement_by(task.tables, task.pairs, k, x, y);
-    const Pack own =
-        load_pack(task.strips.strength + a) * read(task.tables.edge_under, load_pack(task.half_width + a));
-    store_pack(task.displacement + a, own + (below + above));
+    for (std::int32_t k = a - near - 2; k + native_lanes > -1; k -= 4) {
+      const Pack by = displacements(task.tables, task.pairs, k, k - 2, edges);
+      below = below + by.a + by.b;
+    }
+    for (std::int32_t k = a + near + 1; k < task.count; k += 4) {
+      const Pack by = displacements(task.tables, task.pairs, k, k + 2, edges);
+      above = above + by.a + by.b;
+    }
+    const Native half_width = load_lanes(task.half_width + a);
+    const Native own =
+        load_lanes(task.strips.strength + a) * read(task.tables.edge_under, Pack(half_width, half_width)).a;
+    store_lanes(task.displacement + a, own + (below + above));
   }
 }
 

@@ -32,26 +32,12 @@ Places locate(Pack x) {
           pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0};
 }
 
-/// Whole numbers 0 <= x < 2^51 as indices.
-struct Indices {
-  std::int64_t at[lanes];
-};
-inline Indices indices(Pack x) {
-  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
-  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;
-  Indices i;
-  __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
-  __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
-  return i;
-}
-
 /// A table over the distance axis.
 inline Pack read(const double* table, Pack tau) {
   constexpr OctaveAxis axis = StripKernel::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
-  const Indices i = indices(place.interval);
-  const Pack low = pick(table, i.at), high = pick(table + 1, i.at);
-  return low + place.fraction * (high - low);
+  const Neighbours value = pick(table, indices(place.interval));
+  return value.at + place.fraction * (value.behind - value.at);
 }
 
 /// StripKernel::at: J(tau, xi).
@@ -69,12 +55,9 @@ inline Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
   const Pack column = smaller(select(nearest > v, nearest - 1.0, nearest), columns - 1.0);
   const Pack g = v - column;
   const Indices i = indices(row.interval * (columns + 1.0) + column);
-  const double* const low = tables.anywhere;
-  const double* const high = low + columns + 1;
-  const Pack low_left = pick(low, i.at), low_right = pick(low + 1, i.at);
-  const Pack high_left = pick(high, i.at), high_right = pick(high + 1, i.at);
-  const Pack at_low = low_left + g * (low_right - low_left);
-  const Pack at_high = high_left + g * (high_right - high_left);
+  const Neighbours low = pick(tables.anywhere, i), high = pick(tables.anywhere + columns + 1, i);
+  const Pack at_low = low.at + g * (low.behind - low.at);
+  const Pack at_high = high.at + g * (high.behind - high.at);
   return at_low + row.fraction * (at_high - at_low);
 }
 
