@@ -35,8 +35,8 @@ inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Na
     return _mm512_insertf64x2(third, _mm_loadu_pd(from + i[k + 6]), 3);
   };
   const Native even = four(0), odd = four(1);
-  at = _mm512_unpacklo_pd(even, odd);
-  behind = _mm512_unpackhi_pd(even, odd);
+  at = _mm512_maskz_unpacklo_pd(0xff, even, odd);
+  behind = _mm512_maskz_unpackhi_pd(0xff, even, odd);
 }
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
