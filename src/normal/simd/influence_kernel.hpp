@@ -26,11 +26,12 @@ void influence_row_kernel(const InfluenceTask& task, std::int32_t j, double* row
       const Pack inverse_cube = 1.0 / (tau2 * to_end);
       if (task.skewed) {
         // J(tau, xi) for xi mostly near 0: the middle plane's with the leading effect of xi, which is right
-        // both near the line, sqrt(1 - xi^2), and far from it, 1 / sqrt(tau^2 + xi^2).
+        // both near the line, sqrt(1 - xi^2), and far from it, 1 / sqrt(tau^2 + xi^2); to 8e-4 up to where
+        // the table takes over.
         const Pack xi = magnitude(load_pack(task.centre + first) - centre_j) * inverse;
         const Pack xi2 = xi * xi;
         const Pack inverse_to_end = inverse_cube * tau2;
-        const Mask far = xi2 > 0.09;
+        const Mask far = xi2 > 0.09 + 0.03 * tau2;
         seen = seen * (1.0 - 0.5 * xi2 * (inverse_to_end * inverse_to_end));
         if (any(far)) seen = select(far, line_potential_at(task.tables, tau, xi), seen);
       }
