@@ -24,25 +24,20 @@ void find_influence(const StripKernel& kernel, const StripSystem& s, std::int32_
   row[j] = s.grid.width[j] * kernel.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }
 
-/// The equations of the active strips: their influence on each other, copied run by run of neighbours; the
-/// right-hand sides 1 / compliance, which the approach is a factor to, and height / compliance.
+/// The equations of the active strips: their influence on each other; the right-hand sides 1 / compliance,
+/// which the approach is a factor to, and height / compliance.
 simd::EliminationTask gather(const StripSystem& s, double compliance) {
   const std::int32_t m = s.active_count, size = elimination_size(m);
   const std::int64_t stride = simd::elimination_stride(size);
-  std::int32_t* const run_end = s.next_active;  // free between exchanges of strips
-  for (std::int32_t b = m - 1; b >= 0; --b)
-    run_end[b] = b + 1 < m && s.active[b + 1] == s.active[b] + 1 ? run_end[b + 1] : b + 1;
   for (std::int32_t a = 0; a < size; ++a) {
     double* const target = s.matrix + a * stride;
-    std::fill(target + m, target + stride, 0.0);
+    for (std::int64_t b = a < m ? m : 0; b < stride; ++b) target[b] = 0.0;
     if (a >= m) {
-      std::fill_n(target, m, 0.0);
       target[a] = 1.0;
       continue;
     }
     const double* const row = influence_row(s, s.active[a]);
-    for (std::int32_t b = 0; b < m; b = run_end[b])
-      std::copy_n(row + s.active[b], run_end[b] - b, target + b);
+    for (std::int32_t b = 0; b < m; ++b) target[b] = row[s.active[b]];
     target[size] = 1.0 / compliance;
     target[size + 1] = s.height[s.active[a]] / compliance;
   }
