@@ -61,7 +61,7 @@ bool release(StripSystem& s) {
 
 /// Takes in the strips where the bodies would overlap. True if there are any.
 bool admit(const StripKernel& kernel, Search search, double compliance, double approach, StripSystem& s) {
-  constexpr std::int32_t beside = 2;  // strips from the nearest in contact that still count as beside it
+  constexpr std::int32_t beside = 1;  // strips from the nearest in contact that still count as beside it
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
   for (std::int32_t j = 0; j < s.grid.count; ++j) {
