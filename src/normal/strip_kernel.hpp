@@ -75,8 +75,8 @@ struct StripKernel {
   }
 };
 
-/// Fills the tables (about ten milliseconds; at init, not in a step), and picks the kernels. Same bits on every
-/// machine.
+/// Fills the tables (about ten milliseconds; at init, not in a step), and picks the kernels. Same bits on
+/// every machine.
 void tabulate(StripKernel& kernel, InstructionSet set = InstructionSet::baseline) noexcept;
 
 /// J by quadrature, tau > 0: what the tables are made from [-].

@@ -18,8 +18,8 @@ double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence
 /// Fills row j of the influence: displacement at the middle of strip j by unit peak in each of the strips.
 void find_influence(const StripKernel& kernel, const StripSystem& s, std::int32_t j) {
   double* const row = influence_row(s, j);
-  const simd::InfluenceTask task{
-      kernel.tables(), s.grid.count, s.grid.y, s.grid.width, s.centre, s.inverse_length, s.skewed};
+  const simd::InfluenceTask task{kernel.tables(), s.grid.count,     s.grid.y, s.grid.width,
+                                 s.centre,        s.inverse_length, s.skewed};
   kernel.kernels->influence_row(task, j, row);
   row[j] = s.grid.width[j] * kernel.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }

@@ -45,8 +45,7 @@ StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept {
   for (double* field : {s.grid.y, s.grid.width, s.inverse_length, s.centre, s.half_width, s.edge})
     std::fill_n(field, sizes.strips, 0.0);
   for (simd::Sources* sources : {&s.sources, &s.pairs})
-    for (double** field :
-         {&sources->y, &sources->centre, &sources->inverse_length, &sources->strength}) {
+    for (double** field : {&sources->y, &sources->centre, &sources->inverse_length, &sources->strength}) {
       *field = take(sizes.sources);
       std::fill_n(*field, sizes.sources, 0.0);
       *field += simd::beyond_sources;

@@ -33,11 +33,12 @@ struct StripSystem {
   double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
   double* shift = nullptr;  ///< of the centre against the gap's [m]
   simd::Sources sources{};  ///< the active strips
-  simd::Sources pairs{};    ///< active strips number a and a + 1 joined; the outermost strips alone at both ends
-  double* half_width = nullptr;  ///< of the active strips, over their half length [-]
-  double* edge = nullptr;        ///< x of their edges [m]
+  simd::Sources
+      pairs{};  ///< active strips number a and a + 1 joined; the outermost strips alone at both ends
+  double* half_width = nullptr;                    ///< of the active strips, over their half length [-]
+  double* edge = nullptr;                          ///< x of their edges [m]
   double *leading = nullptr, *trailing = nullptr;  ///< displacement there, over the compliance [m Pa]
-  std::int32_t* active = nullptr;  ///< indices of the strips in contact
+  std::int32_t* active = nullptr;                  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
   std::int32_t active_count = 0;
   bool skewed = false;  ///< the gap's centre line is not straight along y

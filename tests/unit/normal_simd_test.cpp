@@ -42,8 +42,8 @@ std::vector<double> everything(const StripKernel& kernel, OwnedGap gap, double s
   std::vector<double> all;
   for (const double load : {80e3, 82e3, 60e3, 95e3}) {
     NormalSolution solution;
-    const Fault fault = solve_strip_halfspace(test::under_load(gap, load, strips), {}, kernel, workspace, start,
-                                              owned.strips, solution);
+    const Fault fault = solve_strip_halfspace(test::under_load(gap, load, strips), {}, kernel, workspace,
+                                              start, owned.strips, solution);
     EXPECT_FALSE(fault.failed());
     const Strips& found = owned.strips;
     for (std::int32_t j = 0; j < found.count; ++j)
@@ -88,8 +88,7 @@ struct RowOfStrips {
 
   RowOfStrips(std::int32_t strips, double skew) : count(strips), memory(8 * room, 0.0) {
     double* next = memory.data() + simd::beyond_sources;
-    for (double** array :
-         {&y, &width, &centre, &inverse_length, &strength, &edge, &half_width, &found}) {
+    for (double** array : {&y, &width, &centre, &inverse_length, &strength, &edge, &half_width, &found}) {
       *array = next;
       next += room;
     }
@@ -110,8 +109,8 @@ TEST(NormalKernels, InfluenceIsTheDisplacementUnderAStrip) {
   for (const auto& kernel : all_kernels())
     for (const std::int32_t count : {1, 7, 16, 33, 60}) {
       const RowOfStrips s(count, 0.0);
-      const simd::InfluenceTask task{
-          kernel->tables(), count, s.y, s.width, s.centre, s.inverse_length, false};
+      const simd::InfluenceTask task{kernel->tables(), count, s.y, s.width, s.centre,
+                                     s.inverse_length, false};
       std::vector<double> row(RowOfStrips::room);
       for (const std::int32_t j : {0, count / 2, count - 1}) {
         kernel->kernels->influence_row(task, j, row.data());
@@ -163,9 +162,14 @@ TEST(NormalKernels, EdgesSeeAllStrips) {
       }
       alone(count - 1, count - 1);
       alone(-1, 0);
-      kernel->kernels->edge_displacements(
-          {kernel->tables(), count, {s.y, s.centre, s.inverse_length, s.strength},
-           {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength}, s.edge, s.y, s.half_width, s.found});
+      kernel->kernels->edge_displacements({kernel->tables(),
+                                           count,
+                                           {s.y, s.centre, s.inverse_length, s.strength},
+                                           {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
+                                           s.edge,
+                                           s.y,
+                                           s.half_width,
+                                           s.found});
       for (std::int32_t a = 0; a < count; ++a) {
         double exact = s.strength[a] * kernel->own_edge(s.half_width[a]);
         for (std::int32_t b = 0; b < count; ++b)

@@ -81,8 +81,8 @@ inline double product(const double* row, const double* x, std::int64_t from, std
   return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
 
-/// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix close to
-/// symmetric and positive definite. By blocks of eight rows and four pivots.
+/// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
+/// close to symmetric and positive definite. By blocks of eight rows and four pivots.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
   const auto rows_at = [&](std::int32_t i) { return task.matrix + i * stride; };

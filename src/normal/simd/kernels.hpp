@@ -48,9 +48,9 @@ struct EdgeTask {
   Sources strips;  ///< number 0 .. count - 1
   /// Pair k joins strips k and k + 1. Number -1 is the first strip alone, number count - 1 the last.
   Sources pairs;
-  const double *x, *y;        ///< the edges
-  const double* half_width;   ///< half widths of the strips over their half lengths
-  double* displacement;       ///< found at the edges, over the compliance [m Pa]
+  const double *x, *y;       ///< the edges
+  const double* half_width;  ///< half widths of the strips over their half lengths
+  double* displacement;      ///< found at the edges, over the compliance [m Pa]
 };
 
 /// Equations A x = r, A x = s: the rows of A, rows and columns filled up to `size`, a multiple of four, by
@@ -70,8 +70,8 @@ constexpr std::int64_t elimination_stride(std::int32_t size) { return (size + 2 
 /// The kernels of one instruction set for normal contact. All sets give the same bits.
 struct NormalKernels {
   InstructionSet set;
-  /// Displacement at the middle of strip j by unit peak in each of the strips, over the compliance [m]. Its own
-  /// element of the row is left to the caller.
+  /// Displacement at the middle of strip j by unit peak in each of the strips, over the compliance [m]. Its
+  /// own element of the row is left to the caller.
   void (*influence_row)(const simd::InfluenceTask& task, std::int32_t j, double* row);
   void (*edge_displacements)(const simd::EdgeTask& task);
   void (*eliminate)(const simd::EliminationTask& task);
