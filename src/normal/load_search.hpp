@@ -48,7 +48,7 @@ struct Trial {
 /// it an approach lies, and cost a tenth of the load.
 template <class Outline>
 void narrow_leap(Outline&& outline, Trial& low, Trial& high) noexcept {
-  constexpr double relative_width = 1e-4;
+  constexpr double relative_width = 1e-5;
   constexpr int cap = 40;
   for (int i = 0; i < cap && high.approach - low.approach > relative_width * high.approach; ++i) {
     const double middle = 0.5 * (low.approach + high.approach);
