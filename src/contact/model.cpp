@@ -131,7 +131,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   auto* behind = reinterpret_cast<char*>(model + 1);
   if (kernel_bytes(options) > 0) {
     auto* kernel = new (behind) StripKernel;
-    tabulate(*kernel);
+    tabulate(*kernel, options.instruction_set);
     model->strip_kernel = kernel;
   }
   behind += kernel_bytes(options);

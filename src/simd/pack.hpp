@@ -36,6 +36,17 @@ inline Native load_first(std::int32_t count, const double* from, Native rest) {
 inline void store_first(std::int32_t count, double* to, Native a) {
   _mm512_mask_storeu_pd(to, first_lanes(count), a);
 }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto four = [&](std::int32_t k) {  // elements k, k + 2, k + 4, k + 6, each with the one behind it
+    const Native first = _mm512_castpd128_pd512(_mm_loadu_pd(from + i[k]));
+    const Native second = _mm512_insertf64x2(first, _mm_loadu_pd(from + i[k + 2]), 1);
+    const Native third = _mm512_insertf64x2(second, _mm_loadu_pd(from + i[k + 4]), 2);
+    return _mm512_insertf64x2(third, _mm_loadu_pd(from + i[k + 6]), 3);
+  };
+  const Native even = four(0), odd = four(1);
+  at = _mm512_maskz_unpacklo_pd(0xff, even, odd);
+  behind = _mm512_maskz_unpackhi_pd(0xff, even, odd);
+}
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
 inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
@@ -65,6 +76,15 @@ inline Native load_first(std::int32_t count, const double* from, Native rest) {
 inline void store_first(std::int32_t count, double* to, Native a) {
   _mm256_maskstore_pd(to, first_lanes(count), a);
 }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto two = [&](std::int32_t k) {  // elements k and k + 2, each with the one behind it
+    const Native first = _mm256_castpd128_pd256(_mm_loadu_pd(from + i[k]));
+    return _mm256_insertf128_pd(first, _mm_loadu_pd(from + i[k + 2]), 1);
+  };
+  const Native even = two(0), odd = two(1);
+  at = _mm256_unpacklo_pd(even, odd);
+  behind = _mm256_unpackhi_pd(even, odd);
+}
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
@@ -89,6 +109,11 @@ inline Native load_first(std::int32_t count, const double* from, Native rest) {
 inline void store_first(std::int32_t count, double* to, Native a) {
   if (count >= 2) return _mm_storeu_pd(to, a);
   if (count == 1) _mm_storel_pd(to, a);
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = _mm_unpacklo_pd(even, odd);
+  behind = _mm_unpackhi_pd(even, odd);
 }
 inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
@@ -117,6 +142,11 @@ inline void store_first(std::int32_t count, double* to, Native a) {
   if (count >= 2) return vst1q_f64(to, a);
   if (count == 1) vst1q_lane_f64(to, a, 0);
 }
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = vtrn1q_f64(even, odd);
+  behind = vtrn2q_f64(even, odd);
+}
 inline Native root_of(Native a) { return vsqrtq_f64(a); }
 inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
 inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
@@ -140,6 +170,10 @@ inline Native load_first(std::int32_t count, const double* from, Native rest) {
 }
 inline void store_first(std::int32_t count, double* to, Native a) {
   if (count >= 1) *to = a[0];
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  at = Native{from[i[0]]};
+  behind = Native{from[i[0] + 1]};
 }
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
@@ -219,6 +253,44 @@ inline void store_pack(double* to, Pack x) {
 inline Pack nearest_integer(Pack a) {
   const Pack unit_spacing = 4503599627370496.0;  // 2^52: the next double is one more
   return (a + unit_spacing) - unit_spacing;
+}
+
+/// The bits of a pack, for what is read off them.
+using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
+struct Bits {
+  NativeBits a, b;
+
+  friend Bits operator>>(Bits x, int by) { return {x.a >> by, x.b >> by}; }
+  friend Bits operator<<(Bits x, int by) { return {x.a << by, x.b << by}; }
+  friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
+  friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
+};
+inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
+inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
+
+/// Whole numbers 0 <= x < 2^51, one for each lane, as indices.
+struct Indices {
+  std::int64_t at[lanes];
+};
+inline Indices indices(Pack x) {
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
+  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;  // 2^52: the mantissa counts ones
+  Indices i;
+  __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
+  __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
+  __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
+  return i;
+}
+
+/// Elements i.at[0], i.at[1], .. of an array, and those behind them.
+struct Neighbours {
+  Pack at, behind;
+};
+inline Neighbours pick(const double* from, const Indices& i) {
+  Neighbours n;
+  pick_lanes(from, i.at, n.at.a, n.behind.a);
+  pick_lanes(from, i.at + native_lanes, n.at.b, n.behind.b);
+  return n;
 }
 
 /// Lanes of a group of `count` that lie in the second vector of a pack.
