@@ -267,7 +267,8 @@ typedef struct wrc_config {
                                   the installed library; read when the model is made, never after [NULL] */
 } wrc_config;
 
-/** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. */
+/** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
+ * smaller than 1e-100 counts as 0. */
 typedef struct wrc_pose {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
@@ -301,11 +302,11 @@ typedef struct wrc_gap {
   uint32_t columns;        /**< 0, or 3..100000 */
   uint32_t reserved;       /**< 0 */
   const double* y;         /**< [m], -0.3..0.3, strictly increasing, rows of them */
-  const double* height;    /**< [m], columns == 0 */
-  const double* centre;    /**< [m], columns == 0; NULL: zero */
+  const double* height;    /**< [m], -0.3..0.3, columns == 0 */
+  const double* centre;    /**< [m], -0.3..0.3, columns == 0; NULL: zero */
   const double* curvature; /**< [1/m], 1e-3..1e6, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
   const double* x;         /**< [m], -0.3..0.3, strictly increasing, columns > 0 */
-  const double* h;         /**< [m], columns > 0 */
+  const double* h;         /**< [m], -0.3..0.3, columns > 0 */
   uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
 } wrc_gap;
 
@@ -389,7 +390,7 @@ typedef struct wrc_strips {
   uint32_t count;            /**< 1..config.strips */
   const double* y;           /**< middle [m], -0.3..0.3, increasing; strips must not overlap */
   const double* width;       /**< [m], 1e-9..0.1 */
-  const double* centre;      /**< x of the middle [m]; NULL: zero */
+  const double* centre;      /**< x of the middle [m], -0.3..0.3; NULL: zero */
   const double* half_length; /**< [m], 1e-9..0.1 */
   const double* peak;        /**< [Pa], 0..1e11 */
 } wrc_strips;
@@ -666,7 +667,7 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* 
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
 /** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
- * for any contact of the same model, in this process.
+ * for any contact of the same model, in this process. After the same calls it has the same bytes.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
  * @param bytes of buffer, as from wrc_contact_size()

@@ -70,7 +70,7 @@ typedef struct wrc_exact_normal_problem {
   double tolerance;                /**< of overlap and separation, relative to the largest displacement [1e-6] */
   const wrc_materials* materials;  /**< NULL: the defaults */
   const wrc_grid* grid;            /**< required */
-  const double* gap;               /**< nx * ny [m] */
+  const double* gap;               /**< nx * ny, -1..1 [m] */
   wrc_progress progress;           /**< NULL: none */
   void* user;                      /**< handed to progress */
 } wrc_exact_normal_problem;
@@ -96,8 +96,8 @@ typedef struct wrc_exact_rolling_problem {
   double tolerance;               /**< of the traction law, 1e-12..0.1 [1e-4] */
   const wrc_materials* materials; /**< NULL: the defaults */
   const wrc_grid* grid;           /**< required */
-  const double* pressure;         /**< nx * ny [Pa]; cells above zero are the contact, all others are not */
-  const double* friction;         /**< nx * ny, or NULL: `coefficient` everywhere */
+  const double* pressure;         /**< nx * ny, -1e11..1e11 [Pa]; cells above zero are the contact, all others are not */
+  const double* friction;         /**< nx * ny, 1e-4..2, or NULL: `coefficient` everywhere */
   double coefficient;             /**< Coulomb, 1e-4..2 [0.3] */
   const wrc_creepage* creepage;   /**< about the origin of the contact frame */
   wrc_progress progress;          /**< NULL: none; called between grids and iterations */

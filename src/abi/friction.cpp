@@ -35,8 +35,8 @@ Fault read_zones(const wrc_friction& theirs, Friction& friction) {
     fault.index = static_cast<std::int32_t>(k);
     if (fault.failed()) return fault;
   }
-  friction.law.zones = {static_cast<std::int32_t>(theirs.zones), theirs.zone_y, theirs.zone_coefficient};
-  friction.zones_on_rail = theirs.zone_frame == WRC_ZONES_RAIL_PROFILE;
+  friction.law.zones = {theirs.zones, theirs.zone_y, theirs.zone_coefficient};
+  friction.zone_frame = theirs.zone_frame == WRC_ZONES_RAIL_PROFILE ? ZoneFrame::rail : ZoneFrame::contact;
   return {};
 }
 

@@ -136,11 +136,11 @@ Fault known(std::int32_t value, const char* field, const char* cause, std::int32
           .cause = cause};
 }
 
-/// A required field of one number per cell.
-Fault read_field(const double* theirs, std::size_t cells, const char* name, const char* unit,
-                 halfspace::Field& field) {
+/// A required field of one number per cell, each within low .. high.
+Fault read_field(const double* theirs, std::size_t cells, const char* name, const char* unit, double low,
+                 double high, const char* too_low, const char* too_high, halfspace::Field& field) {
   if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
-  const Fault fault = check_finite(theirs, cells, name, unit);
+  const Fault fault = check_all(theirs, cells, name, unit, low, high, too_low, too_high);
   if (fault.failed()) return fault;
   field.assign(theirs, theirs + cells);
   return {};
@@ -166,7 +166,8 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   zero_field(solution.pressure, grid.cells());
 
   halfspace::GapProblem problem;
-  fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", problem.gap);
+  fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", -1.0, 1.0, "did you pass mm?",
+                     "did you pass mm?", problem.gap);
   if (fault.failed()) return fault;
   fault = known(ours.prescribed, "problem.prescribed", "see enum wrc_prescribed", WRC_PRESCRIBE_APPROACH);
   if (fault.failed()) return fault;
@@ -215,27 +216,26 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   }
 
   halfspace::RollingProblem problem;
-  fault = first_of({read_field(ours.pressure, cells, "problem.pressure", "Pa", problem.pressure),
-                    check(creepage.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
-                          "did you pass per mille?", "did you pass per mille?"),
-                    check(creepage.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
-                          "did you pass per mille?"),
-                    check(creepage.spin, "creepage.spin", "1/m", -1e3, 1e3),
-                    check(creepage.speed, "creepage.speed", "m/s", 0.0, 200.0, nullptr, "did you pass km/h?"),
-                    check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
-                    check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
-                    known(ours.adhesion, "problem.adhesion", "see enum wrc_adhesion", WRC_ADHESION_FULL),
-                    known(ours.collocation, "problem.collocation", "see enum wrc_collocation",
-                          WRC_COLLOCATION_REFERENCE)});
+  fault = first_of(
+      {read_field(ours.pressure, cells, "problem.pressure", "Pa", -1e11, 1e11,
+                  "pressure is compressive positive", "steel yields at a tenth of that", problem.pressure),
+       check(creepage.longitudinal, "creepage.longitudinal", "", -10.0, 10.0, "did you pass per mille?",
+             "did you pass per mille?"),
+       check(creepage.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
+             "did you pass per mille?"),
+       check(creepage.spin, "creepage.spin", "1/m", -1e3, 1e3),
+       check(creepage.speed, "creepage.speed", "m/s", 0.0, 200.0, nullptr, "did you pass km/h?"),
+       check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
+       check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
+       known(ours.adhesion, "problem.adhesion", "see enum wrc_adhesion", WRC_ADHESION_FULL),
+       known(ours.collocation, "problem.collocation", "see enum wrc_collocation",
+             WRC_COLLOCATION_REFERENCE)});
   if (fault.failed()) return fault;
   if (ours.adhesion == WRC_ADHESION_FULL) {
     problem.friction.assign(1, 0.0);  // unused: no traction bound
   } else if (ours.friction != nullptr) {
-    fault = read_field(ours.friction, cells, "problem.friction", "", problem.friction);
-    for (std::size_t i = 0; i < cells && !fault.failed(); ++i) {
-      fault = check(ours.friction[i], "problem.friction", "", 1e-4, 2.0);
-      fault.index = static_cast<std::int32_t>(i);
-    }
+    fault = read_field(ours.friction, cells, "problem.friction", "", 1e-4, 2.0, "friction must be positive",
+                       "did you pass per cent?", problem.friction);
   } else {
     fault = check(ours.coefficient, "problem.coefficient", "", 1e-4, 2.0, "friction must be positive",
                   "did you pass per cent?");

@@ -4,6 +4,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "felt.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -15,7 +16,7 @@ Fault read_pose(const wrc_pose* theirs, Pose& pose) {
   wrc_pose ours;
   const Fault fault = read(theirs, "pose", ours);
   if (fault.failed()) return fault;
-  pose = {.lateral = ours.lateral, .roll = ours.roll, .yaw = ours.yaw};
+  pose = {.lateral = felt(ours.lateral), .roll = felt(ours.roll), .yaw = felt(ours.yaw)};
   return first_of(
       {check(ours.lateral, "pose.lateral", "m", -0.1, 0.1, "did you pass mm?", "did you pass mm?"),
        check(ours.roll, "pose.roll", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
@@ -57,11 +58,8 @@ Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, double& spee
   wrc_creepage ours;
   const Fault fault = read(theirs, "creepage", ours);
   if (fault.failed()) return fault;
-  // So little moves nothing, but its products are denormal numbers, which would double the time of a march.
-  // Hosts do pass it: signals that fade out exponentially.
-  const auto felt = [](double number) { return std::fabs(number) < 1e-100 ? 0.0 : number; };
   creepage = {felt(ours.longitudinal), felt(ours.lateral), felt(ours.spin)};
-  speed = ours.speed;
+  speed = felt(ours.speed);
   return first_of({check(ours.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
                          "did you pass per mille?", "did you pass per mille?"),
                    check(ours.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
@@ -98,13 +96,9 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* field, 
   return {};
 }
 
+/// Positions and heights around a contact.
 Fault check_extent(const double* values, std::uint32_t count, const char* field) {
-  for (std::uint32_t j = 0; j < count; ++j) {
-    Fault fault = check(values[j], field, "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
-    fault.index = static_cast<std::int32_t>(j);
-    if (fault.failed()) return fault;
-  }
-  return {};
+  return check_all(values, count, field, "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
 }
 
 Fault take_gap(Contact& contact, const wrc_gap* theirs) {
@@ -135,7 +129,7 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
          check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
-      fault = check_finite(gap.h + j * gap.row_stride, gap.columns, "gap.h", "m");
+      fault = check_extent(gap.h + j * gap.row_stride, gap.columns, "gap.h");
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -145,15 +139,13 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
 
   if (gap.height == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.height"};
   if (gap.curvature == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.curvature"};
-  fault = check_finite(gap.height, gap.rows, "gap.height", "m");
+  fault = check_extent(gap.height, gap.rows, "gap.height");
   if (!fault.failed() && gap.centre != nullptr) fault = check_extent(gap.centre, gap.rows, "gap.centre");
-  if (fault.failed()) return fault;
-  for (std::uint32_t j = 0; j < gap.rows; ++j) {
-    fault = check(gap.curvature[j], "gap.curvature", "1/m", 1e-3, 1e6,
-                  "rows must be convex; did you pass 1/mm, or a radius?", "did you pass 1/um?");
-    fault.index = static_cast<std::int32_t>(j);
-    if (fault.failed()) return fault;
+  if (!fault.failed()) {
+    fault = check_all(gap.curvature, gap.rows, "gap.curvature", "1/m", 1e-3, 1e6,
+                      "rows must be convex; did you pass 1/mm, or a radius?", "did you pass 1/um?");
   }
+  if (fault.failed()) return fault;
   wrc::take_gap(contact, GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
   return {};
 }
@@ -166,17 +158,18 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
   fault = check(static_cast<double>(strips.count), "strips.count", "", 1.0, static_cast<double>(room),
                 nullptr, "raise config.strips");
   if (fault.failed()) return fault;
-  if (strips.y == nullptr || strips.width == nullptr || strips.half_length == nullptr ||
-      strips.peak == nullptr) {
-    return {
-        .status = WRC_ERROR_NULL, .field = "strips", .cause = "y, width, half_length and peak are needed"};
-  }
+  if (strips.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.y"};
+  if (strips.width == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.width"};
+  if (strips.half_length == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.half_length"};
+  if (strips.peak == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.peak"};
   for (std::uint32_t j = 0; j < strips.count; ++j) {
-    fault = first_of(
-        {check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
-         check(strips.width[j], "strips.width", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
-         check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1, nullptr, "did you pass mm?"),
-         check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11)});
+    fault = first_of({check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
+                      check(strips.width[j], "strips.width", "m", 1e-9, 0.1, "leave out strips without width",
+                            "did you pass mm?"),
+                      check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1,
+                            "leave out strips without length", "did you pass mm?"),
+                      check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11,
+                            "pressure is compressive positive", "steel yields at a tenth of that")});
     if (!fault.failed() && strips.centre != nullptr) {
       fault =
           check(strips.centre[j], "strips.centre", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
@@ -240,7 +233,7 @@ wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patc
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
   ours.strips = strips;
-  ours.iterations = contact.normal.iterations;
+  ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
   ours.patches = contact.patches;
   ours.a = shape.sdec.a;
   ours.b = shape.sdec.b;

@@ -149,16 +149,13 @@ inline Fault check(double value, const char* field, const char* unit, double low
           .cause = value < low ? too_low : too_high};
 }
 
-/// An array of numbers: all finite; the fault names the first that is not.
-inline Fault check_finite(const double* values, std::size_t count, const char* field, const char* unit) {
+/// An array of numbers, each against the range; the fault names the first that is outside.
+inline Fault check_all(const double* values, std::size_t count, const char* field, const char* unit,
+                       double low, double high, const char* too_low, const char* too_high) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(values[i])) {
-      return {.status = WRC_ERROR_NOT_FINITE,
-              .index = static_cast<std::int32_t>(i),
-              .field = field,
-              .value = values[i],
-              .unit = unit};
-    }
+    Fault fault = check(values[i], field, unit, low, high, too_low, too_high);
+    fault.index = static_cast<std::int32_t>(i);
+    if (fault.failed()) return fault;
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "felt.hpp"
 #include "geometry/gap_rows.hpp"
 #include "normal/analyn.hpp"
 #include "normal/damping.hpp"
@@ -172,7 +173,8 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   const GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
                             array(contact, Array::gap_height), array(contact, Array::gap_centre),
                             array(contact, Array::gap_curvature)};
-  worsen(fault, fill_gap_rows(model.rail, wheel, origin, window, memory.capacity, memory, rows));
+  worsen(fault, fill_gap_rows(model.rail, wheel, origin, window, memory.capacity, memory,
+                              *model.geometry_kernels, rows));
   if (fault.failed()) return fault;
   for (std::int32_t j = 0; j < rows.count; ++j) memory.height[j] += pressed_depth;
   contact.gap_rows = rows.count;
@@ -201,7 +203,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
   std::copy_n(rows.y, rows.count, array(contact, Array::gap_y));
   std::copy_n(rows.height, rows.count, array(contact, Array::gap_height));
   if (rows.centre != nullptr) {
-    std::copy_n(rows.centre, rows.count, array(contact, Array::gap_centre));
+    std::transform(rows.centre, rows.centre + rows.count, array(contact, Array::gap_centre), felt);
   } else {
     std::fill_n(array(contact, Array::gap_centre), rows.count, 0.0);
   }
@@ -356,12 +358,12 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   std::copy_n(strips.y, strips.count, ours.y);
   std::copy_n(strips.width, strips.count, ours.width);
   if (strips.centre != nullptr) {
-    std::copy_n(strips.centre, strips.count, ours.centre);
+    std::transform(strips.centre, strips.centre + strips.count, ours.centre, felt);
   } else {
     std::fill_n(ours.centre, strips.count, 0.0);
   }
   std::copy_n(strips.half_length, strips.count, ours.half_length);
-  std::copy_n(strips.peak, strips.count, ours.peak);
+  std::transform(strips.peak, strips.peak + strips.count, ours.peak, felt);
   const Fault fault = find_patches(contact);
   contact.touching = contact.extent.normal_force > 0.0;
   return contact.touching ? fault : Fault{.status = WRC_FLAG_NO_CONTACT};

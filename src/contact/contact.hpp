@@ -52,10 +52,13 @@ struct WearNumbers {
   double largest_depth_velocity = 0.0;  ///< Archard [m/s]
 };
 
+/// Where the y of friction zones counts from: the contact frame, or the rail's profile.
+enum class ZoneFrame : std::int64_t { contact, rail };
+
 /// Friction between the bodies, and what a layer between them does to the slope of the creep curve.
 struct Friction {
   FrictionLaw law;
-  bool zones_on_rail = false;    ///< y of the zones is that of the rail's profile, not of the contact frame
+  ZoneFrame zone_frame = ZoneFrame::contact;
   double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
   SlopeFall slope;               ///< of modified FASTSIM
 };
@@ -96,27 +99,29 @@ struct Patch {
   TangentialForces forces;  ///< moment about the origin of the contact frame
 };
 
+/// Members are ordered, and those of its members chosen, so that there is no padding: see below.
 struct Contact {
   const Model* model = nullptr;
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
   bool touching = false;          ///< false: the bodies are apart and forces are zero
+  bool posed = false;             ///< pose and point belong to the gap in the contact
+  bool pressed = false;           ///< the patch belongs to the load
+  bool worn = false;              ///< strip_wear belongs to the present tractions
   std::int32_t gap_rows = 0;      ///< rows in use
-  std::int32_t strips = 0;        ///< of all patches
   std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
+  std::int32_t strips = 0;        ///< of all patches
+  std::int32_t patches = 0;
+  std::int64_t main_patch = 0;  ///< the one that carries most
 
-  bool posed = false;  ///< pose and point belong to the gap in the contact
-  Pose pose;           ///< of the last geometry stage
+  Pose pose;  ///< of the last geometry stage
   ContactPoint point;
-  bool pressed = false;  ///< the patch belongs to the load
-  Load load;             ///< of the last normal stage
+  Load load;  ///< of the last normal stage
   NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one
   StripTotals extent;           ///< of all patches together
-  std::int32_t patches = 0;
   Patch patch[patch_capacity];
-  std::int32_t main_patch = 0;  ///< the one that carries most
   Creepage creepage;
   double friction = 0.0;  ///< mean over the load; each strip's is in Array::strip_friction [-]
   Friction law;           ///< of the last tangential stage; its zones are the two arrays below
@@ -124,8 +129,22 @@ struct Contact {
   double speed = 0.0;       ///< V [m/s]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
-  bool worn = false;  ///< strip_wear belongs to the present tractions
 };
+
+// What is saved are the bytes of a contact: with padding, where anything may lie, equal states could differ
+// in their bytes. Each line is a struct and what its members come to.
+static_assert(sizeof(FrictionLaw) == 8 * sizeof(double));
+static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + sizeof(SlopeFall));
+static_assert(sizeof(Load) == 4 * sizeof(double));
+static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
+static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
+                                   sizeof(TangentialForces) + 2 * sizeof(double));
+static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 4 * sizeof(bool) +
+                                     4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) +
+                                     sizeof(ContactPoint) + sizeof(Load) + sizeof(NormalSolution) +
+                                     sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
+                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
+                                     sizeof(TangentialForces) + sizeof(DamageNumbers));
 
 /// Memory of a contact: its state, and room for a copy of it on which sensitivities are found.
 std::size_t contact_bytes(const Model& model);

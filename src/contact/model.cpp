@@ -4,7 +4,9 @@
 #include <new>
 
 #include "contact/contact.hpp"
+#include "damage/simd/kernels.hpp"
 #include "geometry/profile_points.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
 #include "tangential/coarse_halfspace.hpp"
@@ -36,13 +38,12 @@ std::size_t scratch_size(const ProfileSource& source) {
          static_cast<std::size_t>(node_count(source));
 }
 
-std::size_t doubles(const ProfileSource& source) { return 3 * static_cast<std::size_t>(node_count(source)); }
+std::size_t doubles(const ProfileSource& source) { return profile_doubles(node_count(source)); }
 
 /// Cuts the nodes of one profile from the arrays behind the model.
 ProfileMemory cut(double*& arrays, std::int32_t nodes) {
-  const auto n = static_cast<std::size_t>(nodes);
-  const ProfileMemory memory{nodes, arrays, arrays + n, arrays + 2 * n};
-  arrays += 3 * n;
+  const ProfileMemory memory = profile_memory(nodes, arrays);
+  arrays += profile_doubles(nodes);
   return memory;
 }
 
@@ -130,7 +131,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   auto* behind = reinterpret_cast<char*>(model + 1);
   if (kernel_bytes(options) > 0) {
     auto* kernel = new (behind) StripKernel;
-    tabulate(*kernel);
+    tabulate(*kernel, options.instruction_set);
     model->strip_kernel = kernel;
   }
   behind += kernel_bytes(options);
@@ -145,6 +146,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, options.instruction_set);
   arrays += march_grid_size(options.sizes.cells);
+  model->geometry_kernels = &geometry_kernels(options.instruction_set);
+  model->damage_kernels = &damage_kernels(options.instruction_set);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {

@@ -20,6 +20,9 @@
 
 namespace wrc {
 
+struct DamageKernels;
+struct GeometryKernels;
+
 /// The methods a model can be made of, one per stage.
 enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
 enum class TangentialMethod {
@@ -76,11 +79,13 @@ struct Model {
   Rail rail;
   double wheel_deviation = 0.0;  ///< largest distance of a given point from the smoothed curve [m]
   double rail_deviation = 0.0;   ///< see wheel_deviation
-  const StripKernel* strip_kernel = nullptr;  ///< with NormalMethod::strip_halfspace
-  SdecTable linear_theory;                    ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                       ///< along each strip, and the kernels
-  ForceTable force_table;                     ///< with TangentialMethod::table
-  ArrayLayout layout;                         ///< of every contact of this model
+  const StripKernel* strip_kernel = nullptr;          ///< with NormalMethod::strip_halfspace
+  SdecTable linear_theory;                            ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;                               ///< along each strip, and the kernels
+  const GeometryKernels* geometry_kernels = nullptr;  ///< of the same instruction set
+  const DamageKernels* damage_kernels = nullptr;      ///< of the same instruction set
+  ForceTable force_table;                             ///< with TangentialMethod::table
+  ArrayLayout layout;                                 ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

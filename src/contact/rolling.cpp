@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
 #include "tangential/coarse_halfspace.hpp"
@@ -13,6 +14,7 @@
 #include "tangential/fastsim_sdec.hpp"
 #include "tangential/force_table.hpp"
 #include "tangential/modified_fastsim.hpp"
+#include "tangential/simd/kernels.hpp"
 #include "tangential/strip_fastsim.hpp"
 
 namespace wrc {
@@ -45,20 +47,10 @@ void prepare_region(Contact& contact, Patch& patch, TangentialMethod method) {
 }
 
 /// x and normal pressure of every cell of a patch.
-void fill_cells(Contact& contact, const Patch& patch) {
-  const Strips region = region_strips(contact, patch);
-  const std::int32_t cells = contact.model->options.sizes.cells;
-  double* x = cell_block(contact, Array::cell_x, patch);
-  double* pressure = cell_block(contact, Array::pressure, patch);
-  for (std::int32_t i = 0; i < cells; ++i) {
-    const double s = 1.0 - (2.0 * i + 1.0) / cells;
-    const double shape = std::sqrt(1.0 - s * s);
-    for (std::int32_t j = 0; j < region.count; ++j) {
-      const std::int32_t at = i * region.count + j;
-      x[at] = region.centre[j] + s * region.half_length[j];
-      pressure[at] = shape * region.peak[j];
-    }
-  }
+void place_cells(Contact& contact, const Patch& patch) {
+  const MarchGrid& grid = contact.model->march_grid;
+  grid.kernels->place_cells(region_strips(contact, patch), grid, cell_block(contact, Array::cell_x, patch),
+                            cell_block(contact, Array::pressure, patch));
 }
 
 TangentialFields cell_fields(Contact& contact, const Patch& patch) {
@@ -79,7 +71,7 @@ Creepage creepage_at_patch(const Contact& contact, const Patch& patch) {
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin) {
   const ModelOptions& options = contact.model->options;
   FrictionFrame frame{.origin = origin};
-  if (friction.zones_on_rail) {
+  if (friction.zone_frame == ZoneFrame::rail) {
     frame.zone_origin = contact.point.y_rail;
     frame.zone_slope = options.side == Side::left ? -contact.point.cosine : contact.point.cosine;
   }
@@ -179,7 +171,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
-  fill_cells(contact, patch);
+  place_cells(contact, patch);
   return fault;
 }
 
@@ -202,22 +194,23 @@ TangentialForces sum_of_patches(const Contact& contact) {
 
 /// Power per area and per width and the local fatigue index of one patch, added to the numbers of the
 /// contact.
-void assess_cells(Contact& contact, const Patch& patch, DamageNumbers& damage) {
-  const ModelOptions& options = contact.model->options;
-  const std::int32_t cells = options.sizes.cells;
+void assess_patch(Contact& contact, const Patch& patch, DamageNumbers& damage) {
+  const Model& model = *contact.model;
   const Strips region = region_strips(contact, patch);
   const TangentialFields fields = cell_fields(contact, patch);
-  double* density = cell_block(contact, Array::power_density, patch);
-  double* per_width = array(contact, Array::strip_power) + patch.region_first;
-  double* local_index = cell_block(contact, Array::fatigue_index, patch);
-  frictional_power_density(fields, region.count, cells, contact.speed, density);
-  frictional_power_per_width(density, region, cells, per_width);
-  local_fatigue_index(fields, region, cells, options.shear_yield, local_index);
-  damage.power += frictional_power(per_width, region);
-  const double densest = *std::max_element(density, density + cells * region.count);
-  damage.peak_power_density = std::max(damage.peak_power_density, densest);
-  const double worst_cell = *std::max_element(local_index, local_index + cells * region.count);
-  damage.local_fatigue_index = std::max(damage.local_fatigue_index, worst_cell);
+  const simd::CellTask task{.region = &region,
+                            .fields = &fields,
+                            .middles = &model.march_grid.middles,
+                            .cells = model.options.sizes.cells,
+                            .speed = contact.speed,
+                            .shear_yield = model.options.shear_yield,
+                            .power_density = cell_block(contact, Array::power_density, patch),
+                            .fatigue_index = cell_block(contact, Array::fatigue_index, patch),
+                            .strip_power = array(contact, Array::strip_power) + patch.region_first};
+  const CellDamage found = assess_cells(task, *model.damage_kernels);
+  damage.power += found.power;
+  damage.peak_power_density = std::max(damage.peak_power_density, found.peak_power_density);
+  damage.local_fatigue_index = std::max(damage.local_fatigue_index, found.fatigue_index);
 }
 
 }  // namespace
@@ -256,7 +249,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
             .field = "patch",
             .cause = "there is no patch: call wrc_normal first, or hand over strips or a patch"};
   }
-  if (friction.zones_on_rail && !contact.posed) {
+  if (friction.zone_frame == ZoneFrame::rail && !contact.posed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "friction.zone_frame",
             .cause = "zones over the rail need the contact point of a wrc_geometry"};
@@ -310,7 +303,7 @@ Fault assess_damage(Contact& contact) {
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
     if (gives_fields(contact)) {
-      assess_cells(contact, patch, damage);
+      assess_patch(contact, patch, damage);
     } else {
       damage.power += patch.forces.power_per_speed * contact.speed;
     }

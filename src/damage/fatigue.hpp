@@ -5,9 +5,6 @@
 /// every load cycle.
 #pragma once
 
-#include <cstdint>
-
-#include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
@@ -28,11 +25,6 @@ ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_for
 /// FI = mu_a - k / p0 (Ekberg, Kabo, Andersson 2002; Liu, Bruni 2024, eq. 11); positive: fatigue is
 /// predicted. no_fatigue_index for an unloaded contact.
 double fatigue_index(const ShakedownPoint& point);
-
-/// Local index (sqrt(p_x^2 + p_y^2) - k) / p_n of every cell (Liu, Bruni 2024, eq. 12), p_n the pressure at
-/// the middle of the cell; index: cells * strips values, laid out as the fields (both tractions set).
-void local_fatigue_index(const TangentialFields& fields, const Strips& strips, std::int32_t cells,
-                         double shear_yield, double* index);
 
 /// The shakedown limit p0 / k of a Hertzian line contact in full slip with friction coefficient mu >= 0, for
 /// an elastic, perfectly plastic half-space in plane strain.

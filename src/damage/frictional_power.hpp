@@ -1,24 +1,9 @@
-/// Frictional power over the contact patch, the input of wear models (Liu, Bruni 2024, eq. 10).
+/// Frictional power of a contact as a whole, the input of wear models; cell by cell: damage/cells.hpp.
 #pragma once
 
-#include <cstdint>
-
-#include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
-
-/// Power density P_f = -V (s_x p_x + s_y p_y) [W/m^2] of every cell, from the traction and slip fields (all
-/// four set), V the rolling speed [m/s]. density: cells * strips values, laid out as the fields.
-void frictional_power_density(const TangentialFields& fields, std::int32_t strips, std::int32_t cells,
-                              double rolling_speed, double* density);
-
-/// Power per unit width [W/m] of every strip: the density integrated along the rolling direction.
-void frictional_power_per_width(const double* density, const Strips& strips, std::int32_t cells,
-                                double* per_width);
-
-/// Total frictional power [W]: the power per width integrated across the patch.
-double frictional_power(const double* per_width, const Strips& strips);
 
 /// T-gamma [N]: the energy dissipated per metre rolled, total frictional power / rolling speed. It includes
 /// the work of spin.

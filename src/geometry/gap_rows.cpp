@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/simd/kernels.hpp"
+
 namespace wrc {
 namespace {
 
-constexpr std::int32_t newton_cap =
-    12;  ///< two steps are typical: the start is extrapolated from the next row
-constexpr double newton_tolerance = 1e-7;    ///< last step [m]; what is left then is below 1e-12 m
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
-constexpr double newton_step = 1e-3;         ///< longest step [m]
 constexpr double least_advance = 0.05;  ///< of y per parameter; below, the wheel's outline is about to fold
 constexpr double window_step = scan_spacing;
 
@@ -56,25 +54,6 @@ struct Frame {
   /// Cosine between a surface's normal and the contact normal, from its slope in the contact frame.
   static double facing(double dz_dy) { return 1.0 / std::sqrt(1.0 + dz_dy * dz_dy); }
 };
-
-/// Newton's method for the parameter t at which `at(t).y` equals y, started from the previous row's point.
-/// Returns the point, carried over the last step by its tangent.
-template <class Curve>
-FramePoint at_frame_y(const Curve& at, double y, double low, double high, double& t, bool& converged) {
-  FramePoint p;
-  for (std::int32_t i = 0; i < newton_cap; ++i) {
-    p = at(t);
-    const double step = std::clamp((y - p.y) / std::max(p.dy_dt, least_advance), -newton_step, newton_step);
-    if (std::abs(step) <= newton_tolerance) {
-      p.z += p.dz_dy * (y - p.y);
-      p.y = y;
-      return p;
-    }
-    t = std::clamp(t + step, low, high);
-  }
-  converged = false;
-  return p;
-}
 
 /// Gap of one row seen from a wheel station, without Newton: the vertical gap g and the inclinations of the
 /// wheel to the vertical and to the contact plane give the separation along the contact normal to first order
@@ -180,7 +159,8 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 }
 
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
-                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory, GapRows& rows) {
+                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
+                    const GeometryKernels& kernels, GapRows& rows) {
   rows = {};
   if (count < 4 || count > memory.capacity) {
     return {.status = WRC_ERROR_BUFFER,
@@ -198,36 +178,16 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
             .cause = "no width around the contact point in which the gap stays below its limit"};
   }
 
-  const Profile& rail_profile = rail.profile;
-  const Profile& wheel_profile = wheel.wheel->profile;
   const double step = (window.high - window.low) / (count - 1);
-  bool converged = true;
-  // From the rows next to the contact point outwards, so that every row starts where its neighbour ended.
-  const auto march = [&](std::int32_t from, std::int32_t to, std::int32_t direction) {
-    Frame frame(rail, wheel, contact);
-    double rail_y = contact.y, s = contact.wheel_s;
-    double y_before = 0.0;
-    FramePoint on_rail = frame.rail_at(rail_y), on_wheel;
-    OutlinePoint point;
-    on_wheel = frame.wheel_at(s, point);
-    for (std::int32_t j = from; j != to; j += direction) {
-      const double y = window.low + j * step;
-      rail_y += (y - y_before) / std::max(on_rail.dy_dt, least_advance);
-      s += (y - y_before) / std::max(on_wheel.dy_dt, least_advance);
-      on_rail = at_frame_y([&](double t) { return frame.rail_at(t); }, y, rail_profile.y[0],
-                           rail_profile.y[rail_profile.count - 1], rail_y, converged);
-      on_wheel = at_frame_y([&](double t) { return frame.wheel_at(t, point); }, y, wheel_profile.y[0],
-                            wheel_profile.y[wheel_profile.count - 1], s, converged);
-      memory.y[j] = y;
-      memory.height[j] = on_rail.z - on_wheel.z;
-      memory.centre[j] = point.x - contact.x;
-      memory.curvature[j] = longitudinal_curvature(wheel, point, contact.cosine, contact.sine);
-      y_before = y;
-    }
-  };
-  const std::int32_t middle = std::clamp(static_cast<std::int32_t>(-window.low / step) + 1, 0, count);
-  march(middle, count, +1);
-  march(middle - 1, -1, -1);
+  const bool converged = kernels.fill_rows({.rail = &rail,
+                                            .wheel = &wheel,
+                                            .contact = &contact,
+                                            .rail_piece = piece_at(rail.profile, contact.y),
+                                            .wheel_piece = piece_at(wheel.wheel->profile, contact.wheel_s),
+                                            .low = window.low,
+                                            .step = step,
+                                            .count = count,
+                                            .memory = &memory});
 
   rows = {count, memory.y, memory.height, memory.centre, memory.curvature};
   if (!converged) return {.status = WRC_FLAG_ITERATION_CAP, .field = "gap rows"};

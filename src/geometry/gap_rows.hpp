@@ -16,6 +16,8 @@
 
 namespace wrc {
 
+struct GeometryKernels;
+
 /// Memory of the rows, owned by the caller.
 struct GapRowMemory {
   std::int32_t capacity = 0;
@@ -55,6 +57,7 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 /// Fills `count` rows (4 <= count <= capacity) uniformly over the window. WRC_FLAG_ITERATION_CAP if a row's
 /// Newton iteration did not reach its tolerance; WRC_ERROR_GAP if the window is empty.
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
-                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory, GapRows& rows);
+                    const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
+                    const GeometryKernels& kernels, GapRows& rows);
 
 }  // namespace wrc

@@ -113,7 +113,7 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
   shift(memory, canted, origin, -top.z);
   if (side == Side::left) mirror(memory, canted);
   rail.outward = side == Side::left ? -1.0 : 1.0;
-  rail.profile = canted;
+  rail.profile = profile_in(memory, canted.count);
   rail.origin_y = rail.outward * origin;
   return {};
 }
@@ -127,7 +127,7 @@ Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Si
   if (fault.failed()) return fault;
   if (side == Side::left) mirror(memory, placed);
   wheel.outward = side == Side::left ? -1.0 : 1.0;
-  wheel.profile = placed;
+  wheel.profile = profile_in(memory, placed.count);
   wheel.origin_y = wheel.outward * origin;
   wheel.nominal_radius = wheelset.nominal_radius;
   return {};

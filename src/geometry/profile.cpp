@@ -3,33 +3,17 @@
 #include <algorithm>
 
 namespace wrc {
-namespace {
 
-ProfilePoint evaluate_piece(const Profile& profile, double y, std::int32_t piece) {
-  const std::int32_t last = profile.count - 1;
-  if (y < profile.y[0]) {
-    return {profile.z[0] + profile.slope[0] * (y - profile.y[0]), profile.slope[0], 0.0};
+Profile profile_in(const ProfileMemory& memory, std::int32_t count) {
+  for (std::int32_t i = 0; i + 1 < count; ++i) {
+    const double inverse = 1.0 / (memory.y[i + 1] - memory.y[i]);
+    const double chord = (memory.z[i + 1] - memory.z[i]) * inverse;
+    const double m0 = memory.slope[i], m1 = memory.slope[i + 1];
+    memory.square[i] = (3.0 * chord - 2.0 * m0 - m1) * inverse;
+    memory.cube[i] = (m0 + m1 - 2.0 * chord) * inverse * inverse;
   }
-  if (y > profile.y[last]) {
-    return {profile.z[last] + profile.slope[last] * (y - profile.y[last]), profile.slope[last], 0.0};
-  }
-  const double dy = profile.y[piece + 1] - profile.y[piece];
-  const double inverse = 1.0 / dy;
-  const double u = y - profile.y[piece];
-  const double m0 = profile.slope[piece];
-  const double m1 = profile.slope[piece + 1];
-  const double chord = (profile.z[piece + 1] - profile.z[piece]) * inverse;
-  // z = z0 + u (m0 + u (c2 + u c3))
-  const double c2 = (3.0 * chord - 2.0 * m0 - m1) * inverse;
-  const double c3 = (m0 + m1 - 2.0 * chord) * inverse * inverse;
-  ProfilePoint point;
-  point.z = profile.z[piece] + u * (m0 + u * (c2 + u * c3));
-  point.slope = m0 + u * (2.0 * c2 + 3.0 * u * c3);
-  point.second = 2.0 * c2 + 6.0 * u * c3;
-  return point;
+  return {count, memory.y, memory.z, memory.slope, memory.square, memory.cube};
 }
-
-}  // namespace
 
 Fault too_few_nodes(std::int32_t capacity, std::int32_t needed) {
   return {.status = WRC_ERROR_BUFFER,
@@ -48,12 +32,6 @@ std::int32_t piece_at(const Profile& profile, double y) {
 
 ProfilePoint evaluate(const Profile& profile, double y) {
   return evaluate_piece(profile, y, piece_at(profile, y));
-}
-
-ProfilePoint evaluate(const Profile& profile, double y, std::int32_t& piece) {
-  while (piece > 0 && y < profile.y[piece]) --piece;
-  while (piece < profile.count - 2 && y >= profile.y[piece + 1]) ++piece;
-  return evaluate_piece(profile, y, piece);
 }
 
 ProfileTop highest_point(const Profile& profile) {

@@ -24,6 +24,7 @@
 #include "fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
+#include "number.hpp"
 
 namespace wrc {
 
@@ -59,28 +60,69 @@ struct PosedWheel {
 PosedWheel posed(const Wheel& wheel, const Pose& pose);
 
 /// A point of the outline, in the track frame.
-struct OutlinePoint {
-  double x = 0.0, y = 0.0, z = 0.0;       ///< [m]
-  double normal_y = 0.0, normal_z = 1.0;  ///< normal N (not of unit length), out of the wheel; N_x = 0
-  double dy_ds = 1.0;  ///< derivative of y along the outline by the profile coordinate s [-]
-  double sin_theta = 0.0, cos_theta = 1.0;
-  double radius = 0.0;               ///< r(s) [m]
-  double slope = 0.0, second = 0.0;  ///< r'(s) [-], r''(s) [1/m]
+template <class Number>
+struct OutlinePointOf {
+  Number x = 0.0, y = 0.0, z = 0.0;       ///< [m]
+  Number normal_y = 0.0, normal_z = 1.0;  ///< normal N (not of unit length), out of the wheel; N_x = 0
+  Number dy_ds = 1.0;  ///< derivative of y along the outline by the profile coordinate s [-]
+  Number sin_theta = 0.0, cos_theta = 1.0;
+  Number radius = 0.0;               ///< r(s) [m]
+  Number slope = 0.0, second = 0.0;  ///< r'(s) [-], r''(s) [1/m]
 
-  double dz_dy() const { return -normal_y / normal_z; }
+  Number dz_dy() const { return -normal_y / normal_z; }
 };
+using OutlinePoint = OutlinePointOf<double>;
 
 /// Outline point at wheelset-frame lateral position s; `piece` as in evaluate(). Where the wheel is hollow
 /// (flange root) and the yaw so strong that r r'' yaw^2 > 1 (33 mrad for the S1002 at its steepest), the
 /// outline folds back on itself: dy_ds < 0 there, and that part is hidden behind the rest of the wheel.
 OutlinePoint outline(const PosedWheel& posed_wheel, double s, std::int32_t& piece);
 
+/// The same from the point of the wheel's profile at s. Number is double, or a pack of them.
+template <class Number>
+OutlinePointOf<Number> outline_at(const PosedWheel& posed_wheel, const Number& s,
+                                  const ProfilePointOf<Number>& profile) {
+  const Attitude& a = posed_wheel.attitude;
+  OutlinePointOf<Number> p;
+  p.radius = posed_wheel.wheel->nominal_radius + profile.z;
+  p.slope = profile.slope;
+  p.second = profile.second;
+
+  // sin(theta + alpha) = e2_ratio r', (cos(alpha), sin(alpha)) = (e1_unit, e3_unit). An outline exists while
+  // the tangent stays below 1 / yaw; steeper (no contact there) the cosine is held off zero.
+  const Number steepest = 0.999;
+  const Number sine = larger(smaller(a.e2_ratio * profile.slope, steepest), -steepest);
+  const Number cosine = root(1.0 - sine * sine);
+  p.sin_theta = sine * a.e1_unit - cosine * a.e3_unit;
+  p.cos_theta = cosine * a.e1_unit + sine * a.e3_unit;
+
+  const Number px = p.radius * p.sin_theta, pz = p.radius * p.cos_theta;
+  p.x = a.r[0][0] * px + a.r[0][1] * s + a.r[0][2] * pz;
+  p.y = a.r[1][0] * px + a.r[1][1] * s + a.r[1][2] * pz + posed_wheel.centre_y;
+  p.z = a.r[2][0] * px + a.r[2][1] * s + a.r[2][2] * pz + posed_wheel.centre_z;
+  p.normal_y = a.r[1][0] * p.sin_theta - a.r[1][1] * profile.slope + a.r[1][2] * p.cos_theta;
+  p.normal_z = a.r[2][0] * p.sin_theta - a.r[2][1] * profile.slope + a.r[2][2] * p.cos_theta;
+
+  const Number theta_s = a.e2_ratio * profile.second / cosine;
+  const Number tx = profile.slope * p.sin_theta + p.radius * p.cos_theta * theta_s;
+  const Number tz = profile.slope * p.cos_theta - p.radius * p.sin_theta * theta_s;
+  p.dy_ds = a.r[1][0] * tx + a.r[1][1] + a.r[1][2] * tz;
+  return p;
+}
+
 /// d2h/dx2 [1/m] of the separation h measured along the contact normal of a frame inclined by (cosine, sine),
 /// at fixed lateral position of that frame.
 ///     [ cos^2(chi) / r - sin^2(chi) r'' / (1 + r'^2) ] / (n_c . N)
 /// with chi the angle between x and the wheel's parallel circle: the parallel's normal curvature cos(delta)/r
 /// and the meridian's -r'' / (1 + r'^2)^(3/2) in Euler's formula; |N| = sqrt(1 + r'^2) cancels one cosine.
-double longitudinal_curvature(const PosedWheel& posed_wheel, const OutlinePoint& point, double cosine,
-                              double sine);
+template <class Number>
+Number longitudinal_curvature(const PosedWheel& posed_wheel, const OutlinePointOf<Number>& point,
+                              double cosine, double sine) {
+  const Attitude& a = posed_wheel.attitude;
+  const Number cos_chi = a.r[0][0] * point.cos_theta - a.r[0][2] * point.sin_theta;
+  const Number cos2 = cos_chi * cos_chi;
+  const Number normal = cosine * point.normal_z - sine * point.normal_y;
+  return (cos2 / point.radius - (1.0 - cos2) * point.second / (1.0 + point.slope * point.slope)) / normal;
+}
 
 }  // namespace wrc

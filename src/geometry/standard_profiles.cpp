@@ -216,10 +216,9 @@ Fault sample_rail_head(const RailHead& head, const ProfileMemory& memory, Profil
 }
 
 Fault sample_uic60_benchmark(const ProfileMemory& memory, Profile& profile) {
-  std::array<double, 3 * rail_head_nodes> upright;
+  std::array<double, profile_doubles(rail_head_nodes)> upright;
   Profile head;
-  const ProfileMemory scratch{rail_head_nodes, upright.data(), upright.data() + rail_head_nodes,
-                              upright.data() + 2 * rail_head_nodes};
+  const ProfileMemory scratch = profile_memory(rail_head_nodes, upright.data());
   if (const Fault fault = sample_rail_head(rail_uic60_benchmark, scratch, head); fault.failed()) return fault;
   return place(
       head, Placement{.inclination = benchmark_inclination, .y = benchmark_crown_y, .z = benchmark_crown_z},

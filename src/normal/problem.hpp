@@ -10,8 +10,9 @@
 
 namespace wrc {
 
-/// Which of the two is given; the other is a result.
-enum class Prescribed { load, approach };
+/// Which of the two is given; the other is a result. As wide as a double: it is part of a contact's saved
+/// state, which has no padding.
+enum class Prescribed : std::int64_t { load, approach };
 
 struct NormalProblem {
   GapRows gap;
@@ -32,7 +33,7 @@ struct NormalSolution {
   double peak_pressure = 0.0;   ///< [Pa]
   double area = 0.0;            ///< [m^2]
   double y_contact = 0.0;       ///< y of the gap's minimum, the initial contact point of this gap [m]
-  std::int32_t iterations = 0;  ///< of the root find; evaluations of the method at a trial approach
+  std::int64_t iterations = 0;  ///< of the root find; evaluations of the method at a trial approach
 };
 
 }  // namespace wrc

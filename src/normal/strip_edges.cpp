@@ -6,11 +6,32 @@
 namespace wrc {
 namespace {
 
+/// Lists the active strips as sources of displacement.
+void list_sources(StripSystem& s) {
+  for (std::int32_t a = 0; a < s.active_count; ++a) {
+    const std::int32_t j = s.active[a];
+    s.sources.y[a] = s.grid.y[j];
+    s.sources.centre[a] = s.centre[j];
+    s.sources.inverse_length[a] = s.inverse_length[j];
+    s.sources.strength[a] = s.peak[j] * s.grid.width[j];
+    s.half_width[a] = 0.5 * s.grid.width[j] * s.inverse_length[j];
+  }
+}
+
 /// Joins neighbouring active strips two by two, at the centroid of their load, for edges that see them from
 /// afar. All pairs, overlapping: which of them an edge takes follows from where it is, so that a mirrored
-/// patch is seen mirrored.
+/// patch is seen mirrored. An edge that is left with one strip at the patch's end finds it there alone.
 void join_pairs(StripSystem& s) {
-  for (std::int32_t k = 0; k + 1 < s.active_count; ++k) {
+  const std::int32_t last = s.active_count - 1;
+  const auto alone = [&](std::int32_t k, std::int32_t a) {
+    s.pairs.y[k] = s.sources.y[a];
+    s.pairs.centre[k] = s.sources.centre[a];
+    s.pairs.inverse_length[k] = s.sources.inverse_length[a];
+    s.pairs.strength[k] = s.sources.strength[a];
+  };
+  alone(-1, 0);
+  alone(last, last);
+  for (std::int32_t k = 0; k < last; ++k) {
     const std::int32_t i = s.active[k], j = s.active[k + 1];
     const double area_i = s.half_length[i] * s.grid.width[i], area_j = s.half_length[j] * s.grid.width[j];
     const double load = s.peak[i] * area_i + s.peak[j] * area_j;
@@ -19,44 +40,28 @@ void join_pairs(StripSystem& s) {
     const double part_i = presses ? s.peak[i] * area_i : area_i;
     const double part_j = presses ? s.peak[j] * area_j : area_j;
     const double inverse = 1.0 / (part_i + part_j);
-    s.pair_y[k] = (part_i * s.grid.y[i] + part_j * s.grid.y[j]) * inverse;
-    s.pair_centre[k] = (part_i * s.centre[i] + part_j * s.centre[j]) * inverse;
-    s.pair_inverse_length[k] = (part_i + part_j) / (part_i * s.half_length[i] + part_j * s.half_length[j]);
-    s.pair_strength[k] = load * s.pair_inverse_length[k];
+    s.pairs.y[k] = (part_i * s.grid.y[i] + part_j * s.grid.y[j]) * inverse;
+    s.pairs.centre[k] = (part_i * s.centre[i] + part_j * s.centre[j]) * inverse;
+    s.pairs.inverse_length[k] = (part_i + part_j) / (part_i * s.half_length[i] + part_j * s.half_length[j]);
+    s.pairs.strength[k] = load * s.pairs.inverse_length[k];
   }
 }
 
-/// Displacement at the edge of active strip number a towards +x (side = 1) or -x (side = -1), over the
+/// Nothing behind the last source.
+void end_sources(StripSystem& s) {
+  for (const simd::Sources& sources : {s.sources, s.pairs})
+    for (double* const field : {sources.y, sources.centre, sources.inverse_length, sources.strength})
+      std::fill_n(field + s.active_count, simd::beyond_sources, 0.0);
+}
+
+/// Displacements at the edges of the active strips towards +x (side = 1) or -x (side = -1), over the
 /// compliance [m Pa].
-double edge_displacement(const StripKernel& kernel, const StripSystem& s, std::int32_t a, double side) {
-  constexpr std::int32_t near = 4;  // strips to each side that are taken one by one
-  const std::int32_t j = s.active[a];
-  const double x = s.centre[j] + side * s.half_length[j];
-  const double y = s.grid.y[j];
-  const auto strip = [&](std::int32_t b) {
-    const std::int32_t i = s.active[b];
-    const double inverse = s.inverse_length[i];
-    return s.peak[i] * s.grid.width[i] *
-           kernel.at(std::abs(s.grid.y[i] - y) * inverse, std::abs(x - s.centre[i]) * inverse);
-  };
-  const auto pair = [&](std::int32_t k) {
-    const double inverse = s.pair_inverse_length[k];
-    return s.pair_strength[k] *
-           kernel.at(std::abs(s.pair_y[k] - y) * inverse, std::abs(x - s.pair_centre[k]) * inverse);
-  };
-  const std::int32_t last = s.active_count - 1;
-  const std::int32_t from = std::max(a - near, 0), to = std::min(a + near, last);
-  double below = 0.0, above = 0.0;
-  for (std::int32_t b = a - 1; b >= from; --b) below += strip(b);
-  for (std::int32_t b = a + 1; b <= to; ++b) above += strip(b);
-  std::int32_t k = from - 2;
-  for (; k >= 0; k -= 2) below += pair(k);
-  if (k == -1) below += strip(0);
-  for (k = to + 1; k < last; k += 2) above += pair(k);
-  if (k == last) above += strip(last);
-  const double own =
-      s.peak[j] * s.grid.width[j] * kernel.own_edge(0.5 * s.grid.width[j] * s.inverse_length[j]);
-  return own + (below + above);
+void find_edge_displacements(const StripKernel& kernel, const StripSystem& s, double side,
+                             double* displacement) {
+  for (std::int32_t a = 0; a < s.active_count; ++a)
+    s.edge[a] = s.sources.centre[a] + side * s.half_length[s.active[a]];
+  kernel.kernels->edge_displacements(
+      {kernel.tables(), s.active_count, s.sources, s.pairs, s.edge, s.sources.y, s.half_width, displacement});
 }
 
 /// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch take the value
@@ -84,12 +89,16 @@ void smooth(const StripSystem& s, double* value) {
 double move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach,
                   StripSystem& s) noexcept {
   const double compliance = problem.material.normal_compliance();
+  list_sources(s);
   join_pairs(s);
+  end_sources(s);
+  find_edge_displacements(kernel, s, 1.0, s.leading);
+  if (s.skewed) find_edge_displacements(kernel, s, -1.0, s.trailing);
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
     const double l = s.half_length[j];
-    const double leading = compliance * edge_displacement(kernel, s, a, 1.0);
-    const double trailing = s.skewed ? compliance * edge_displacement(kernel, s, a, -1.0) : leading;
+    const double leading = compliance * s.leading[a];
+    const double trailing = s.skewed ? compliance * s.trailing[a] : leading;
     const double drop = approach - s.height[j] - 0.5 * (leading + trailing);
     const double ratio = std::clamp(drop / (0.5 * s.curvature[j] * l * l), 0.25, 4.0);
     s.level[a] = s.peak[j] * s.inverse_length[j] / ratio;

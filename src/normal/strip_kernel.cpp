@@ -57,7 +57,8 @@ double line_potential(double tau, double xi) noexcept {
   return sum * half * pi / points;
 }
 
-void tabulate(StripKernel& kernel) noexcept {
+void tabulate(StripKernel& kernel, InstructionSet set) noexcept {
+  kernel.kernels = &normal_kernels(set);
   // The integral under the mean grows from node to node by Simpson's rule; before the first node it is the
   // logarithm's alone.
   double node = StripKernel::distance_axis.node(0);

@@ -21,6 +21,7 @@
 #include <cstdint>
 
 #include "normal/octave_axis.hpp"
+#include "normal/simd/kernels.hpp"
 
 namespace wrc {
 
@@ -34,6 +35,12 @@ struct StripKernel {
   std::array<double, distance_axis.intervals() + 1> mean_under;       ///< mean of J(s, 0) over 0 < s < tau
   std::array<double, distance_axis.intervals() + 1> edge_under;       ///< mean of J(s, 1) over 0 < s < tau
   std::array<double, (chi_axis.intervals() + 1) * (eta_intervals + 1)> anywhere;
+
+  const NormalKernels* kernels = nullptr;  ///< of an instruction set the processor has
+
+  simd::StripTables tables() const noexcept {
+    return {on_middle_plane.data(), edge_under.data(), anywhere.data()};
+  }
 
   /// J(tau, 0), tau > 0; relative error below 1e-4.
   double middle_plane(double tau) const noexcept { return read(on_middle_plane.data(), tau); }
@@ -68,8 +75,9 @@ struct StripKernel {
   }
 };
 
-/// Fills the tables (about ten milliseconds; at init, not in a step). Same bits on every machine.
-void tabulate(StripKernel& kernel) noexcept;
+/// Fills the tables (about ten milliseconds; at init, not in a step), and picks the kernels. Same bits on
+/// every machine.
+void tabulate(StripKernel& kernel, InstructionSet set = InstructionSet::baseline) noexcept;
 
 /// J by quadrature, tau > 0: what the tables are made from [-].
 double line_potential(double tau, double xi) noexcept;

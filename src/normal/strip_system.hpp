@@ -4,11 +4,13 @@
 #include <cstdint>
 
 #include "normal/collocation_grid.hpp"
+#include "normal/simd/kernels.hpp"
 #include "patch/gap.hpp"
 
 namespace wrc {
 
-/// Arrays in the workspace, all with room for as many strips as the problem has; `grid.count` are in use.
+/// Arrays in the workspace, all with room for as many strips as the problem has, in whole packs; `grid.count`
+/// are in use, and what the kernels read behind them is zero.
 struct StripSystem {
   CollocationGrid grid;
   /// The strip as the grid has it; grid.y and grid.width of a patch's outermost strips are fitted to its
@@ -21,17 +23,22 @@ struct StripSystem {
   double* inverse_length = nullptr;
   double* centre = nullptr;
   double* peak = nullptr;
-  /// count x count, row j column i: displacement at the middle of j by unit peak in i, over the compliance
-  /// [m]. Known where i and j are in contact.
+  std::int64_t influence_stride = 0;
+  /// Row j column i: displacement at the middle of j by unit peak in i, over the compliance [m]. Known for
+  /// strips j in contact.
   double* influence = nullptr;
-  double* matrix = nullptr;  ///< of the active strips
+  double* matrix = nullptr;  ///< of the active strips, with the right-hand sides
   double* by_approach = nullptr;
   double* by_height = nullptr;
   double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
   double* shift = nullptr;  ///< of the centre against the gap's [m]
-  /// Active strips number a and a + 1 joined, for all a.
-  double *pair_y = nullptr, *pair_centre = nullptr, *pair_inverse_length = nullptr, *pair_strength = nullptr;
-  std::int32_t* active = nullptr;  ///< indices of the strips in contact
+  simd::Sources sources{};  ///< the active strips
+  simd::Sources
+      pairs{};  ///< active strips number a and a + 1 joined; the outermost strips alone at both ends
+  double* half_width = nullptr;                    ///< of the active strips, over their half length [-]
+  double* edge = nullptr;                          ///< x of their edges [m]
+  double *leading = nullptr, *trailing = nullptr;  ///< displacement there, over the compliance [m Pa]
+  std::int32_t* active = nullptr;                  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
   std::int32_t active_count = 0;
   bool skewed = false;  ///< the gap's centre line is not straight along y
@@ -42,6 +49,9 @@ StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept;
 
 /// Bytes of that memory.
 std::int64_t strip_system_bytes(std::int32_t capacity) noexcept;
+
+/// Rows of the equations of so many strips: a multiple of four.
+constexpr std::int32_t elimination_size(std::int32_t strips) { return (strips + 3) / 4 * 4; }
 
 /// True if active strips number a and a + 1 touch.
 inline bool touch(const StripSystem& s, std::int32_t a) noexcept {

@@ -27,6 +27,26 @@ using NativeMask = __mmask8;
 inline Native broadcast(double a) { return _mm512_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm512_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm512_storeu_pd(to, a); }
+inline NativeMask first_lanes(std::int32_t count) {
+  return static_cast<NativeMask>(count < 8 ? (1 << count) - 1 : 0xff);
+}
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return _mm512_mask_loadu_pd(rest, first_lanes(count), from);
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  _mm512_mask_storeu_pd(to, first_lanes(count), a);
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto four = [&](std::int32_t k) {  // elements k, k + 2, k + 4, k + 6, each with the one behind it
+    const Native first = _mm512_castpd128_pd512(_mm_loadu_pd(from + i[k]));
+    const Native second = _mm512_insertf64x2(first, _mm_loadu_pd(from + i[k + 2]), 1);
+    const Native third = _mm512_insertf64x2(second, _mm_loadu_pd(from + i[k + 4]), 2);
+    return _mm512_insertf64x2(third, _mm_loadu_pd(from + i[k + 6]), 3);
+  };
+  const Native even = four(0), odd = four(1);
+  at = _mm512_maskz_unpacklo_pd(0xff, even, odd);
+  behind = _mm512_maskz_unpackhi_pd(0xff, even, odd);
+}
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
 inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
@@ -46,6 +66,25 @@ using NativeMask = __m256d;
 inline Native broadcast(double a) { return _mm256_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm256_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm256_storeu_pd(to, a); }
+inline __m256i first_lanes(std::int32_t count) {
+  return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_set_epi64x(3, 2, 1, 0));
+}
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  const __m256i wanted = first_lanes(count);
+  return _mm256_blendv_pd(rest, _mm256_maskload_pd(from, wanted), _mm256_castsi256_pd(wanted));
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  _mm256_maskstore_pd(to, first_lanes(count), a);
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const auto two = [&](std::int32_t k) {  // elements k and k + 2, each with the one behind it
+    const Native first = _mm256_castpd128_pd256(_mm_loadu_pd(from + i[k]));
+    return _mm256_insertf128_pd(first, _mm_loadu_pd(from + i[k + 2]), 1);
+  };
+  const Native even = two(0), odd = two(1);
+  at = _mm256_unpacklo_pd(even, odd);
+  behind = _mm256_unpackhi_pd(even, odd);
+}
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
@@ -64,6 +103,18 @@ using NativeMask = __m128d;
 inline Native broadcast(double a) { return _mm_set1_pd(a); }
 inline Native load_lanes(const double* from) { return _mm_loadu_pd(from); }
 inline void store_lanes(double* to, Native a) { _mm_storeu_pd(to, a); }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 2 ? _mm_loadu_pd(from) : count == 1 ? _mm_loadl_pd(rest, from) : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 2) return _mm_storeu_pd(to, a);
+  if (count == 1) _mm_storel_pd(to, a);
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = _mm_unpacklo_pd(even, odd);
+  behind = _mm_unpackhi_pd(even, odd);
+}
 inline Native root_of(Native a) { return _mm_sqrt_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm_min_pd(a, b); }
@@ -84,6 +135,18 @@ using NativeMask = uint64x2_t;
 inline Native broadcast(double a) { return vdupq_n_f64(a); }
 inline Native load_lanes(const double* from) { return vld1q_f64(from); }
 inline void store_lanes(double* to, Native a) { vst1q_f64(to, a); }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 2 ? vld1q_f64(from) : count == 1 ? vld1q_lane_f64(from, rest, 0) : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 2) return vst1q_f64(to, a);
+  if (count == 1) vst1q_lane_f64(to, a, 0);
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  at = vtrn1q_f64(even, odd);
+  behind = vtrn2q_f64(even, odd);
+}
 inline Native root_of(Native a) { return vsqrtq_f64(a); }
 inline NativeMask less(Native a, Native b) { return vcltq_f64(a, b); }
 inline NativeMask less_equal(Native a, Native b) { return vcleq_f64(a, b); }
@@ -102,6 +165,16 @@ using NativeMask = bool;
 inline Native broadcast(double a) { return Native{a}; }
 inline Native load_lanes(const double* from) { return Native{*from}; }
 inline void store_lanes(double* to, Native a) { *to = a[0]; }
+inline Native load_first(std::int32_t count, const double* from, Native rest) {
+  return count >= 1 ? Native{*from} : rest;
+}
+inline void store_first(std::int32_t count, double* to, Native a) {
+  if (count >= 1) *to = a[0];
+}
+inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
+  at = Native{from[i[0]]};
+  behind = Native{from[i[0] + 1]};
+}
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
 inline NativeMask less_equal(Native a, Native b) { return a[0] <= b[0]; }
@@ -124,6 +197,13 @@ struct Pack {
   Native a, b;
 
   Pack() = default;
+  // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
+  Pack(const Pack& x) : a(x.a), b(x.b) {}
+  Pack& operator=(const Pack& x) {
+    a = x.a;
+    b = x.b;
+    return *this;
+  }
   Pack(Native first, Native second) : a(first), b(second) {}
   Pack(double everywhere) : a(broadcast(everywhere)), b(a) {}  // NOLINT: constants mix freely with packs
 
@@ -138,6 +218,15 @@ struct Pack {
 /// Yes or no for each lane.
 struct Mask {
   NativeMask a, b;
+
+  Mask() = default;
+  Mask(const Mask& x) : a(x.a), b(x.b) {}
+  Mask& operator=(const Mask& x) {
+    a = x.a;
+    b = x.b;
+    return *this;
+  }
+  Mask(NativeMask first, NativeMask second) : a(first), b(second) {}
 
   friend Mask operator&(Mask x, Mask y) { return {both(x.a, y.a), both(x.b, y.b)}; }
   friend Mask operator|(Mask x, Mask y) { return {either(x.a, y.a), either(x.b, y.b)}; }
@@ -166,20 +255,61 @@ inline Pack nearest_integer(Pack a) {
   return (a + unit_spacing) - unit_spacing;
 }
 
-/// Elements first .. first + count - 1 of an array, count <= lanes; lanes behind them hold `rest`.
+/// The bits of a pack, for what is read off them.
+using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
+struct Bits {
+  NativeBits a, b;
+
+  friend Bits operator>>(Bits x, int by) { return {x.a >> by, x.b >> by}; }
+  friend Bits operator<<(Bits x, int by) { return {x.a << by, x.b << by}; }
+  friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
+  friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
+};
+inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
+inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
+
+/// Whole numbers 0 <= x < 2^51, one for each lane, as indices.
+struct Indices {
+  std::int64_t at[lanes];
+};
+inline Indices indices(Pack x) {
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
+  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;  // 2^52: the mantissa counts ones
+  Indices i;
+  __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
+  __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
+  __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
+  return i;
+}
+
+/// Elements i.at[0], i.at[1], .. of an array, and those behind them.
+struct Neighbours {
+  Pack at, behind;
+};
+inline Neighbours pick(const double* from, const Indices& i) {
+  Neighbours n;
+  pick_lanes(from, i.at, n.at.a, n.behind.a);
+  pick_lanes(from, i.at + native_lanes, n.at.b, n.behind.b);
+  return n;
+}
+
+/// Lanes of a group of `count` that lie in the second vector of a pack.
+inline std::int32_t in_second(std::int32_t count) { return count > native_lanes ? count - native_lanes : 0; }
+
+/// Elements first .. first + count - 1 of an array, 0 <= count <= lanes; lanes behind them hold `rest`.
+/// Nothing is read behind the array.
 inline Pack load(const double* from, std::int32_t first, std::int32_t count, double rest) {
   if (count == lanes) return load_pack(from + first);
-  double buffer[lanes];
-  for (std::int32_t k = 0; k < lanes; ++k) buffer[k] = k < count ? from[first + k] : rest;
-  return load_pack(buffer);
+  const Native behind = broadcast(rest);
+  return {load_first(count, from + first, behind),
+          load_first(in_second(count), from + first + native_lanes, behind)};
 }
 
 /// The first `count` lanes to an array.
 inline void store(Pack a, double* to, std::int32_t count) {
   if (count == lanes) return store_pack(to, a);
-  double buffer[lanes];
-  store_pack(buffer, a);
-  for (std::int32_t k = 0; k < count; ++k) to[k] = buffer[k];
+  store_first(count, to, a.a);
+  store_first(in_second(count), to + native_lanes, a.b);
 }
 
 }  // namespace

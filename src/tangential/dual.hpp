@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "tangential/number.hpp"
+#include "number.hpp"
 
 namespace wrc {
 
@@ -52,13 +52,7 @@ struct Dual {
     for (std::size_t k = 0; k < n; ++k) r.d[k] = (a.d[k] - q * b.d[k]) * inverse;
     return r;
   }
-  friend Dual operator-(const Dual& a) { return 0.0 - a; }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
-
-  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
-  friend bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
-  friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
-  friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 };
 
 /// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero

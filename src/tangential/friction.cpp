@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elementary.hpp"
+#include "felt.hpp"
 
 namespace wrc {
 namespace {
@@ -35,10 +36,10 @@ double friction_fall(const FrictionLaw& law, double sliding_speed) {
 double mean_friction(const FrictionZones& zones, double from, double to) {
   const double* y = zones.y;
   const double* c = zones.coefficient;
-  const std::int32_t last = zones.count - 1;
+  const std::int64_t last = zones.count - 1;
   double integral =
       c[0] * std::max(0.0, std::min(to, y[0]) - from) + c[last] * std::max(0.0, to - std::max(from, y[last]));
-  for (std::int32_t k = 0; k < last; ++k)
+  for (std::int64_t k = 0; k < last; ++k)
     integral += integral_between(y[k], c[k], y[k + 1], c[k + 1], from, to);
   return integral / (to - from);
 }
@@ -63,7 +64,7 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
       const double turn = creepage.spin * strips.half_length[j];
       slip = std::sqrt(x * x + lateral * lateral + turn * turn / 3.0);
     }
-    shares[j] = mu * friction_fall(law, speed * slip);
+    shares[j] = felt(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
     const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
     limit += shares[j] * carried;
     load += carried;

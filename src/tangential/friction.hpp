@@ -30,17 +30,18 @@
 namespace wrc {
 
 /// Coefficient over y, linear between breakpoints and constant beyond them; two at the same y make a step.
+/// Without padding, as the law: it is part of a contact's saved state.
 struct FrictionZones {
-  std::int32_t count = 0;               ///< 0: the same everywhere
+  std::int64_t count = 0;               ///< 0: the same everywhere
   const double* y = nullptr;            ///< not decreasing [m]
   const double* coefficient = nullptr;  ///< >= 0 [-]
 };
 
 struct FrictionLaw {
-  enum class Fall {
-    none,         ///< f = 1
-    exponential,  ///< f = (1 - A) exp(-B w) + A: Polach, Wear 258 (2005)
-    hyperbolic,   ///< f = A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
+  enum class Fall : std::int64_t {  // as wide as a double: see FrictionZones
+    none,                           ///< f = 1
+    exponential,                    ///< f = (1 - A) exp(-B w) + A: Polach, Wear 258 (2005)
+    hyperbolic,  ///< f = A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
   };
   double coefficient = 0.3;  ///< mu_0 at rest, where there are no zones [-]
   FrictionZones zones{};

@@ -13,6 +13,10 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set
   double* const parabolic_rise = memory + cells;
   double* const elliptic_mean = memory + 2 * cells;
   double* const elliptic_rise = memory + 3 * cells;
+  double* const place = memory + 4 * cells;
+  double* const pressure = memory + 5 * cells;
+  double* const inverse_pressure = memory + 6 * cells;
+  double* const inverse_weight = memory + 7 * cells;
 
   const double size = 2.0 / cells;
   const auto border = [&](std::int32_t i) { return 1.0 - size * i; };  // s, falling from 1 to -1
@@ -30,8 +34,18 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set
     parabolic_rise[i] = half_square_rise(1.0 - lead * lead, 1.0 - trail * trail, parabolic_mean[i]);
     elliptic_mean[i] = (ellipse_integral(lead) - ellipse_integral(trail)) / size;
     elliptic_rise[i] = half_square_rise(ellipse(lead), ellipse(trail), elliptic_mean[i]);
+    place[i] = 1.0 - (2.0 * i + 1.0) / cells;
+    pressure[i] = std::sqrt(1.0 - place[i] * place[i]);
+    inverse_pressure[i] = 1.0 / pressure[i];
+    const double ahead = cells - i, behind = ahead - 1.0;
+    inverse_weight[i] = 1.0 / (ahead * std::sqrt(ahead) - behind * std::sqrt(behind));
   }
-  return {cells, {parabolic_mean, parabolic_rise}, {elliptic_mean, elliptic_rise}, &kernels(set)};
+  return {cells,
+          {parabolic_mean, parabolic_rise},
+          {elliptic_mean, elliptic_rise},
+          {place, pressure, inverse_pressure},
+          inverse_weight,
+          &kernels(set)};
 }
 
 }  // namespace wrc

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tangential/problem.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/problem.hpp"
 
 namespace wrc {
 
@@ -23,10 +23,21 @@ struct BoundShape {
   const double* rise = nullptr;
 };
 
+/// The middle of each cell, relative to its strip: what holds there for all strips.
+struct CellMiddles {
+  const double* place = nullptr;             ///< s = (x - centre) / half_length [-]
+  const double* pressure = nullptr;          ///< sqrt(1 - s^2): pressure / peak of the strip [-]
+  const double* inverse_pressure = nullptr;  ///< its inverse [-]
+};
+
 /// Cells along a strip, cell 0 at the leading edge; the same for every strip and every step of a model.
 struct MarchGrid {
   std::int32_t cells = 0;
   BoundShape parabolic, elliptic;
+  CellMiddles middles;
+  /// 1 / ((n - i)^(3/2) - (n - i - 1)^(3/2)) for cell i of n: one over the integral over the cell of
+  /// 3/2 sqrt(u / h), u the distance from the trailing edge.
+  const double* inverse_weight = nullptr;
   const Kernels* kernels = nullptr;  ///< of an instruction set the processor has
 
   const BoundShape& shape(TractionBound bound) const {
@@ -35,7 +46,7 @@ struct MarchGrid {
 };
 
 /// Memory a grid needs [doubles].
-constexpr std::size_t march_grid_size(std::int32_t cells) { return 4 * static_cast<std::size_t>(cells); }
+constexpr std::size_t march_grid_size(std::int32_t cells) { return 8 * static_cast<std::size_t>(cells); }
 
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
 MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set = InstructionSet::baseline);

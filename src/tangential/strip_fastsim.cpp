@@ -173,6 +173,7 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.B = m.B;
   task.elastic = m.elastic;
   task.shape = &contact.grid->elliptic;
+  task.inverse_weight = contact.grid->inverse_weight;
   task.cells = contact.grid->cells;
   task.fields = &fields;
   return task;
@@ -204,14 +205,8 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
     const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
     contact.grid->kernels->strip_fastsim(task_of(contact, m, fields), sums);
   }
-  const double balance = -(sums.fx * c.longitudinal + sums.fy * c.lateral + sums.mz * c.spin);
-  const double power = std::max(0.0, balance);
-  const double scale = sums.power_per_speed > 0.0 ? power / sums.power_per_speed : 0.0;
-  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
-  for (double* slip : {fields.slip_x, fields.slip_y}) {
-    if (slip) std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
-  }
-  return {sums.fx, sums.fy, sums.mz, power, sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
+  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
+          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
 }
 
 }  // namespace wrc

@@ -281,9 +281,7 @@ TEST_F(Interface, EveryInstructionSetGivesTheSameBits) {
       expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.instruction_set", "this processor lacks"});
       continue;
     }
-    TearDown();
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+    create();
     expect_works();
     EXPECT_EQ(std::memcmp(&forces, &best, sizeof best), 0) << "set " << set;
     EXPECT_EQ(std::memcmp(&damage, &best_damage, sizeof best_damage), 0) << "set " << set;

@@ -10,8 +10,9 @@
 #include "made.hpp"
 #include "wrc/wrc.h"
 
-class ReferenceContact : public testing::Test {
- protected:
+/// The wheel itself, made when it first steps: what is changed in its configuration before counts.
+class ReferenceWheel {
+ public:
   wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
   wrc_profile rail = made<wrc_profile>(wrc_profile_init);
   wrc_config config = made<wrc_config>(wrc_config_init);
@@ -26,7 +27,7 @@ class ReferenceContact : public testing::Test {
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
-  void SetUp() override {
+  ReferenceWheel() {
     wheel.kind = WRC_PROFILE_S1002;
     rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     config.wheel = &wheel;
@@ -36,15 +37,23 @@ class ReferenceContact : public testing::Test {
     creepage.lateral = -0.22e-3;
     creepage.spin = 0.29;
     friction.coefficient = 0.35;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
   }
-  void TearDown() override {
+  ~ReferenceWheel() {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
   }
+  ReferenceWheel(const ReferenceWheel&) = delete;
+  ReferenceWheel& operator=(const ReferenceWheel&) = delete;
 
+  /// From the present configuration; in place of the former one, if there is one.
+  void create() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
   int32_t step() {
+    if (model == nullptr) create();
     const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
     wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
     return wrc_step(contact, &input, &output);
@@ -88,4 +97,10 @@ class ReferenceContact : public testing::Test {
     EXPECT_EQ(wrc_model_create(&config, nullptr, &none), status);
     EXPECT_EQ(none, nullptr);
   }
+};
+
+/// The wheel as a fixture.
+class ReferenceContact : public testing::Test, protected ReferenceWheel {
+ protected:
+  void SetUp() override { create(); }
 };

@@ -139,7 +139,7 @@ void add_all() {
       add("normal", normal_names[each], methods, normal);
     }
     methods.normal = WRC_NORMAL_STRIP_HALFSPACE;
-    for (int32_t each : tangential_methods) {
+    for (int32_t each = 0; each < tangential_methods; ++each) {
       methods.tangential = each;
       add("tangential", tangential_names[each], methods, tangential);
     }

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "tangential/fastsim_sdec.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/fastsim_sdec.hpp"
 #include "tangential/strip_fastsim.hpp"
 #include "unit/tangential_patches.hpp"
 

@@ -328,7 +328,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
       default:
         break;
     }
-    gap.height[j] = shape == 8 ? h - 1e-3 : h;  // 8: negative everywhere
+    gap.height[j] = std::clamp(shape == 8 ? h - 1e-3 : h, -0.3, 0.3);  // 8: negative everywhere
     gap.centre[j] = shape == 9 ? choices.between(-0.3, 0.3) : 0.02 * s * static_cast<double>(shape % 2);
     gap.curvature[j] = curvature * (shape == 4 ? choices.between(0.1, 10.0) : 1.0);
   }
@@ -357,8 +357,9 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (std::uint32_t j = 0; j < rows; ++j) {
     for (std::uint32_t i = 0; i < columns; ++i) {
       const double x = gap.x[i] - gap.centre[j];
-      gap.h[j * stride + i] = gap.height[j] + 0.5 * gap.curvature[j] * x * x +
-                              (noise > 0.0 ? choices.between(-noise, noise) : 0.0);
+      const double h = gap.height[j] + 0.5 * gap.curvature[j] * x * x +
+                       (noise > 0.0 ? choices.between(-noise, noise) : 0.0);
+      gap.h[j * stride + i] = std::clamp(h, -0.3, 0.3);
     }
   }
   if (choices.one_in(24)) gap.h[special * stride] = choices.poison();

@@ -43,7 +43,8 @@ flavour() {
   if ! { cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" \
            -DCMAKE_CXX_FLAGS="$flags" -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF -DWRC_WERROR=OFF "${system[@]}" &&
          cmake --build "$folder" --target wrc &&
-         "$compiler" -std=c++20 -O1 -ffp-contract=off -Iinclude_c -Itests -Itests/realtime tests/realtime/golden/*.cpp \
+         "$compiler" -std=c++20 -O1 -ffp-contract=off -Iinclude_c -Itests -Itests/realtime \
+           -DWRC_FORCE_TABLE="\"$PWD/src/tangential/force_table.bin\"" tests/realtime/golden/*.cpp \
            -L"$folder" -lwrc -pthread -Wl,-rpath,"$PWD/$folder" -o "$folder/golden_hash"; } >"$folder.log" 2>&1; then
     cat "$folder.log"
     failed=$((failed + 1))

@@ -6,22 +6,24 @@ set -euo pipefail
 compiler=$1 source=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-check() { # name, flags
-  local name=$1
-  shift
+check() { # room, name, flags
+  local room=$1 name=$2
+  shift 2
   for level in -O0 -O1 -O3; do
     "$compiler" -std=c++20 $level "$@" -fPIC -ffp-contract=off -I"$source/src" -I"$source/include_c" \
-      -c "$source/src/tangential/simd/kernels_$name.cpp" -o "$scratch/$name.o"
+      -c "$room/kernels_$name.cpp" -o "$scratch/$name.o"
     local others
     others=$(nm -C --defined-only "$scratch/$name.o" |
-      awk '$2 ~ /[A-Zuvw]/ && $0 !~ / R wrc::simd::'"$name"'_kernels$/ && $0 !~ / D wrc::simd::'"$name"'_kernels$/')
+      awk '$2 ~ /[A-Zuvw]/ && $0 !~ / [RD] wrc::simd::'"$name"'(_[a-z]+)?_kernels$/')
     if [ -n "$others" ]; then
-      echo "kernels_$name.cpp at $level shares these with other units:" >&2
+      echo "$room/kernels_$name.cpp at $level shares these with other units:" >&2
       echo "$others" >&2
       exit 1
     fi
-    echo "$name $level: nothing shared"
+    echo "${room#"$source/"} $name $level: nothing shared"
   done
 }
-check avx2 -mavx2
-check avx512 -mavx512f -mavx512dq -mavx512vl
+for room in "$source"/src/*/simd; do
+  check "$room" avx2 -mavx2
+  check "$room" avx512 -mavx512f -mavx512dq -mavx512vl
+done

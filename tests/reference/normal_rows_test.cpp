@@ -22,6 +22,7 @@
 #include "../unit/normal_gaps.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/gap_rows.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "normal/analyn.hpp"
 #include "normal/ekp.hpp"
 #include "normal/hertz.hpp"
@@ -145,7 +146,9 @@ TEST(NormalReference, RowsOfTheExactTheory) {
       std::vector<double> block(4 * rows);
       const GapRowMemory memory{rows, &block[0], &block[rows], &block[2 * rows], &block[3 * rows]};
       NormalProblem problem;
-      ASSERT_EQ(fill_gap_rows(bodies.rail, lowered, contact, window, rows, memory, problem.gap).status,
+      ASSERT_EQ(fill_gap_rows(bodies.rail, lowered, contact, window, rows, memory,
+                              geometry_kernels(InstructionSet::baseline), problem.gap)
+                    .status,
                 WRC_OK);
       problem.material = test::steel;
       problem.normal_force = one.normal_force;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
 #include "damage/wear.hpp"
@@ -19,7 +20,7 @@ TEST(FrictionalPower, DensityAddsUpToThePowerOfTheMarch) {
   const test::OwnedGrid grid(40);
   const SdecTable table(0.25);
   Fault fault;
-  std::vector<double> px(1200), py(px), sx(px), sy(px), density(px), per_width(30);
+  std::vector<double> px(1200), py(px), sx(px), sy(px), density(px), index(px), per_width(30);
   const TangentialFields fields{px.data(), py.data(), sx.data(), sy.data()};
   const RollingContact contact{strips.get(),
                                a,
@@ -32,11 +33,14 @@ TEST(FrictionalPower, DensityAddsUpToThePowerOfTheMarch) {
                                0.35,
                                TractionBound::parabolic};
   const TangentialForces forces = fastsim_sdec(contact, fields, fault);
-  frictional_power_density(fields, 30, 40, V, density.data());
-  frictional_power_per_width(density.data(), strips.get(), 40, per_width.data());
+  const Strips region = strips.get();
+  const CellDamage found = assess_cells(
+      {&region, &fields, &grid.get().middles, 40, V, 250e6, density.data(), index.data(), per_width.data()},
+      damage_kernels(InstructionSet::baseline));
   EXPECT_GE(*std::min_element(density.begin(), density.end()), 0.0);
-  EXPECT_NEAR(frictional_power(per_width.data(), strips.get()), V * t_gamma(forces),
-              1e-9 * V * t_gamma(forces));
+  EXPECT_EQ(*std::max_element(density.begin(), density.end()), found.peak_power_density);
+  EXPECT_EQ(*std::max_element(index.begin(), index.end()), found.fatigue_index);
+  EXPECT_NEAR(found.power, V * t_gamma(forces), 1e-9 * V * t_gamma(forces));
 }
 
 TEST(Fatigue, IndexIsZeroWhereTractionReachesTheYieldStress) {
@@ -49,11 +53,21 @@ TEST(Fatigue, IndexIsZeroWhereTractionReachesTheYieldStress) {
 }
 
 TEST(Fatigue, LocalIndexComparesTractionWithYieldRelativeToPressure) {
-  const test::OwnedStrips strips = test::sdec_strips(4e-3, 4e-3, 0.0, 60e3, 1);
-  const double peak = strips.get().peak[0];
-  double px[] = {300e6}, py[] = {400e6}, index[1];
-  local_fatigue_index({px, py, nullptr, nullptr}, strips.get(), 1, 250e6, index);
-  EXPECT_DOUBLE_EQ(index[0], 250e6 / peak);
+  // Two strips, of which one carries no pressure; one cell.
+  const test::OwnedStrips strips = test::sdec_strips(4e-3, 4e-3, 0.0, 60e3, 2);
+  const test::OwnedGrid grid(1);
+  const Strips region = strips.get();
+  region.peak[1] = 0.0;
+  double px[] = {300e6, 300e6}, py[] = {400e6, 400e6}, none[] = {0.0, 0.0}, density[2], index[2],
+         per_width[2];
+  const TangentialFields fields{px, py, none, none};
+  const CellDamage found =
+      assess_cells({&region, &fields, &grid.get().middles, 1, 20.0, 250e6, density, index, per_width},
+                   damage_kernels(InstructionSet::baseline));
+  EXPECT_DOUBLE_EQ(index[0], 250e6 / region.peak[0]);
+  EXPECT_EQ(index[1], no_fatigue_index);
+  EXPECT_EQ(found.fatigue_index, index[0]);
+  EXPECT_EQ(found.power, 0.0);
 }
 
 /// Largest |tau_xz| / p0 under a line contact of half-width 1 that slides with friction mu: the closed-form

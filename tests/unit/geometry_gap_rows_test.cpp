@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/gap_rows.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "geometry_test_bodies.hpp"
 
 namespace wrc {
@@ -29,7 +30,8 @@ struct Gap {
     if (fault.failed()) return;
     window = gap_window(bodies.rail, wheel, contact, limits);
     fault = fill_gap_rows(bodies.rail, wheel, contact, window, count,
-                          {capacity, y.data(), height.data(), centre.data(), curvature.data()}, rows);
+                          {capacity, y.data(), height.data(), centre.data(), curvature.data()},
+                          geometry_kernels(InstructionSet::baseline), rows);
   }
 };
 
@@ -100,9 +102,10 @@ TEST(GapRows, InTheOverlapWeightedFrameTouchTheSamePoint) {
   gap.contact = overlap_weighted_point(bodies.rail, gap.wheel, first, 0.07 * mm);
   ASSERT_GT(std::abs(gap.contact.y - first.y), 2.0 * mm);
   gap.window = gap_window(bodies.rail, gap.wheel, gap.contact, {});
-  const Fault fault = fill_gap_rows(
-      bodies.rail, gap.wheel, gap.contact, gap.window, 200,
-      {Gap::capacity, gap.y.data(), gap.height.data(), gap.centre.data(), gap.curvature.data()}, gap.rows);
+  const Fault fault =
+      fill_gap_rows(bodies.rail, gap.wheel, gap.contact, gap.window, 200,
+                    {Gap::capacity, gap.y.data(), gap.height.data(), gap.centre.data(), gap.curvature.data()},
+                    geometry_kernels(InstructionSet::baseline), gap.rows);
   ASSERT_EQ(fault.status, WRC_OK);
   const GapMinimum touch = minimum(gap.rows);
   EXPECT_NEAR(touch.height, 0.0, 2e-8);

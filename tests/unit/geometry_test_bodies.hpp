@@ -14,9 +14,9 @@ namespace wrc {
 
 /// Owns the memory of one profile.
 struct ProfileStore {
-  static constexpr std::size_t capacity = 512;
-  std::array<double, capacity> y, z, slope;
-  ProfileMemory memory() { return {static_cast<std::int32_t>(capacity), y.data(), z.data(), slope.data()}; }
+  static constexpr std::int32_t capacity = 512;
+  std::array<double, profile_doubles(capacity)> doubles;
+  ProfileMemory memory() { return profile_memory(capacity, doubles.data()); }
 };
 
 /// Not copyable: rail and wheel point into the stores.

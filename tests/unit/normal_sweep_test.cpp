@@ -10,6 +10,7 @@
 
 #include "geometry/contact_search.hpp"
 #include "geometry/gap_rows.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "geometry_test_bodies.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
@@ -61,7 +62,8 @@ class LoadedWheel {
     double* const r = rows_memory_.data();
     NormalProblem problem = test::under_load({}, load, count);
     if (fill_gap_rows(bodies_.rail, wheel, contact, window, rows,
-                      {rows, r, r + rows, r + 2 * rows, r + 3 * rows}, problem.gap)
+                      {rows, r, r + rows, r + 2 * rows, r + 3 * rows},
+                      geometry_kernels(InstructionSet::baseline), problem.gap)
             .failed())
       return {-102};
 

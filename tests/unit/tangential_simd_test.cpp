@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "tangential/fastsim_sdec.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/fastsim_sdec.hpp"
 #include "tangential/simd/kernels.hpp"
 #include "tangential/strip_fastsim.hpp"
 #include "tangential_patches.hpp"

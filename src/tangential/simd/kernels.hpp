@@ -3,12 +3,13 @@
 
 #include <cstdint>
 
-#include "tangential/problem.hpp"
 #include "simd/instruction_set.hpp"
+#include "tangential/problem.hpp"
 
 namespace wrc {
 
 struct BoundShape;
+struct MarchGrid;
 
 namespace simd {
 
@@ -60,6 +61,7 @@ struct StripFastsimTask {
   Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
   double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
   const BoundShape* shape;
+  const double* inverse_weight;  ///< of the cells of the first stick zone (march_grid.hpp)
   std::int32_t cells;
   const TangentialFields* fields;
 };
@@ -71,9 +73,10 @@ struct Kernels {
   InstructionSet set;
   void (*march)(const simd::MarchTask& task, simd::Sums& sums);
   void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
-  /// power_per_speed and the fields of slip are in proportion only; see strip_fastsim.cpp.
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
+  void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 };
 
 /// The kernels of a set, which the processor must have.

@@ -5,57 +5,60 @@
 /// the same for all strips, and a strip is three numbers, the growth (gx, gy - rate t) of its adhesion
 /// tractions.
 ///
-/// The state is the unit direction e of the traction and its size. With z = n / d, d the sum of two bounds,
-/// all that the turning needs is homogeneous in n and d, and a rotation's length is known: a step takes two
-/// roots (|g| at mid-step and as seen; a strip that sticks again needs the second one for |p|) and one
-/// divide.
+/// The state is the direction e of the traction, the traction, and where in a step the slip is seen; a step
+/// takes one root and one divide (turning.hpp). Only a cell in which some lane sticks again takes more of
+/// them, and those from which on all lanes have left their first stick zones do without selecting lanes.
 ///
-/// Derivatives: in slip the state is one angle, whose change dθ is carried for each input; see Turn.
+/// Derivatives: in slip the state is one angle, whose change is carried for each input, and `ahead`.
 #pragma once
 
+#include "simd/pack.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/simd/kernels.hpp"
-#include "simd/pack.hpp"
+#include "tangential/simd/strip_group.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
 namespace wrc::simd {
 namespace {
 
-/// Groups of strips that are marched side by side, so that one computes while another waits for a root.
-constexpr std::int32_t in_flight = 4;
-
-/// What does not change along the strips of a group.
-struct Group {
-  std::int32_t first, count;        ///< strips
-  std::int32_t all_stick;           ///< cells before this one lie in the first stick zones of all strips
-  std::int32_t all_move;            ///< cells from this one on begin where all strips have left theirs
-  Pack gx, gy, rate;                ///< growth of adhesion tractions: (gx, gy - rate t)
-  Pack onset;                       ///< t at which the first stick zone ends
-  Pack stick_cells;                 ///< whose middle lies before the onset
-  Pack last_share;                  ///< of the last of these cells' tractions that is within the bound
-  Pack lead, y, half_length, cell;  ///< x of the leading edge, y, half length [m], area of a cell [m^2]
-  Pack bound;                       ///< traction bound at the strip's middle [Pa]
-  Pack stiffness;                   ///< bound / half length: unit of growth [Pa/m]
+/// What the tractions of full adhesion grow by over a cell at t: (x, y - rate t); `bend` is how much larger y
+/// - rate t is at the cell's leading border than at its trailing one.
+struct Growth {
+  Pack x, y, rate, bend;
 };
 
-/// What the march carries from cell to cell: the traction, and the bound where the last step ended.
+/// What does not change along the strips of a group.
+struct Group : StripGroup {
+  Pack gx, gy, rate;  ///< growth of adhesion tractions: (gx, gy - rate t)
+  Growth over_cell;
+  Pack onset;        ///< t at which the first stick zone ends
+  Pack onset_cells;  ///< the same in cells
+  Pack onset_bound;  ///< bound there
+  Pack last_share;   ///< of the last stick cell's tractions that is within the bound
+  Pack stiffness;    ///< bound / half length: unit of growth [Pa/m]
+};
+
+/// What the march carries from cell to cell.
 struct State {
   Pack ex, ey;  ///< direction of the traction
-  Pack px, py;  ///< traction
-  Pack bound;
+  Pack ahead;   ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  bool stuck;   ///< in some lane the traction is below the bound:
+  Pack size;    ///< then the size of it in each lane, else not set
 };
 
 struct GroupSums {
-  Pack px, py, t_py, slid;
-  Pack power, power_x;  ///< of slip against the bound, and the part of it along x
+  ForceSums force;
+  Pack power;   ///< of slip over a cell against the bound
+  Pack unslid;  ///< moved cells that have not slid
 };
 
 /// Derivatives with respect to one input.
 struct GroupDerivative {
-  Pack gx, gy, rate, onset;
-  Pack angle, size, bound;  ///< of the state
-  Pack px, py, t_py;        ///< of the sums
+  Pack gx, gy, rate, onset, onset_bound;
+  Growth over_cell;
+  Pack angle, size, ahead;  ///< of the state; size: of the traction, zero where it is the bound
+  ForceSums force;
 };
 
 /// A cell, the same for all strips.
@@ -64,7 +67,7 @@ struct Cell {
   double t;             ///< at its middle
   double bound_before;  ///< of the cell before
   double bound;         ///< mean over the cell
-  double rise;          ///< of the bound along the cell, over h
+  double rise;          ///< of the bound along the cell
   double h, per_h;      ///< length, and one over it
 };
 
@@ -72,6 +75,10 @@ struct Cell {
 inline Pack bound_at(const MarchTask& task, Pack t) {
   const Pack shape = t * (2.0 - t);
   return task.parabolic ? shape : root(larger(0.0, shape));
+}
+
+inline Growth growth_over(Pack gx, Pack gy, Pack rate, double h) {
+  return {h * gx, h * gy, h * rate, (h * h) * rate};
 }
 
 /// Mean over a cell around t of the tractions of full adhesion.
@@ -104,18 +111,22 @@ inline void last_stick_cell(const MarchTask& task, const Group& g, double h, Pac
   t = (g.stick_cells - 0.5) * h;
 }
 
+/// Of the cell whose middle lies `middle` cells from the leading edge, the part of the step to it that is
+/// slip.
+inline Pack share_of_cell(const Group& g, Pack middle) {
+  return larger(0.0, smaller(1.0, middle - g.onset_cells));
+}
+
+/// The slip of the cell after the onset stands for everything slid since then, half a cell to one and a half;
+/// that of the others for a cell.
+inline Pack onset_part(Pack share) { return select(share < 1.0, 0.5 + share, 1.0); }
+
 inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g, State& state,
                     GroupSums& sums) {
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
   const Strips& strips = *task.region;
   const double h = 2.0 / task.cells;
-  g.first = first;
-  g.count = count;
-  // lanes without a strip: no pressure, no width, but a length to divide by
-  g.half_length = load(strips.half_length, first, count, 1.0);
-  g.lead = load(strips.centre, first, count, 0.0) + g.half_length;
-  g.y = load(strips.y, first, count, 0.0);
-  g.cell = g.half_length * h * load(strips.width, first, count, 0.0);
+  place(strips, task.cells, first, count, g);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : Pack(1.0);
   g.bound = (task.per_pressure * load(strips.peak, first, count, 0.0) + task.per_length * g.half_length +
              task.per_length_square * g.half_length * g.half_length) *
@@ -125,13 +136,18 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   g.gx = (task.gx_constant.value - task.gx_by_y.value * g.y) * scale;
   g.gy = (task.gy_constant.value + task.gy_by_x.value * g.lead) * scale;
   g.rate = task.gy_by_x.value * g.half_length * scale;
+  g.over_cell = growth_over(g.gx, g.gy, g.rate, h);
   const AdhesionGrowth<Pack> growth{g.gx, g.gy, 0.5 * g.rate};
   g.onset = task.parabolic ? onset_parabolic<Pack>(growth, 1.0, 1.0) : onset_elliptic<Pack>(growth, 1.0, 1.0);
 
   // The first stick zone, summed without marching. Where slip sets in just behind the middle of a cell, the
   // mean of the adhesion tractions over the cell may exceed that of the bound: it is cut.
-  g.stick_cells = nearest_integer(g.onset * (0.5 * task.cells));
-  adhesion_sums(g.gx, g.gy, g.rate, g.stick_cells, h, sums.px, sums.py, sums.t_py);
+  g.onset_cells = g.onset * (0.5 * task.cells);
+  g.onset_bound = bound_at(task, g.onset);
+  set_stick_zone(g.onset_cells, task.cells, g);
+  sums = {};
+  adhesion_sums(g.gx, g.gy, g.rate, g.stick_cells, h, sums.force.stick_px, sums.force.stick_py,
+                sums.force.stick_t_py);
   Pack t, bound, px, py;
   last_stick_cell(task, g, h, t, bound);
   adhesion(g.gx, g.gy, g.rate, t, h, px, py);
@@ -139,22 +155,12 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   const Mask cut = (size > bound) & (g.stick_cells > 0.0);
   g.last_share = select(cut, bound / select(cut, size, 1.0), 1.0);
   const Pack excess = 1.0 - g.last_share;
-  sums.px += -(excess * px);
-  sums.py += -(excess * py);
-  sums.t_py += -(excess * t * py);
-  sums.power = 0.0;
-  sums.power_x = 0.0;
-  sums.slid = 0.0;
-
-  double cells[lanes];
-  store_pack(cells, g.stick_cells);
-  g.all_stick = task.cells;
-  g.all_move = 0;
-  for (std::int32_t k = 0; k < count; ++k) {
-    const auto own = static_cast<std::int32_t>(cells[k]);
-    g.all_stick = own < g.all_stick ? own : g.all_stick;
-    g.all_move = own + 1 > g.all_move ? own + 1 : g.all_move;
-  }
+  sums.force.stick_px += -(excess * px);
+  sums.force.stick_py += -(excess * py);
+  sums.force.stick_t_py += -(excess * t * py);
+  // the cell of the onset is slid in part
+  sums.unslid =
+      select(g.stick_cells < Pack(task.cells), 1.0 - onset_part(share_of_cell(g, g.stick_cells + 0.5)), 0.0);
 
   // Traction at the onset of slip. Where a strip slips from its leading edge on, only the direction of the
   // (vanishing) traction matters, which is that of the adhesion tractions there.
@@ -164,19 +170,20 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   const Pack inverse = 1.0 / select(grows, growth_size, 1.0);
   state.ex = select(grows, -(g.gx * inverse), 1.0);
   state.ey = select(grows, -(gy * inverse), 0.0);
-  state.bound = bound_at(task, g.onset);
-  state.px = state.bound * state.ex;
-  state.py = state.bound * state.ey;
+  state.ahead = first_ahead;
+  state.stuck = false;
 }
 
 /// Derivatives of what prepare() sets, for input k.
 inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g, GroupDerivative& d) {
   const double h = 2.0 / task.cells;
   const Pack zero = 0.0;
+  d = {};
   const Pack unit = 1.0 / (g.stiffness + 1e-6 / g.half_length);
   d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * unit;
   d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.lead) * unit;
   d.rate = task.gy_by_x.d[k] * g.half_length * unit;
+  d.over_cell = growth_over(d.gx, d.gy, d.rate, h);
 
   // onset: |p|^2 = bound^2, p = -v (gx, c)
   const Pack v = g.onset, c = g.gy - 0.5 * g.rate * v, c_input = d.gy - 0.5 * d.rate * v;
@@ -191,14 +198,12 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   const Pack square = g.gx * g.gx + c * c;
   const Mask grows = square > 1e-280;
   d.angle = select(grows, (g.gx * c_change - c * d.gx) / select(grows, square, 1.0), zero);
-  const Pack bound = bound_at(task, v);
   const Pack slope =
-      task.parabolic ? 2.0 * (1.0 - v) : select(inside, (1.0 - v) / select(inside, bound, 1.0), zero);
-  d.bound = slope * d.onset;
-  d.size = d.bound;
+      task.parabolic ? 2.0 * (1.0 - v) : select(inside, (1.0 - v) / select(inside, g.onset_bound, 1.0), zero);
+  d.onset_bound = slope * d.onset;
 
   // the first stick zone, and its last cell where that is cut: the direction may turn, not the size grow
-  adhesion_sums(d.gx, d.gy, d.rate, g.stick_cells, h, d.px, d.py, d.t_py);
+  adhesion_sums(d.gx, d.gy, d.rate, g.stick_cells, h, d.force.stick_px, d.force.stick_py, d.force.stick_t_py);
   Pack t, cell_bound, px, py, dpx, dpy;
   last_stick_cell(task, g, h, t, cell_bound);
   adhesion(g.gx, g.gy, g.rate, t, h, px, py);
@@ -206,96 +211,123 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   const Mask cut = g.last_share < 1.0;
   const Pack along = (px * dpx + py * dpy) / select(cut, px * px + py * py, 1.0);
   const Pack cut_x = g.last_share * (dpx - px * along), cut_y = g.last_share * (dpy - py * along);
-  d.px += select(cut, cut_x - dpx, zero);
-  d.py += select(cut, cut_y - dpy, zero);
-  d.t_py += select(cut, t * (cut_y - dpy), zero);
+  d.force.stick_px += select(cut, cut_x - dpx, zero);
+  d.force.stick_py += select(cut, cut_y - dpy, zero);
+  d.force.stick_t_py += select(cut, t * (cut_y - dpy), zero);
 }
 
 /// A step's result beside the state.
+/// What a step did, for fields and derivatives.
 struct Moved {
+  Pack share;              ///< of the cell that is slip
+  Pack bend;               ///< of the growth along the step
+  Pack size_before, size;  ///< of the traction
   Mask stick;
-  Pack dv;      ///< length of the step
-  Pack lambda;  ///< excess of growth over what the bound allows, in slip
+  bool any_sticks;
+  Pack inverse_trial;  ///< one over the traction of lanes that stick
+  Pack lambda;         ///< excess of growth over what the bound allows, over a whole cell, in slip
+  Turn turn;
 };
 
-/// One march step of a group. Written without branches; a lane computes stick and slip and selects. With
-/// `entering`, lanes may still be in their first stick zone or just leave it; the others are `moving`.
+/// One march step of a group. With `entering`, lanes may still be in their first stick zone or just leave it;
+/// the others are `moving`. No lane's numbers depend on what the others do.
 template <bool entering>
-inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, GroupSums& sums, Slip& slip,
-                  Turn& turning) {
-  const Pack zero = 0.0;
+[[gnu::always_inline]] inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving,
+                                         State& s, GroupSums& sums) {
+  const Pack zero = 0.0, one = 1.0;
   Moved moved;
-  moved.dv = entering ? larger(zero, smaller(cell.h, cell.t - g.onset)) : Pack(cell.h);
-  const Pack gy = g.gy - g.rate * cell.t;
-  slip = {moved.dv, g.gx, gy, g.rate * moved.dv, (entering ? s.bound : Pack(cell.bound_before)) + cell.bound};
-  const Pack gy_mid = gy + 0.5 * slip.rate_dv;
-  const Pack trial_x = s.px - moved.dv * g.gx, trial_y = s.py - moved.dv * gy_mid;
+  Pack x = g.over_cell.x, bound_before = cell.bound_before, bound = cell.bound;
+  const Pack whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
+  Pack y = whole_y;
+  moved.bend = g.over_cell.bend;
+  moved.size_before = s.stuck ? s.size : bound_before;
+  if constexpr (entering) {
+    moved.share = share_of_cell(g, cell.index + 0.5);
+    x = moved.share * x;
+    y = moved.share * y;
+    moved.bend = (moved.share * moved.share) * moved.bend;
+    const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
+    bound_before = select(begins, g.onset_bound, bound_before);
+    moved.size_before = select(begins, g.onset_bound, moved.size_before);
+    bound = select(moving, bound, zero);  // what sums up to nothing
+  }
+  const Pack trial_x = moved.size_before * s.ex - x,
+             trial_y = moved.size_before * s.ey - (y + 0.5 * moved.bend);
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
   moved.stick = trial2 <= cell.bound * cell.bound;
-  Pack ex = s.ex, ey = s.ey;
-  turning = turn(slip, gy_mid, moved.stick, trial_x, trial_y, trial2, ex, ey);
+  if constexpr (entering) moved.stick = moved.stick & moving;
+  moved.any_sticks = any(moved.stick);
 
-  const Pack size = select(moved.stick, turning.R, cell.bound);
-  const Pack px = size * ex, py = size * ey;
-  const Pack excess = larger(zero, -cell.rise - (g.gx * ex + gy * ey));
-  // the slip of the cell after the onset stands for everything slid since then
-  const Pack part = entering ? select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, 1.0) : Pack(1.0);
-  const Mask slips = entering ? moving & !moved.stick : !moved.stick;
-  moved.lambda = select(slips, part * excess, zero);
-  const Pack lost = moved.lambda * cell.bound;
-
-  if constexpr (entering) {
-    s.ex = select(moving, ex, s.ex);
-    s.ey = select(moving, ey, s.ey);
-    s.px = select(moving, px, s.px);
-    s.py = select(moving, py, s.py);
-    s.bound = select(moving, cell.bound, s.bound);
-  } else {
-    s = {ex, ey, px, py, cell.bound};
+  Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
+  moved.turn = turn(x, y + moved.bend * s.ahead, bound_before + cell.bound, ex, ey, ahead);
+  moved.size = bound;
+  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + whole_y * ey));
+  if constexpr (entering) moved.lambda = onset_part(moved.share) * moved.lambda;
+  s.stuck = moved.any_sticks;
+  if (moved.any_sticks) {
+    s.size = moved.size = select(moved.stick, root(trial2), bound);
+    const Mask turns = moved.stick & (moved.size > 1e-150);
+    moved.inverse_trial = one / select(turns, moved.size, one);
+    ex = select(turns, trial_x * moved.inverse_trial, ex);
+    ey = select(turns, trial_y * moved.inverse_trial, ey);
+    moved.lambda = select(moved.stick, zero, moved.lambda);
+    sums.unslid += select(moved.stick, entering ? onset_part(moved.share) : one, zero);
   }
-  sums.px += entering ? select(moving, px, zero) : px;
-  sums.py += entering ? select(moving, py, zero) : py;
-  sums.t_py += cell.t * (entering ? select(moving, py, zero) : py);
-  sums.power += lost;
-  sums.power_x += lost * (ex * ex);
-  sums.slid += select(slips, part, zero);
+  s.ex = entering ? select(moving, ex, s.ex) : ex;
+  s.ey = entering ? select(moving, ey, s.ey) : ey;
+  s.ahead = entering ? select(moving, ahead, s.ahead) : ahead;
+  add_cell(moved.size * ex, moved.size * ey, sums.force);
+  sums.power += (moved.lambda * bound) * (task.l22 + (task.l11 - task.l22) * (ex * ex));
   return moved;
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
-inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                          const State& after, const Slip& slip, const Turn& turning, const Moved& moved,
-                          GroupDerivative (&derivative)[inputs]) {
+template <bool entering>
+[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
+                                                 const State& before, const State& after, const Moved& moved,
+                                                 GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const Mask onset_moves = (moved.dv > zero) & (moved.dv < cell.h);
-  const Mask turns = moving & turning.moves, sticks = moving & moved.stick;
-  const TurnSlopes slope = slopes(slip, g.rate, turning);
-  const bool any_sticks = any(sticks);
+  const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  const Pack px = moved.size * after.ex, py = moved.size * after.ey;
+  [[maybe_unused]] const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
   for (std::int32_t k = 0; k < inputs; ++k) {
     GroupDerivative& d = derivative[k];
-    const SlipChange change{select(onset_moves, -d.onset, zero), d.gx, d.gy - d.rate * cell.t, d.rate,
-                            d.bound};
-    Pack angle = turned(slope, d.angle, change), size = zero;
-    if (any_sticks) {
-      const Pack gy_mid = change.wy + 0.5 * (d.rate * moved.dv + g.rate * change.dv);
-      const Pack x = d.size * before.ex - before.py * d.angle - moved.dv * d.gx - change.dv * g.gx;
-      const Pack y =
-          d.size * before.ey + before.px * d.angle - moved.dv * gy_mid - change.dv * turning.wy_mid;
-      size = select(sticks, after.ex * x + after.ey * y, zero);
-      angle = select(sticks, (after.ex * y - after.ey * x) * turning.inverse, angle);
+    Pack x = d.over_cell.x, y = d.over_cell.y, bend = d.over_cell.bend;
+    if (k == 2) y += -(d.over_cell.rate * cell.t);  // only spin changes the growth along a strip
+    Pack bound_before = zero, size_before = before.stuck ? d.size : zero;
+    if constexpr (entering) {
+      const Pack share = select((moved.share > zero) & (moved.share < 1.0), -(d.onset * cell.per_h), zero);
+      x = moved.share * x + share * g.over_cell.x;
+      y = moved.share * y + share * (g.over_cell.y - g.over_cell.rate * cell.t);
+      bend = moved.share * (moved.share * bend + 2.0 * share * g.over_cell.bend);
+      bound_before = select(begins, d.onset_bound, zero);
+      size_before = select(begins, d.onset_bound, size_before);
     }
-    d.angle = select(turns, angle, d.angle);
-    d.size = select(moving, size, d.size);
-    d.bound = select(moving, zero, d.bound);
-    const Pack x = size * after.ex - after.py * d.angle, y = size * after.ey + after.px * d.angle;
-    d.px += select(moving, x, zero);
-    d.py += select(moving, y, zero);
-    d.t_py += cell.t * select(moving, y, zero);
+    Pack Vy = y + moved.bend * d.ahead;
+    if (entering || k == 2) Vy += bend * before.ahead;
+    Pack angle = slope.kept * d.angle + slope.by_x * x + slope.by_y * Vy;
+    Pack ahead = slope.ahead_by_x * x + slope.ahead_by_y * Vy;
+    if constexpr (entering) {
+      angle += slope.by_d * bound_before;
+      ahead += slope.ahead_by_d * bound_before;
+    }
+    if (before.stuck) d.size = zero;
+    if (moved.any_sticks) {
+      const Pack turned = moved.size_before * d.angle;
+      const Pack trial_x = size_before * before.ex - turned * before.ey - x;
+      const Pack trial_y = size_before * before.ey + turned * before.ex - (y + 0.5 * bend);
+      d.size = select(moved.stick, after.ex * trial_x + after.ey * trial_y, zero);
+      angle = select(moved.stick, (after.ex * trial_y - after.ey * trial_x) * moved.inverse_trial, angle);
+    }
+    d.angle = entering ? select(moving, angle, d.angle) : angle;
+    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+    Pack dpx = -(py * angle), dpy = px * angle;
+    if (moved.any_sticks) {
+      dpx += d.size * after.ex;
+      dpy += d.size * after.ey;
+    }
+    add_cell(dpx, dpy, d.force);
   }
-}
-
-inline void store_field(Pack a, double* field, std::ptrdiff_t at, std::int32_t count) {
-  if (field != nullptr) store(a, field + at, count);
 }
 
 /// Tractions of full adhesion in a cell.
@@ -315,48 +347,35 @@ inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, 
   store_field(g.stiffness * sy, task.fields->slip_y, at, g.count);
 }
 
-/// The sums of a group, scaled to what they stand for and added strip by strip.
-inline void add(const MarchTask& task, const Group& g, const GroupSums& s, Sums& total) {
-  const Pack force = g.bound * g.cell;
-  double fx[lanes], fy[lanes], mz[lanes], power[lanes], cell[lanes], slid[lanes];
-  store_pack(fx, force * s.px);
-  store_pack(fy, force * s.py);
-  store_pack(mz, force * (g.lead * s.py - g.half_length * s.t_py - g.y * s.px));
-  store_pack(power, force * g.stiffness * (task.l22 * s.power + (task.l11 - task.l22) * s.power_x));
-  store_pack(cell, g.cell);
-  store_pack(slid, g.cell * s.slid);
-  for (std::int32_t k = 0; k < g.count; ++k) {
-    total.fx += fx[k];
-    total.fy += fy[k];
-    total.mz += mz[k];
-    total.power_per_speed += power[k];
-    total.area += task.cells * cell[k];
-    total.slid_area += slid[k];
-  }
-}
-
-inline void add(const Group& g, const GroupDerivative (&derivative)[inputs], Sums& total) {
-  const Pack force = g.bound * g.cell;
-  for (std::int32_t i = 0; i < inputs; ++i) {
-    const GroupDerivative& d = derivative[i];
-    double fx[lanes], fy[lanes], mz[lanes];
-    store_pack(fx, force * d.px);
-    store_pack(fy, force * d.py);
-    store_pack(mz, force * (g.lead * d.py - g.half_length * d.t_py - g.y * d.px));
-    for (std::int32_t k = 0; k < g.count; ++k) {
-      total.d[0][i] += fx[k];
-      total.d[1][i] += fy[k];
-      total.d[2][i] += mz[k];
-    }
-  }
-}
-
 /// One group of strips on its way.
 struct Marching {
   Group group;
   State state;
   GroupSums sums;
 };
+
+/// A cell of a group that moves: the step, its derivatives, the fields.
+template <bool entering, bool sensitivities>
+[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, bool fields, Marching& m,
+                                        GroupDerivative (&derivative)[inputs]) {
+  const Mask moving = m.group.stick_cells <= Pack(cell.index);
+  [[maybe_unused]] State before;
+  if constexpr (sensitivities) before = m.state;
+  const Moved moved = step<entering>(task, m.group, cell, moving, m.state, m.sums);
+  if constexpr (sensitivities)
+    differentiate<entering>(m.group, cell, moving, before, m.state, moved, derivative);
+  if (!fields) return;
+  const State& s = m.state;
+  Pack px = moved.size * s.ex, py = moved.size * s.ey, slip = cell.per_h * moved.lambda;
+  if constexpr (entering) {
+    Pack stick_x, stick_y;
+    first_stick(m.group, cell, stick_x, stick_y);
+    px = select(moving, px, stick_x);
+    py = select(moving, py, stick_y);
+    slip = select(moving, slip, 0.0);
+  }
+  store_cell(task, m.group, cell, px, py, 0.0 - slip * task.l11 * s.ex, 0.0 - slip * task.l22 * s.ey);
+}
 
 template <bool sensitivities>
 void march_kernel(const MarchTask& task, Sums& total) {
@@ -380,43 +399,29 @@ void march_kernel(const MarchTask& task, Sums& total) {
       }
     }
     for (std::int32_t i = fields ? 0 : start; i < task.cells; ++i) {
-      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], per_h * task.shape->rise[i],
-                      h, per_h};
+      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
-        if (i < m.group.all_stick) {
-          if (!fields) continue;
+        GroupDerivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        if (i >= m.group.all_move) {
+          move<false, sensitivities>(task, cell, fields, m, d);
+        } else if (i >= m.group.all_stick) {
+          move<true, sensitivities>(task, cell, fields, m, d);
+        } else if (fields) {
           Pack px, py;
           first_stick(m.group, cell, px, py);
           store_cell(task, m.group, cell, px, py, 0.0, 0.0);
-          continue;
-        }
-        Slip slip;
-        Turn turning;
-        const State before = m.state;
-        const bool entering = i < m.group.all_move;
-        const Mask moving = m.group.stick_cells <= Pack(i);
-        const Moved moved = entering ? step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
-                                     : step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
-        if constexpr (sensitivities)
-          differentiate(m.group, cell, moving, before, m.state, slip, turning, moved, derivative[k]);
-        if (fields) {
-          const State& s = m.state;
-          Pack px = s.px, py = s.py;
-          if (entering) {
-            Pack stick_x, stick_y;
-            first_stick(m.group, cell, stick_x, stick_y);
-            px = select(moving, px, stick_x);
-            py = select(moving, py, stick_y);
-          }
-          store_cell(task, m.group, cell, px, py, 0.0 - moved.lambda * task.l11 * s.ex,
-                     0.0 - moved.lambda * task.l22 * s.ey);
         }
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
-      add(task, marching[k].group, marching[k].sums, total);
-      if constexpr (sensitivities) add(marching[k].group, derivative[k], total);
+      const Marching& m = marching[k];
+      const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
+      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, total);
+      if constexpr (sensitivities) {
+        for (std::int32_t n = 0; n < inputs; ++n)
+          add_group(m.group, task.cells, derivative[k][n].force, n, total);
+      }
     }
   }
 }

@@ -10,10 +10,10 @@
 /// so that its sums, and their derivatives, are made of sums of s and of its slope.
 #pragma once
 
+#include "simd/pack.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/simd/kernels.hpp"
-#include "tangential/simd/march_kernel.hpp"
-#include "simd/pack.hpp"
+#include "tangential/simd/strip_group.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
@@ -24,50 +24,64 @@ namespace strip {
 
 constexpr double tiny_stress = 1e-6;  // [Pa]: keeps divisions finite, far below any stress of interest
 
+/// What a step of length dv to a cell at x is made of: tractions of full adhesion grow by (gx, gy + curvature
+/// (2 x + dv)), and the slip times dv at the cell is (wx, wy + spin x), to which comes its elastic part;
+/// `bend` is by how much the slip's y part falls along the step.
+struct Advance {
+  Pack gx, gy, curvature;
+  Pack wx, wy, spin, bend, elastic;
+};
+
 /// What does not change along the strips of a group.
-struct Group {
-  std::int32_t first, count;
-  std::int32_t all_stick, all_move, last_stick;  ///< cells, as in the march; last_stick: of any strip
-  bool any_strong;                               ///< the stick zone of a strip may reach the bound
-  Pack gx, gy, curvature;                        ///< growth of adhesion tractions (gx, gy + 2 curvature x)
-  Pack slip_end, stick_cells;                    ///< u_s; cells whose middle lies before it
+struct Group : StripGroup {
+  bool any_strong;         ///< the stick zone of a strip may reach the bound
+  Pack gx, gy, curvature;  ///< growth of adhesion tractions (gx, gy + 2 curvature x)
+  Pack slip_end;           ///< u_s
+  Pack end_bound;          ///< bound of the march there
   Pack kappa, lambda, psi;
   Mask strong;        ///< |psi| > 1
   Pack wx, wy, spin;  ///< rigid slip (wx, wy + spin x)
   Pack elastic;       ///< that part of the elastic slip which differs between x and y, at the leading edge
+  Advance over_cell;  ///< a whole one
+  Pack centre;        ///< x of it [m]
   Pack slope;         ///< B l [Pa/m]
   Pack near_edge;     ///< tractions of adhesion over the bound at the leading edge, squared; at most 1
   Pack form;          ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
   Pack t11, t22;      ///< flexibilities for the turning of slip, relative
-  Pack centre, y, half_length, cell, bound;
-  Pack scale;  ///< of growth, to be relative [m/Pa]
+  Pack scale;         ///< of growth, to be relative [m/Pa]
 };
 
 struct State {
-  Pack ex, ey;         ///< direction of the traction
-  Pack rho_x, rho_y;   ///< traction over bound
-  Pack px, py, bound;  ///< the traction of the march and its bound
+  Pack ex, ey;        ///< direction of the traction
+  Pack ahead;         ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  bool stuck;         ///< in some lane the traction is below the bound:
+  Pack rho_x, rho_y;  ///< then the traction over the bound in each lane, else not set
+
+  Pack x() const { return stuck ? rho_x : ex; }
+  Pack y() const { return stuck ? rho_y : ey; }
 };
 
 /// Sums over the first stick zone; those of slopes are for the derivatives.
 struct StickSums {
-  Pack bent, t_bent;           ///< of (1 - s)
-  Pack straight, t_straight;   ///< of s
+  Pack mean, t_mean;           ///< of the bound
+  Pack straight, t_straight;   ///< of s, times the bound as all that follow
   Pack slope, t_slope;         ///< of ds / du_s
   Pack form, t_form;           ///< of ds / d(stick form)
   Pack power_near, root_near;  ///< (u / h - u_s / h)^(3/2) and ^(1/2) at the next cell's leading border
 };
 
 struct Sums {
-  Pack px, py, t_py, slid, power;
+  ForceSums force;
+  Pack power, unslid;
 };
 
 struct Derivative {
   Pack gx, gy, curvature, slip_end, kappa, lambda, psi, wx, wy, spin;
+  Advance over_cell;
   double turning;  ///< relative
-  Pack form;
-  Pack angle, ratio, bound;  ///< of the state; ratio = |rho|
-  Pack px, py, t_py;         ///< of the sums
+  Pack form, end_bound;
+  Pack angle, ratio, ahead;  ///< of the state; ratio = |rho|
+  ForceSums force;
 };
 
 /// A cell, the same for all strips.
@@ -75,23 +89,24 @@ struct Cell {
   std::int32_t index;
   double t, x;                 ///< at its middle
   double shape_before, shape;  ///< of the march's bound, at the middle of the cell before and of this one
-  double per_shape;
-  double mean;  ///< of the bound mu p
+  double mean;                 ///< of the bound mu p
   double h, per_h;
   double behind, inverse_weight;  ///< u / h at its trailing border; of the mean of sqrt(1 - t_s)
 };
+
+template <class G>  // of the group or of its derivatives
+inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
+  const Pack spin = g.spin * dv;
+  return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
+}
 
 inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g,
                     State& state) {
   const Strips& strips = *task.region;
   const double h = 2.0 / task.cells;
   const Pack zero = 0.0, one = 1.0;
-  g.first = first;
-  g.count = count;
-  g.half_length = load(strips.half_length, first, count, 1.0);
+  place(strips, task.cells, first, count, g);
   g.centre = load(strips.centre, first, count, 0.0);
-  g.y = load(strips.y, first, count, 0.0);
-  g.cell = g.half_length * h * load(strips.width, first, count, 0.0);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : one;
   g.bound = task.friction * (share * load(strips.peak, first, count, 0.0));
   g.slope = task.B * share * g.half_length;
@@ -104,6 +119,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
   g.wy = task.nu_y + task.phi * g.centre + task.torsion.value;
   g.spin = task.phi * g.half_length;
   g.elastic = task.elastic * share * g.half_length;
+  g.over_cell = advance_over(g, g.elastic, h);
   g.t11 = task.turning.value * task.t11 / g.scale;
   g.t22 = task.turning.value * task.t22 / g.scale;
 
@@ -116,17 +132,7 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
 
   const AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
   g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
-  g.stick_cells = nearest_integer((2.0 - g.slip_end) * (0.5 * task.cells));
-  double cells[lanes];
-  store_pack(cells, g.stick_cells);
-  g.all_stick = task.cells;
-  g.last_stick = 0;
-  for (std::int32_t k = 0; k < count; ++k) {
-    const auto own = static_cast<std::int32_t>(cells[k]);
-    g.all_stick = own < g.all_stick ? own : g.all_stick;
-    g.last_stick = own > g.last_stick ? own : g.last_stick;
-  }
-  g.all_move = g.last_stick + 1;
+  set_stick_zone((2.0 - g.slip_end) * (0.5 * task.cells), task.cells, g);
 
   const Pack per_end = one / (g.slip_end + tiny_stress / middle);
   const Pack gy_end = g.gy + g.curvature * g.slip_end;
@@ -150,8 +156,11 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
     ex = -(wx * inverse);
     ey = -(wy * inverse);
   }
-  const Pack bound = g.slip_end * (2.0 - g.slip_end);
-  state = {ex, ey, ex, ey, bound * ex, bound * ey, bound};
+  state.ex = ex;
+  state.ey = ey;
+  state.ahead = first_ahead;
+  state.stuck = false;
+  g.end_bound = g.slip_end * (2.0 - g.slip_end);
 }
 
 /// Change of the angle of -(x, y).
@@ -208,18 +217,20 @@ inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Gr
     }
     d.angle = select(at_edge, angle, d.angle);
   }
-  d.bound = 2.0 * (1.0 - u) * d.slip_end;
+  d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
+  d.over_cell = advance_over(d, zero, 2.0 / task.cells);
 }
 
-/// Traction over bound in the first stick zone; at most one, which |psi| > 1 could exceed.
+/// Traction over bound.
 struct StickCell {
-  Pack s, x, y, share;  ///< rho = share (x, y)
+  Pack x, y;
 };
 
-/// Adds a cell of the first stick zone.
+/// Adds a cell of the first stick zone; returns the traction if it is wanted. At most one, which |psi| > 1
+/// could exceed.
 template <bool sensitivities>
-inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums, Sums& strong,
-                  Derivative* derivative, StickCell& result) {
+[[gnu::always_inline]] inline StickCell stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums,
+                                              Sums& strong, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0, one = 1.0;
   const Pack form = g.form;
   // The mean of sqrt(1 - t_s) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
@@ -230,9 +241,9 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
   const Pack whole = (sums.power_near - power_far) * cell.inverse_weight;
   const Pack s = whole * (1.0 - form + form * whole);
   const Mask here = Pack(cell.index + 0.5) < g.stick_cells;
-  const Pack bent = select(here, cell.mean * (one - s), zero), straight = select(here, cell.mean * s, zero);
-  sums.bent += bent;
-  sums.t_bent += cell.t * bent;
+  sums.mean += select(here, Pack(cell.mean), zero);
+  sums.t_mean += select(here, Pack(cell.t * cell.mean), zero);
+  const Pack straight = select(here, cell.mean * s, zero);
   sums.straight += straight;
   sums.t_straight += cell.t * straight;
   [[maybe_unused]] Pack by_end, by_form;
@@ -249,17 +260,16 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
     sums.root_near = root_far;
   }
   sums.power_near = power_far;
-  if (!wanted && !g.any_strong) return;
+  if (!wanted && !g.any_strong) return {};
 
   const Pack x = g.kappa * (one - s), y = g.lambda * (one - s) + g.psi * s;
+  if (!g.any_strong) return {x, y};
   const Pack size = root(larger(one, x * x + y * y));
   const Pack share = select(g.strong, one / size, one);
-  result = {s, x, y, share};
-  if (!g.any_strong) return;
   const Pack less = select(here, cell.mean * (share - one), zero);
-  strong.px += less * x;
-  strong.py += less * y;
-  strong.t_py += cell.t * (less * y);
+  strong.force.stick_px += less * x;
+  strong.force.stick_py += less * y;
+  strong.force.stick_t_py += cell.t * (less * y);
   if constexpr (sensitivities) {
     const Mask cut = here & g.strong & (size > one);
     for (std::int32_t k = 0; k < inputs; ++k) {
@@ -270,113 +280,199 @@ inline void stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums
       const Pack along = (x * dx + y * dy) * share * share;
       const Pack more_x = select(cut, cell.mean * (share * (dx - x * along) - dx), zero);
       const Pack more_y = select(cut, cell.mean * (share * (dy - y * along) - dy), zero);
-      d.px += more_x;
-      d.py += more_y;
-      d.t_py += cell.t * more_y;
+      d.force.stick_px += more_x;
+      d.force.stick_py += more_y;
+      d.force.stick_t_py += cell.t * more_y;
     }
   }
+  return {share * x, share * y};
 }
 
+/// What a step did, for fields and derivatives.
 struct Moved {
   Mask stick, slips;
-  Pack dv, part;  ///< length of the step; of a cell that has slid since the last cell
-  Pack flexibility;
+  bool any_sticks;
+  Pack dv, part;      ///< length of the step; of a cell that has slid since the last cell
+  Advance advance;    ///< over it
+  Pack rho_x, rho_y;  ///< traction over bound before
+  Pack bound_before, flexibility;
+  Pack inverse_trial;  ///< one over the traction of lanes that stick
+  Turn turn;
 };
 
 /// One march step of a group through slip; see march_kernel.hpp.
 template <bool entering>
-inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s, Sums& sums, Slip& slip,
-                  Turn& turning) {
+[[gnu::always_inline]] inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s,
+                                         Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
-  moved.dv = entering ? larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t))) : Pack(cell.h);
-  moved.flexibility = g.t11 * (one - s.rho_x * s.rho_x) + g.t22 * (one - s.rho_y * s.rho_y);
-  const Pack elastic = g.elastic * cell.x;
-  const Pack wx = g.wx + elastic * s.rho_x, wy = g.wy + g.spin * cell.x - elastic * s.rho_y;
-  const Pack bounds = (entering ? s.bound : Pack(cell.shape_before)) + cell.shape;
-  slip = {moved.dv, wx, wy, g.spin * moved.dv, bounds * moved.flexibility};
-  const Pack trial_x = s.px - moved.dv * g.gx;
-  const Pack trial_y = s.py - moved.dv * (g.gy + g.curvature * (2.0 * cell.x + moved.dv));
+  moved.rho_x = s.x();
+  moved.rho_y = s.y();
+  moved.dv = cell.h;
+  moved.advance = g.over_cell;
+  moved.bound_before = cell.shape_before;
+  if constexpr (entering) {
+    moved.dv = larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t)));
+    moved.advance = advance_over(g, g.elastic, moved.dv);
+    moved.bound_before = select(Pack(cell.index - 0.5) < g.stick_cells, g.end_bound, moved.bound_before);
+  }
+  const Advance& a = moved.advance;
+  const Pack trial_x = moved.bound_before * moved.rho_x - a.gx;
+  const Pack trial_y = moved.bound_before * moved.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
   const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
   moved.stick = trial2 <= cell.shape * cell.shape;
-  Pack ex = s.ex, ey = s.ey;
-  turning = turn(slip, wy + 0.5 * slip.rate_dv, moved.stick, trial_x, trial_y, trial2, ex, ey);
+  if constexpr (entering) moved.stick = moved.stick & moving;
+  moved.any_sticks = any(moved.stick);
 
-  const Pack ratio = select(moved.stick, turning.R * cell.per_shape, one);
-  const State after{
-      ex, ey, ratio * ex, ratio * ey, cell.shape * (ratio * ex), cell.shape * (ratio * ey), cell.shape};
-  moved.part = entering ? select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one) : one;
-  moved.slips = entering ? moving & !moved.stick : !moved.stick;
+  moved.flexibility = g.t11 * (one - moved.rho_x * moved.rho_x) + g.t22 * (one - moved.rho_y * moved.rho_y);
+  const Pack elastic = a.elastic * cell.x;
+  const Pack Vx = a.wx + elastic * moved.rho_x;
+  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * moved.rho_y + a.bend * s.ahead;
+  Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
+  moved.turn = turn(Vx, Vy, (moved.bound_before + cell.shape) * moved.flexibility, ex, ey, ahead);
+
+  moved.part = one;
+  moved.slips = !moved.stick;
   if constexpr (entering) {
-    s.ex = select(moving, after.ex, s.ex);
-    s.ey = select(moving, after.ey, s.ey);
-    s.rho_x = select(moving, after.rho_x, s.rho_x);
-    s.rho_y = select(moving, after.rho_y, s.rho_y);
-    s.px = select(moving, after.px, s.px);
-    s.py = select(moving, after.py, s.py);
-    s.bound = select(moving, cell.shape, s.bound);
-  } else {
-    s = after;
+    moved.part = select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one);
+    moved.slips = moving & moved.slips;
+    sums.unslid += select(moving, one - moved.part, zero);
+    ex = select(moving, ex, s.ex);
+    ey = select(moving, ey, s.ey);
+    ahead = select(moving, ahead, s.ahead);
   }
-  const Pack x = cell.mean * after.rho_x, y = cell.mean * after.rho_y;
-  sums.px += entering ? select(moving, x, zero) : x;
-  sums.py += entering ? select(moving, y, zero) : y;
-  sums.t_py += cell.t * (entering ? select(moving, y, zero) : y);
-  sums.slid += select(moved.slips, moved.part, zero);
+  s.stuck = moved.any_sticks;
+  if (moved.any_sticks) {
+    const Pack size = root(trial2), per_shape = 1.0 / cell.shape;
+    const Mask turns = moved.stick & (size > 1e-150);
+    moved.inverse_trial = one / select(turns, size, one);
+    ex = select(turns, trial_x * moved.inverse_trial, ex);
+    ey = select(turns, trial_y * moved.inverse_trial, ey);
+    s.rho_x = select(moved.stick, trial_x * per_shape, ex);
+    s.rho_y = select(moved.stick, trial_y * per_shape, ey);
+    sums.unslid += select(moved.stick, moved.part, zero);
+  }
+  s.ex = ex;
+  s.ey = ey;
+  s.ahead = ahead;
+  const Pack mean = entering ? select(moving, Pack(cell.mean), zero) : Pack(cell.mean);
+  add_cell(mean * s.x(), mean * s.y(), sums.force);
   return moved;
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
-inline void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                          const State& after, const Slip& slip, const Turn& turning, const Moved& moved,
-                          Derivative (&derivative)[inputs]) {
+template <bool entering>
+[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
+                                                 const State& before, const State& after, const Moved& moved,
+                                                 Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const Mask end_moves = (moved.dv > zero) & (moved.dv < cell.h);
-  const Mask turns = moving & turning.moves, sticks = moving & moved.stick;
-  const TurnSlopes slope = slopes(slip, g.spin, turning);
-  const bool any_sticks = any(sticks);
-  const Pack bounds = before.bound + cell.shape;
-  const Pack d_by_x = -2.0 * bounds * g.t11 * before.rho_x, d_by_y = -2.0 * bounds * g.t22 * before.rho_y;
-  const Pack elastic = g.elastic * cell.x;
+  const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  // A change of rho changes the elastic slip and the flexibility.
+  const Pack elastic = moved.advance.elastic * cell.x;
+  const Pack bounds = -2.0 * (moved.bound_before + cell.shape);
+  const Pack d_by_x = bounds * g.t11 * moved.rho_x, d_by_y = bounds * g.t22 * moved.rho_y;
+  const auto by_rho = [&](Pack x, Pack y) {
+    return slope.by_x * (elastic * x) - slope.by_y * (elastic * y) + slope.by_d * (d_by_x * x + d_by_y * y);
+  };
+  const auto ahead_by_rho = [&](Pack x, Pack y) {
+    return slope.ahead_by_x * (elastic * x) - slope.ahead_by_y * (elastic * y) +
+           slope.ahead_by_d * (d_by_x * x + d_by_y * y);
+  };
+  const Pack kept = slope.kept + by_rho(-moved.rho_y, moved.rho_x);
+  const Pack ahead_by_angle = ahead_by_rho(-moved.rho_y, moved.rho_x);
+  const Pack by_turning = slope.by_d * moved.turn.d, ahead_by_turning = slope.ahead_by_d * moved.turn.d;
+  const Pack rho_x = cell.mean * after.x(), rho_y = cell.mean * after.y();
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
-    const Pack rho_x = d.ratio * before.ex - before.rho_y * d.angle;
-    const Pack rho_y = d.ratio * before.ey + before.rho_x * d.angle;
-    const SlipChange change{
-        select(end_moves, d.slip_end, zero), d.wx + elastic * rho_x, d.wy + d.spin * cell.x - elastic * rho_y,
-        d.spin, d.bound * moved.flexibility + slip.d * d.turning + d_by_x * rho_x + d_by_y * rho_y};
-    Pack angle = turned(slope, d.angle, change), ratio = zero;
-    if (any_sticks) {
-      const Pack middle = 2.0 * cell.x + moved.dv;
-      const Pack x = rho_x * before.bound + before.rho_x * d.bound - moved.dv * d.gx - change.dv * g.gx;
-      const Pack y = rho_y * before.bound + before.rho_y * d.bound -
-                     moved.dv * (d.gy + d.curvature * middle + g.curvature * change.dv) -
-                     change.dv * (g.gy + g.curvature * middle);
-      ratio = select(sticks, (after.ex * x + after.ey * y) * cell.per_shape, zero);
-      angle = select(sticks, (after.ex * y - after.ey * x) * turning.inverse, angle);
+    Advance a = d.over_cell;
+    Pack bound = zero;
+    if constexpr (entering) {
+      const Pack dv = select((moved.dv > zero) & (moved.dv < cell.h), d.slip_end, zero);
+      a = advance_over(d, zero, moved.dv);
+      a.gx += g.gx * dv;
+      a.gy += g.gy * dv + moved.advance.curvature * dv;
+      a.curvature += g.curvature * dv;
+      a.wx += (g.wx + g.elastic * cell.x * moved.rho_x) * dv;
+      a.wy += (g.wy - g.elastic * cell.x * moved.rho_y) * dv;
+      a.spin += g.spin * dv;
+      a.bend += 2.0 * moved.advance.spin * dv;
+      bound = select(Pack(cell.index - 0.5) < g.stick_cells, d.end_bound, zero);
     }
-    d.angle = select(turns, angle, d.angle);
-    d.ratio = select(moving, ratio, d.ratio);
-    d.bound = select(moving, zero, d.bound);
-    const Pack x = cell.mean * (d.ratio * after.ex - after.rho_y * d.angle);
-    const Pack y = cell.mean * (d.ratio * after.ey + after.rho_x * d.angle);
-    d.px += select(moving, x, zero);
-    d.py += select(moving, y, zero);
-    d.t_py += cell.t * select(moving, y, zero);
+    Pack wy = a.wy + moved.advance.bend * d.ahead;
+    if (entering || k == 2) wy += a.spin * cell.x + a.bend * before.ahead;  // only spin turns the slip
+    Pack angle = kept * d.angle + slope.by_x * a.wx + slope.by_y * wy + by_turning * d.turning;
+    Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_x * a.wx + slope.ahead_by_y * wy +
+                 ahead_by_turning * d.turning;
+    if constexpr (entering) {
+      angle += slope.by_d * (bound * moved.flexibility);
+      ahead += slope.ahead_by_d * (bound * moved.flexibility);
+    }
+    if (before.stuck) {
+      angle += by_rho(before.ex, before.ey) * d.ratio;
+      ahead += ahead_by_rho(before.ex, before.ey) * d.ratio;
+    }
+    Pack ratio = zero;
+    if (moved.any_sticks) {
+      const Pack middle = 2.0 * cell.x + moved.dv;
+      const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
+      const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
+      const Pack x = dx * moved.bound_before + moved.rho_x * bound - a.gx;
+      const Pack y = dy * moved.bound_before + moved.rho_y * bound - (a.gy + a.curvature * middle);
+      ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
+      angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
+    }
+    Pack x = -(rho_y * angle), y = rho_x * angle;
+    if (moved.any_sticks) {
+      x += cell.mean * ratio * after.ex;
+      y += cell.mean * ratio * after.ey;
+    }
+    d.angle = entering ? select(moving, angle, d.angle) : angle;
+    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+    if (before.stuck || moved.any_sticks) d.ratio = ratio;
+    add_cell(entering ? select(moving, x, zero) : x, entering ? select(moving, y, zero) : y, d.force);
   }
 }
 
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
 /// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times what Carter's solution, in
 /// which s is proportional to sqrt(v (u_s - u)), makes of it when only u < u_s slips.
-inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, const State& s) {
+inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x,
+                      Pack rho_y) {
   const Pack zero = 0.0;
-  const Pack rigid = -(g.wx * s.rho_x + (g.wy + g.spin * cell.x) * s.rho_y);
-  const Pack elastic =
-      2.0 * cell.x * g.slope * (task.l11 * (s.rho_x * s.rho_x) + task.l22 * (s.rho_y * s.rho_y));
+  const Pack rigid = -(g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y);
+  const Pack elastic = 2.0 * cell.x * g.slope * (task.l11 * (rho_x * rho_x) + task.l22 * (rho_y * rho_y));
   const Pack behind = larger(zero, g.slip_end - (2.0 - cell.t));
   const Pack partial = select(g.slip_end < 2.0, 2.0 * root(behind * cell.t) / (behind + cell.t), 1.0);
   return larger(zero, rigid - elastic) * partial;
+}
+
+/// The first stick zone's share of a group's sums, from the sums over s.
+inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
+  const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
+  sums.force.stick_px += g.kappa * bent;
+  sums.force.stick_py += g.lambda * bent + g.psi * s.straight;
+  sums.force.stick_t_py += g.lambda * t_bent + g.psi * s.t_straight;
+}
+
+inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
+  const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
+  const Pack change = d.slip_end * s.slope + d.form * s.form;  // of the sum of s
+  const Pack t_change = d.slip_end * s.t_slope + d.form * s.t_form;
+  d.force.stick_px += d.kappa * bent - g.kappa * change;
+  d.force.stick_py += d.lambda * bent + d.psi * s.straight + (g.psi - g.lambda) * change;
+  d.force.stick_t_py += d.lambda * t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
+}
+
+/// Tractions of a cell, and the slip not yet scaled; adds to the power it stands for.
+inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x, Pack rho_y,
+                       Pack slip, Sums& sums) {
+  const Pack zero = 0.0, bound = cell.mean * g.bound;
+  sums.power += slip * bound;
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
+  store_field(bound * rho_x, task.fields->traction_x, at, g.count);
+  store_field(bound * rho_y, task.fields->traction_y, at, g.count);
+  store_field(zero - slip * rho_x, task.fields->slip_x, at, g.count);
+  store_field(zero - slip * rho_y, task.fields->slip_y, at, g.count);
 }
 
 /// One group of strips on its way.
@@ -387,71 +483,53 @@ struct Marching {
   Sums sums;
 };
 
-/// The first stick zone's share of a group's sums, from the sums over s.
-inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
-  sums.px += g.kappa * s.bent;
-  sums.py += g.lambda * s.bent + g.psi * s.straight;
-  sums.t_py += g.lambda * s.t_bent + g.psi * s.t_straight;
-}
-
-inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
-  const Pack change = d.slip_end * s.slope + d.form * s.form;  // of the sum of s
-  const Pack t_change = d.slip_end * s.t_slope + d.form * s.t_form;
-  d.px += d.kappa * s.bent - g.kappa * change;
-  d.py += d.lambda * s.bent + d.psi * s.straight + (g.psi - g.lambda) * change;
-  d.t_py += d.lambda * s.t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
-}
-
-/// The sums of a group, scaled to what they stand for and added strip by strip; fx, fy, mz of each lane.
-inline void lane_forces(const Group& g, Pack px, Pack py, Pack t_py, double* fx, double* fy, double* mz) {
-  const Pack force = g.bound * g.cell;
-  store_pack(fx, force * px);
-  store_pack(fy, force * py);
-  store_pack(mz, force * ((g.centre + g.half_length) * py - g.half_length * t_py - g.y * px));
-}
-
-inline void add(const StripFastsimTask& task, const Group& g, const Sums& s, simd::Sums& total) {
-  double fx[lanes], fy[lanes], mz[lanes], power[lanes], cell[lanes], slid[lanes];
-  lane_forces(g, s.px, s.py, s.t_py, fx, fy, mz);
-  store_pack(power, g.cell * s.power);
-  store_pack(cell, g.cell);
-  store_pack(slid, g.cell * s.slid);
-  for (std::int32_t k = 0; k < g.count; ++k) {
-    total.fx += fx[k];
-    total.fy += fy[k];
-    total.mz += mz[k];
-    total.power_per_speed += power[k];
-    total.area += task.cells * cell[k];
-    total.slid_area += slid[k];
-  }
-}
-
-inline void add(const Group& g, const Derivative (&derivative)[inputs], simd::Sums& total) {
-  for (std::int32_t i = 0; i < inputs; ++i) {
-    const Derivative& d = derivative[i];
-    double fx[lanes], fy[lanes], mz[lanes];
-    lane_forces(g, d.px, d.py, d.t_py, fx, fy, mz);
-    for (std::int32_t k = 0; k < g.count; ++k) {
-      total.d[0][i] += fx[k];
-      total.d[1][i] += fy[k];
-      total.d[2][i] += mz[k];
+/// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
+template <bool sticking, bool moving, bool sensitivities>
+[[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, bool fields,
+                                        Marching& m, Derivative (&derivative)[inputs]) {
+  const Group& g = m.group;
+  const Mask moves = g.stick_cells <= Pack(cell.index);
+  Pack rho_x = 0.0, rho_y = 0.0, size = 0.0;
+  if constexpr (moving) {
+    [[maybe_unused]] State before;
+    if constexpr (sensitivities) before = m.state;
+    const Moved moved = step<sticking>(g, cell, moves, m.state, m.sums);
+    if constexpr (sensitivities) differentiate<sticking>(g, cell, moves, before, m.state, moved, derivative);
+    if (fields) {
+      rho_x = m.state.x();
+      rho_y = m.state.y();
+      size = select(moved.slips & (g.bound > 0.0), moved.part * slip_size(task, g, cell, rho_x, rho_y), 0.0);
     }
   }
+  if constexpr (sticking) {
+    const StickCell stuck = stick<sensitivities>(g, cell, fields, m.stick, m.sums, derivative);
+    if (fields) {
+      rho_x = select(moves, rho_x, stuck.x);
+      rho_y = select(moves, rho_y, stuck.y);
+    }
+  }
+  if (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
 }
 
-/// Tractions of a cell, and the slip not yet scaled; adds to the power it stands for.
-inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, Mask moving,
-                       Mask slips, Pack part, const State& s, const StickCell& stuck, Sums& sums) {
-  const Pack zero = 0.0, bound = cell.mean * g.bound;
-  const Pack rho_x = select(moving, s.rho_x, stuck.share * stuck.x),
-             rho_y = select(moving, s.rho_y, stuck.share * stuck.y);
-  const Pack size = select(slips & (bound > zero), part * slip_size(task, g, cell, s), zero);
-  sums.power += size * bound;
-  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
-  store_field(bound * rho_x, task.fields->traction_x, at, g.count);
-  store_field(bound * rho_y, task.fields->traction_y, at, g.count);
-  store_field(zero - size * s.rho_x, task.fields->slip_x, at, g.count);
-  store_field(zero - size * s.rho_y, task.fields->slip_y, at, g.count);
+}  // namespace strip
+
+namespace strip {
+
+/// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi); the fields of slip, whose power is known as that of
+/// their distribution only, are scaled to dissipate it.
+inline void balance_power(const StripFastsimTask& task, simd::Sums& total) {
+  const double balance = -(total.fx * task.nu_x + total.fy * task.nu_y + total.mz * task.phi);
+  const double power = balance > 0.0 ? balance : 0.0;
+  const double scale = total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0;
+  total.power_per_speed = power;
+  const std::int32_t cells = task.region->count * task.cells;
+  double* const fields[] = {task.fields->slip_x, task.fields->slip_y};
+  for (double* field : fields) {
+    for (std::int32_t at = 0; field != nullptr && at < cells; at += lanes) {
+      const std::int32_t count = cells - at < lanes ? cells - at : lanes;
+      store(scale * load(field, at, count, 0.0), field + at, count);
+    }
+  }
 }
 
 }  // namespace strip
@@ -482,45 +560,35 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       }
     }
     for (std::int32_t i = 0; i < task.cells; ++i) {
-      const double t = (i + 0.5) * h, ahead = task.cells - i, behind = ahead - 1.0, shape = t * (2.0 - t);
+      const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
       const double t_before =
           (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
-      const double inverse_weight = 1.0 / (ahead * __builtin_sqrt(ahead) - behind * __builtin_sqrt(behind));
-      const strip::Cell cell{i,     t,           1.0 - t,       t_before * (2.0 - t_before),
-                             shape, 1.0 / shape, mean[i],       h,
-                             per_h, behind,      inverse_weight};
+      const strip::Cell cell{i, t,     1.0 - t, t_before * (2.0 - t_before), shape, mean[i],
+                             h, per_h, behind,  task.inverse_weight[i]};
       for (std::int32_t k = 0; k < groups; ++k) {
         strip::Marching& m = marching[k];
-        strip::StickCell stuck{};
-        strip::Moved moved{};
-        const Mask moving = m.group.stick_cells <= Pack(i);
-        if (i < m.group.last_stick)
-          strip::stick<sensitivities>(m.group, cell, fields, m.stick, m.sums,
-                                      derivative[sensitivities ? k : 0], stuck);
-        if (i >= m.group.all_stick) {
-          Slip slip;
-          Turn turning;
-          const strip::State before = m.state;
-          moved = i < m.group.all_move
-                      ? strip::step<true>(m.group, cell, moving, m.state, m.sums, slip, turning)
-                      : strip::step<false>(m.group, cell, moving, m.state, m.sums, slip, turning);
-          if constexpr (sensitivities)
-            strip::differentiate(m.group, cell, moving, before, m.state, slip, turning, moved, derivative[k]);
-        }
-        if (fields)
-          strip::store_cell(task, m.group, cell, moving, moved.slips, moved.part, m.state, stuck, m.sums);
+        strip::Derivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        if (i >= m.group.all_move)
+          strip::move<false, true, sensitivities>(task, cell, fields, m, d);
+        else if (i >= m.group.all_stick)
+          strip::move<true, true, sensitivities>(task, cell, fields, m, d);
+        else
+          strip::move<true, false, sensitivities>(task, cell, fields, m, d);
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
       strip::Marching& m = marching[k];
       strip::add_stick(m.group, m.stick, m.sums);
-      strip::add(task, m.group, m.sums, total);
+      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, total);
       if constexpr (sensitivities) {
-        for (std::int32_t n = 0; n < inputs; ++n) strip::add_stick(m.group, m.stick, derivative[k][n]);
-        strip::add(m.group, derivative[k], total);
+        for (std::int32_t n = 0; n < inputs; ++n) {
+          strip::add_stick(m.group, m.stick, derivative[k][n]);
+          add_group(m.group, task.cells, derivative[k][n].force, n, total);
+        }
       }
     }
   }
+  strip::balance_power(task, total);
 }
 
 }  // namespace

@@ -1,117 +1,84 @@
 /// One step of a march through the slip zone: the direction e of the traction turns against the slip w.
 ///
 /// Over a step dv the angle from -w to e, delta, becomes 2 atan(tan(delta/2) / q) with q = 1 + z + z^2/2 and
-/// z = 2 dv |w| / d (march.hpp). w, whose y part changes by -rate per length, is taken where a direction that
-/// decays like 1 / q would see it: mid-step for small z, the cell itself for large z.
+/// z = 2 dv |w| / d (march.hpp). That needs no angle. With V = dv w, r = |V| and s = d + r, the vector
+///     c = (d^2 + r s) e - s V
+/// points half-way from e to its new direction, so that e reflected in c,
+///     e' = 2 (e.c / c.c) c - e,
+/// is the answer: q = (d^2 + 2 r s) / d^2 is the ratio of the two weights' sum and difference. A reflection
+/// keeps the length of e to rounding, whatever c is.
 ///
-/// With z = n / d everything here is homogeneous in n and d, and the length of the turned direction is known
-/// from the half angles: a step takes two roots and one divide. The second root serves lanes that stick again
-/// for the length of their traction.
+/// w changes over the step, its y part by -rate per length. It is taken where a direction that decays like
+/// 1 / q would see it, 1 / (2 + z) of the step ahead of the cell: mid-step for small z, the cell itself for
+/// large z. z is that of the step before, so that a step takes one root, and one divide for this z too; its
+/// change from step to step alters the answer in third order.
 #pragma once
 
-#include "tangential/simd/kernels.hpp"
 #include "simd/pack.hpp"
+#include "tangential/simd/kernels.hpp"
 
 namespace wrc::simd {
 namespace {
 
-/// What turns e, at a cell.
-struct Slip {
-  Pack dv;       ///< from where the last step ended (or slip set in) to the cell
-  Pack wx, wy;   ///< slip at the cell; per unit of d
-  Pack rate_dv;  ///< w at the last step's end is (wx, wy + rate dv)
-  Pack d;        ///< what resists turning
-};
+/// Where slip sets in z is small, or e is along the slip already.
+constexpr double first_ahead = 0.5;
 
 /// What a step computes on its way, for its derivatives.
 struct Turn {
-  Pack wy_mid, w_mid;      ///< slip at mid-step and the size of that
-  Pack n, Q, D, scale;     ///< z = n / d, scale = 2 d + n, D = 2 d^2, q = Q / D
-  Pack Wx, Wy, R, across;  ///< slip as seen, times scale; R = |W|, across = R sin(delta); or R = |trial|
-  Pack inverse;            ///< one over the length of the turned direction, T R; over |trial| where it sticks
-  Mask moves;              ///< has a new direction
+  Pack Vx, Vy, r;     ///< slip times dv, where it is seen, and the size of that
+  Pack d, s, cx, cy;  ///< d resists turning, s = d + r; c points half-way
+  Pack per_c, per_s;  ///< 1 / c.c, 1 / s
 };
 
-/// Turns (ex, ey), in lanes of `stick` into the direction of the traction (trial_x, trial_y).
-inline Turn turn(const Slip& slip, Pack wy_mid, Mask stick, Pack trial_x, Pack trial_y, Pack trial2, Pack& ex,
-                 Pack& ey) {
-  const Pack zero = 0.0, d = slip.d, twice_d = d + d;
+/// Turns (ex, ey) against the slip V over a step; d: what resists. `ahead` becomes the next step's 1/(2 + z).
+[[gnu::always_inline]] inline Turn turn(Pack Vx, Pack Vy, Pack d, Pack& ex, Pack& ey, Pack& ahead) {
   Turn t;
-  t.wy_mid = wy_mid;
-  t.w_mid = root(slip.wx * slip.wx + wy_mid * wy_mid);
-  t.n = (slip.dv + slip.dv) * t.w_mid;
-  t.scale = twice_d + t.n;
-  t.D = twice_d * d;
-  t.Q = t.D + t.n * t.scale;
-  t.Wx = slip.wx * t.scale;
-  t.Wy = slip.wy * t.scale + slip.rate_dv * d;
-  t.R = root(select(stick, trial2, t.Wx * t.Wx + t.Wy * t.Wy));
-  const Pack with = ex * t.Wx + ey * t.Wy;
-  t.across = t.Wy * ex - t.Wx * ey;
-  const Pack ahead = larger(t.R - with, zero) * (t.Q * t.Q), behind = larger(t.R + with, zero) * (t.D * t.D);
-  const Pack back = behind - ahead, aside = (t.across + t.across) * (t.Q * t.D);
-  const Pack length = select(stick, t.R, (ahead + behind) * t.R);
-  const Mask has_direction = length > 1e-280;  // not so where w vanishes: then the direction stays
-  t.inverse = 1.0 / larger(length, 1e-280);
-  const Pack x = select(stick, trial_x, aside * t.Wy + back * t.Wx) * t.inverse;
-  const Pack y = select(stick, trial_y, back * t.Wy - aside * t.Wx) * t.inverse;
-  // Unit length up to rounding, except where e is along W to the last digit; one step of Newton's method for
-  // 1 / |e| keeps it from drifting, and never leaves it longer than one.
-  const Pack unit = larger(1.5 - 0.5 * (x * x + y * y), zero);
-  t.moves = has_direction;
-  ex = select(has_direction, x * unit, ex);
-  ey = select(has_direction, y * unit, ey);
+  t.Vx = Vx;
+  t.Vy = Vy;
+  t.d = d;
+  t.r = root(Vx * Vx + Vy * Vy);
+  t.s = d + t.r;
+  const Pack keep = d * d + t.r * t.s;
+  t.cx = keep * ex - t.s * Vx;
+  t.cy = keep * ey - t.s * Vy;
+  const Pack square = t.cx * t.cx + t.cy * t.cy;
+  // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
+  // be
+  const Pack inverse = 1.0 / larger(square * t.s, 1e-280);
+  t.per_c = t.s * inverse;
+  t.per_s = square * inverse;
+  const Pack along = ex * t.cx + ey * t.cy;
+  const Pack twice = (along + along) * t.per_c;
+  ex = twice * t.cx - ex;
+  ey = twice * t.cy - ey;
+  ahead = (0.5 * d) * t.per_s;
   return t;
 }
 
-/// How the angle of e after a step of slip changes with what the step is given: with chi the angle of -W,
-///     d angle' = d chi + 2 Q D R / T (d angle - d chi) - 4 across D d (d + n) / T dz,   T R the length.
+/// How the angle of e after a step changes with its angle before, with V and with d; how `ahead` does.
+/// From angle' = angle + 2 atan2(e x c, e . c).
 struct TurnSlopes {
-  Pack kept, by_z;                       ///< of the angle
-  Pack chi_by_x, chi_by_y;               ///< of chi with W / scale
-  Pack z_by_x, z_by_y, z_by_dv, z_by_d;  ///< of z with the slip at mid-step, dv and d
-  Pack ahead, seen_by_dv, seen_by_z;     ///< W / scale is taken `ahead` of the cell
-  Pack half_dv, half_rate;
+  Pack kept, by_x, by_y, by_d;
+  Pack ahead_by_x, ahead_by_y, ahead_by_d;
 };
 
-inline TurnSlopes slopes(const Slip& slip, Pack rate, const Turn& t) {
-  const Pack zero = 0.0, d = slip.d;
+/// (ex, ey): the direction before the step.
+[[gnu::always_inline]] inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   TurnSlopes s;
-  const Mask turns = (t.w_mid > 1e-150) & (d > zero);
-  const Pack by_d = select(turns, 1.0 / select(turns, d, 1.0), zero);
-  const Pack z_by_w = 2.0 * slip.dv * by_d / select(turns, t.w_mid, 1.0);
-  s.z_by_x = z_by_w * slip.wx;
-  s.z_by_y = z_by_w * t.wy_mid;
-  s.z_by_dv = 2.0 * t.w_mid * by_d;
-  s.z_by_d = -(t.n * by_d * by_d);
-  const Pack d_by_scale = d / select(turns, t.scale, 1.0);
-  s.ahead = slip.dv * d_by_scale;
-  s.seen_by_dv = rate * d_by_scale;
-  s.seen_by_z = -(rate * s.ahead * d_by_scale);
-  const Pack per_T = t.R * t.inverse;
-  s.kept = 2.0 * t.Q * t.D * t.R * per_T;
-  s.by_z = 4.0 * t.across * t.D * d * (d + t.n) * per_T;
-  const Pack square = t.R * t.R;
-  const Pack to_chi = t.scale / select(square > 1e-280, square, 1.0);
-  s.chi_by_x = -(to_chi * t.Wy);
-  s.chi_by_y = to_chi * t.Wx;
-  s.half_dv = 0.5 * slip.dv;
-  s.half_rate = 0.5 * rate;
+  const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d;
+  const Pack across = twice * (ex * t.Vy - ey * t.Vx);
+  s.kept = d2 * (d2 + 2.0 * (t.s * t.r)) * t.per_c;
+  const Pack by_r = across * (t.s + t.d);  // times r
+  s.by_x = twice * (t.s * t.cy) + by_r * t.Vx;
+  s.by_y = by_r * t.Vy - twice * (t.s * t.cx);
+  s.by_d = across * (t.d * (t.s + t.r));
+  const Mask slips = t.r > 1e-150;
+  const Pack half = 0.5 * (t.per_s * t.per_s);
+  const Pack ahead_by_r = select(slips, half * t.d / select(slips, t.r, 1.0), 0.0);  // over r, less than zero
+  s.ahead_by_x = -(ahead_by_r * t.Vx);
+  s.ahead_by_y = -(ahead_by_r * t.Vy);
+  s.ahead_by_d = half * t.r;
   return s;
-}
-
-/// Changes of what turns e.
-struct SlipChange {
-  Pack dv, wx, wy, rate, d;
-};
-
-/// d angle' from the changes of the angle and of the slip.
-inline Pack turned(const TurnSlopes& s, Pack angle, const SlipChange& change) {
-  const Pack wy_mid = change.wy + change.rate * s.half_dv + s.half_rate * change.dv;
-  const Pack z = s.z_by_x * change.wx + s.z_by_y * wy_mid + s.z_by_dv * change.dv + s.z_by_d * change.d;
-  const Pack wy = change.wy + change.rate * s.ahead + s.seen_by_dv * change.dv + s.seen_by_z * z;
-  const Pack chi = s.chi_by_x * change.wx + s.chi_by_y * wy;
-  return chi + s.kept * (angle - chi) - s.by_z * z;
 }
 
 }  // namespace

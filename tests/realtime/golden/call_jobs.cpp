@@ -123,7 +123,7 @@ void run_refused(wrc_contact* contact, Hash& hash) {
 
 void add_plain_calls(Plan& plan) {
   const std::size_t model = plan.models.size();
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
+  wrc_config& config = plan.models.emplace_back(made_config());
   config.wheel = &plan.profiles[0];
   config.rail = &plan.profiles[1];
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
@@ -137,6 +137,7 @@ Plan golden_plan() {
   Plan plan;
   add_poses(plan);
   add_host_data(plan);
+  add_laws(plan);
   add_plain_calls(plan);
   return plan;
 }

@@ -56,7 +56,7 @@ HostGap by_elements(const std::vector<Bump>& bumps, int rows, int columns) {
 }
 
 wrc_config& add_model(Plan& plan, int32_t normal, int32_t tangential) {
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
+  wrc_config& config = plan.models.emplace_back(made_config());
   config.normal_method = normal;
   config.tangential_method = tangential;
   config.strips = 45;
@@ -169,7 +169,7 @@ void run_patches(wrc_contact* contact, Hash& hash) {
 
 void add_host_data(Plan& plan) {
   add_gaps(plan);
-  for (int32_t tangential : tangential_methods) {
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
     add_model(plan, WRC_NORMAL_EKP, tangential);
     plan.jobs.push_back({"strips", plan.models.size() - 1, {}, run_strips});
     plan.jobs.push_back({"patches", plan.models.size() - 1, {}, run_patches});

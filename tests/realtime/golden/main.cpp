@@ -34,12 +34,6 @@ Hashes by_group(const Plan& plan, const std::vector<std::uint64_t>& of_jobs) {
 constexpr const char* set_names[] = {"best", "baseline", "AVX2", "AVX-512"};
 constexpr const char* way_names[] = {"single steps", "batches", "stages alone"};
 
-bool available(int32_t instruction_set) {
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.instruction_set = instruction_set;
-  return wrc_config_check(&config, nullptr, 0) == WRC_OK;
-}
-
 Hashes expected_from(const char* path) {
   Hashes hashes;
   std::ifstream file(path);

@@ -75,7 +75,7 @@ wrc_config& add_model(Plan& plan) {
     plan.profiles[0].kind = WRC_PROFILE_S1002;
     plan.profiles[1].kind = WRC_PROFILE_UIC60_BENCHMARK;
   }
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
+  wrc_config& config = plan.models.emplace_back(made_config());
   config.wheel = &plan.profiles[0];
   config.rail = &plan.profiles[1];
   return config;
@@ -94,7 +94,7 @@ void add_methods(Plan& plan) {
     add_job(plan, std::string("normal ") + normal_names[normal], poses);
   }
   const std::vector<Step> few = {poses[0], poses[2], poses[3], poses[5]};
-  for (int32_t tangential : tangential_methods) {
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
     const std::string group = std::string("tangential ") + tangential_names[tangential];
     for (int32_t normal = 0; normal < normal_methods; ++normal) {
       wrc_config& config = add_model(plan);
@@ -121,7 +121,7 @@ void add_methods(Plan& plan) {
 void add_flexibilities(Plan& plan) {
   const std::vector<Step> steps = {at(0.0, 0.0, 0.0, 80e3), at(5.1e-3, 0.0, 4e-3, 80e3)};
   for (int32_t flexibility : {WRC_FLEXIBILITY_SINGLE, WRC_FLEXIBILITY_BLENDED}) {
-    for (int32_t tangential : tangential_methods) {
+    for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
       wrc_config& config = add_model(plan);
       config.tangential_method = tangential;
       config.flexibility = flexibility;

@@ -16,38 +16,45 @@ double median(std::vector<double>& values) {
   return values[values.size() / 2];
 }
 
+/// A number of the host's that may be tiny.
 struct Case {
   const char* name;
-  void (*set)(Wheel&, Gap&);
+  bool posed;  ///< the step is from the pose, not from a gap
+  void (*set)(Wheel&, Gap&, double tiny);
 };
 
 constexpr Case cases[] = {
-    {"usual numbers", [](Wheel&, Gap&) {}},
-    {"creepages of 1e-9",
-     [](Wheel& wheel, Gap&) {
-       wheel.creepage.longitudinal = 1e-9;
-       wheel.creepage.lateral = -3e-10;
-       wheel.creepage.spin = 2e-7;
+    {"creepages", false,
+     [](Wheel& wheel, Gap&, double tiny) {
+       wheel.creepage.longitudinal = tiny;
+       wheel.creepage.lateral = -0.3 * tiny;
+       wheel.creepage.spin = 0.7 * tiny;
      }},
-    {"creepages of 1e-310",
-     [](Wheel& wheel, Gap&) {
-       wheel.creepage.longitudinal = 1e-310;
-       wheel.creepage.lateral = -3e-311;
-       wheel.creepage.spin = 2e-310;
+    {"one creepage of three", false, [](Wheel& wheel, Gap&, double tiny) { wheel.creepage.lateral = tiny; }},
+    {"speed", false, [](Wheel& wheel, Gap&, double tiny) { wheel.creepage.speed = tiny; }},
+    {"centres of the gap", false,
+     [](Wheel&, Gap& gap, double tiny) {
+       for (std::size_t j = 0; j < gap.centre.size(); ++j) gap.centre[j] = tiny * static_cast<double>(j % 7);
      }},
-    {"creepages of 1e-160",
-     [](Wheel& wheel, Gap&) {  // their squares are denormal
-       wheel.creepage.longitudinal = 1e-160;
-       wheel.creepage.lateral = -3e-160;
-       wheel.creepage.spin = 2e-157;
+    {"yaw", true, [](Wheel& wheel, Gap&, double tiny) { wheel.pose.yaw = tiny; }},
+    {"friction of a zone", false,
+     [](Wheel& wheel, Gap&, double tiny) {
+       static const double zone_y[] = {-1e-3, 1e-3};
+       static double zone_coefficient[] = {0.3, 0.0};
+       zone_coefficient[1] = tiny;
+       wheel.friction.zones = 2;
+       wheel.friction.zone_y = zone_y;
+       wheel.friction.zone_coefficient = zone_coefficient;
      }},
-    {"centres of the gap at 1e-310",
-     [](Wheel&, Gap& gap) {
-       for (std::size_t j = 0; j < gap.centre.size(); ++j)
-         gap.centre[j] = 1e-310 * static_cast<double>(j % 7);
+    {"damping", false,
+     [](Wheel& wheel, Gap&, double tiny) {
+       wheel.load.prescribed = WRC_PRESCRIBE_APPROACH;
+       wheel.load.approach = 80e-6;
+       wheel.load.approach_velocity = 1.0;
+       wheel.load.damping = tiny;
      }},
-    {"a speed of 1e-310", [](Wheel& wheel, Gap&) { wheel.creepage.speed = 1e-310; }},
 };
+constexpr double sizes[] = {1e-310, 1e-160};
 
 }  // namespace
 
@@ -57,6 +64,7 @@ bool prove_no_denormal_creepages() {
     Wheel wheel(methods);
     const auto hash_with = [&](double size) {
       wheel.vary(7);
+      wheel.pose.roll = wheel.pose.yaw = size;
       wheel.creepage.longitudinal = size;
       wheel.creepage.lateral = -0.3 * size;
       wheel.creepage.spin = 0.7 * size;
@@ -75,32 +83,38 @@ bool prove_no_denormal_creepages() {
     ++compared;
     different += hash_with(1e-30) == none;  // those that do count are not lost
   }
-  std::printf("%d steps with creepages too small to count, against none at all: %d differ\n", compared,
-              different);
+  std::printf("%d steps with creepages and angles too small to count, against none at all: %d differ\n",
+              compared, different);
   return different == 0;
 }
 
 void print_denormals() {
-  std::printf("%-30s %26s\n", "median time of a step", "to that of usual numbers");
-  for (int32_t tangential : {WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_STRIP_FASTSIM}) {
+  std::printf("%-26s %-18s %14s %14s\n", "median time of a step with", "", "1e-310 / none", "1e-160 / none");
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
     Wheel wheel({WRC_NORMAL_STRIP_HALFSPACE, tangential, WRC_SIDE_RIGHT, 60, 50});
+    const wrc_friction friction = wheel.friction;
     const Gap usual = wheel.gap_of_pose();
-    std::vector<double> times[std::size(cases)];
-    for (int i = 0; i < 300; ++i) {
-      for (std::size_t k = 0; k < std::size(cases); ++k) {  // interleaved: the machine is the same for all
+    const int rounds = tangential == WRC_TANGENTIAL_COARSE_HALFSPACE ? 30 : 300;
+    for (const Case& each : cases) {
+      std::vector<double> none, tiny[std::size(sizes)];
+      const auto time_with = [&](double size) {
         wheel.vary(7);
         wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
         wheel.creepage.speed = 1.0;
+        wheel.friction = friction;
         Gap gap = usual;
-        cases[k].set(wheel, gap);
+        each.set(wheel, gap, size);
         const double start = processor_time();
-        wheel.step_with(gap);
-        times[k].push_back(processor_time() - start);
+        each.posed ? wheel.step() : wheel.step_with(gap);
+        return processor_time() - start;
+      };
+      for (int i = 0; i < rounds; ++i) {  // interleaved: the machine is the same for all
+        none.push_back(time_with(0.0));
+        for (std::size_t k = 0; k < std::size(sizes); ++k) tiny[k].push_back(time_with(sizes[k]));
       }
+      const double unit = median(none);
+      std::printf("%-26s %-18s %14.2f %14.2f\n", each.name, tangential_names[tangential],
+                  median(tiny[0]) / unit, median(tiny[1]) / unit);
     }
-    const double unit = median(times[0]);
-    for (std::size_t k = 0; k < std::size(cases); ++k)
-      std::printf("%-30s %-14s %10.2f\n", cases[k].name, tangential_names[tangential],
-                  median(times[k]) / unit);
   }
 }

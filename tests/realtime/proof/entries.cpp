@@ -1,5 +1,6 @@
 #include "proof/entries.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace {
@@ -26,36 +27,36 @@ struct HostData {
 };
 const HostData host;
 
-void step(Wheel& wheel) { wheel.step(); }
+int32_t step(Wheel& wheel) { return wheel.step(); }
 
-void step_batch(Wheel& wheel) {
+int32_t step_batch(Wheel& wheel) {
   const wrc_input input = {sizeof input,   0, &wheel.pose, nullptr, &wheel.load, &wheel.creepage,
                            &wheel.friction};
   const wrc_output output = {sizeof output, 0, &wheel.point, &wheel.patch, &wheel.forces, &wheel.damage};
   int32_t status = 0;
-  wrc_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
+  return wrc_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
 }
 
-void step_flat(Wheel& wheel) {
+int32_t step_flat(Wheel& wheel) {
   const double in[WRC_FLAT_INPUTS] = {wheel.pose.lateral, 0.0, wheel.pose.yaw, 80e3, 1e-3, -1e-3, 0.1, 0.3};
   double out[WRC_FLAT_OUTPUTS];
-  wrc_step_flat(wheel.contact, in, out);
+  return wrc_step_flat(wheel.contact, in, out);
 }
 
-void geometry(Wheel& wheel) { wheel.geometry(); }
+int32_t geometry(Wheel& wheel) { return wheel.geometry(); }
 
-void creepages(Wheel& wheel) {
+int32_t creepages(Wheel& wheel) {
   wrc_motion motion = made<wrc_motion>(wrc_motion_init);
   wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
   motion.speed = 40.0;
   motion.pitch_rate = -87.0;
   motion.yaw_rate = 0.02;
-  wrc_creepages(wheel.contact, &motion, &creepage);
+  return wrc_creepages(wheel.contact, &motion, &creepage);
 }
 
-void normal(Wheel& wheel) { wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
+int32_t normal(Wheel& wheel) { return wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
 
-void normal_of_elements(Wheel& wheel) {
+int32_t normal_of_elements(Wheel& wheel) {
   wrc_gap gap = made<wrc_gap>(wrc_gap_init);
   gap.rows = HostData::rows;
   gap.columns = HostData::columns;
@@ -63,105 +64,139 @@ void normal_of_elements(Wheel& wheel) {
   gap.y = host.y;
   gap.x = host.x;
   gap.h = host.h;
-  wrc_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
+  return wrc_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
 }
 
-void regularise(Wheel& wheel) { wrc_regularise(wheel.contact, nullptr, &wheel.patch); }
+int32_t regularise(Wheel& wheel) { return wrc_regularise(wheel.contact, nullptr, &wheel.patch); }
 
-void tangential(Wheel& wheel) {
-  wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+int32_t tangential(Wheel& wheel) {
+  return wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
 }
 
-void damage_numbers(Wheel& wheel) { wrc_damage_numbers(wheel.contact, &wheel.damage); }
+int32_t damage_numbers(Wheel& wheel) { return wrc_damage_numbers(wheel.contact, &wheel.damage); }
 
-void wear_numbers(Wheel& wheel) {
+int32_t wear_numbers(Wheel& wheel) {
   wrc_wear wear = made<wrc_wear>(wrc_wear_init);
-  wrc_wear_numbers(wheel.contact, nullptr, &wear);
+  const int32_t status = wrc_wear_numbers(wheel.contact, nullptr, &wear);
+  const bool without_tractions = wheel.methods.tangential == WRC_TANGENTIAL_TABLE;
+  return without_tractions && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
-void sensitivities(Wheel& wheel) {
+int32_t sensitivities(Wheel& wheel) {
   wrc_sensitivity forces = made<wrc_sensitivity>(wrc_sensitivity_init);
-  wrc_sensitivities(wheel.contact, &forces);
+  return wrc_sensitivities(wheel.contact, &forces);
 }
 
-void step_sensitivities(Wheel& wheel) {
+int32_t step_sensitivities(Wheel& wheel) {
   wrc_step_sensitivity forces = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-  wrc_step_sensitivities(wheel.contact, &forces);
+  return wrc_step_sensitivities(wheel.contact, &forces);
 }
 
-void contact_patch(Wheel& wheel) { wrc_contact_patch(wheel.contact, 0, &wheel.patch, &wheel.forces); }
+int32_t contact_patch(Wheel& wheel) {
+  const int32_t status = wrc_contact_patch(wheel.contact, 0, &wheel.patch, &wheel.forces);
+  const bool apart = wheel.damage.load_factor == 0.0;
+  return apart && status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
+}
 
-void field(Wheel& wheel) {
+/// All of them; which there are depends on the methods and on whether the bodies touch, those of the gap
+/// always.
+int32_t field(Wheel& wheel) {
+  int32_t of_gap = WRC_OK;
   for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
     wrc_view view = made<wrc_view>(wrc_view_init);
-    wrc_field(wheel.contact, 0, id, &view);
+    const int32_t status = wrc_field(wheel.contact, 0, id, &view);
+    if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE && status < 0) of_gap = status;
   }
+  return of_gap;
 }
 
-void save_and_restore(Wheel& wheel) {
-  wheel.save();
-  wheel.restore();
+int32_t save_and_restore(Wheel& wheel) {
+  const int32_t saved = wheel.save();
+  return saved < 0 ? saved : wheel.restore();
 }
 
-void regularise_strips(Wheel& wheel) {
+/// A contact in the wheel's spare memory.
+int32_t contact_init(Wheel& wheel) {
+  wrc_contact* another = nullptr;
+  return wrc_contact_init(wheel.model, wheel.spare, wheel.state.size(), &another);
+}
+
+int32_t regularise_strips(Wheel& wheel) {
   wrc_strips strips = made<wrc_strips>(wrc_strips_init);
   strips.count = HostData::strips;
   strips.y = host.strip_y;
   strips.width = host.width;
   strips.half_length = host.half;
   strips.peak = host.peak;
-  wrc_regularise(wheel.contact, &strips, &wheel.patch);
+  return wrc_regularise(wheel.contact, &strips, &wheel.patch);
 }
 
-void tangential_patch(Wheel& wheel) {
+int32_t tangential_patch(Wheel& wheel) {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   patch.a = 6e-3;
   patch.b = 4e-3;
   patch.psi = -0.3;
   patch.normal_force = 80e3;
-  wrc_tangential(wheel.contact, &patch, &wheel.creepage, &wheel.friction, &wheel.forces);
+  wrc_friction friction = wheel.friction;
+  friction.zone_frame = WRC_ZONES_CONTACT_FRAME;  // a patch of the host has no place on the rail
+  return wrc_tangential(wheel.contact, &patch, &wheel.creepage, &friction, &wheel.forces);
 }
 
-/// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it.
-void refused_input(Wheel& wheel) {
+/// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
+/// failure it returns is that one was taken.
+int32_t refused_input(Wheel& wheel) {
   char text[256];
+  int32_t taken = WRC_OK;
   for (double* number : {&wheel.pose.lateral, &wheel.pose.roll, &wheel.pose.yaw, &wheel.load.normal_force,
                          &wheel.creepage.longitudinal, &wheel.creepage.lateral, &wheel.creepage.spin,
                          &wheel.creepage.speed, &wheel.friction.coefficient}) {
+    if (number == &wheel.load.normal_force && wheel.load.prescribed == WRC_PRESCRIBE_APPROACH) continue;
     const double kept = *number;
     for (double wrong :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::signaling_NaN(),
-          std::numeric_limits<double>::infinity(), 1e300, -1e300, 5e-324}) {
+          std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
       *number = wrong;
-      wheel.step();
-      wrc_last_error(wheel.contact, text, sizeof text);
+      const bool refused = wheel.step() < 0;
+      if (!refused || wrc_last_error(wheel.contact, text, sizeof text) < 0) taken = WRC_ERROR_INTERNAL;
     }
     *number = kept;
   }
+  return taken;
 }
 
-void model_profile(Wheel& wheel) {
+int32_t denormal_input(Wheel& wheel) {
+  wrc_pose& pose = wheel.pose;
+  const wrc_pose kept = pose;
+  pose.lateral = pose.roll = pose.yaw = 5e-324;
+  const int32_t status = wheel.step();
+  pose = kept;
+  return status;
+}
+
+int32_t model_profile(Wheel& wheel) {
   wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
   double deviation = 0.0;
-  wrc_model_profile(wheel.model, WRC_BODY_RAIL, &y, &z, &deviation);
+  return wrc_model_profile(wheel.model, WRC_BODY_RAIL, &y, &z, &deviation);
 }
 
-void contact_size(Wheel& wheel) {
+int32_t contact_size(Wheel& wheel) {
   std::uint64_t bytes = 0, alignment = 0;
-  wrc_contact_size(wheel.model, &bytes, &alignment);
+  return wrc_contact_size(wheel.model, &bytes, &alignment);
 }
 
-void plain_numbers(Wheel&) {
+int32_t plain_numbers(Wheel&) {
   wrc_coefficients coefficients = made<wrc_coefficients>(wrc_coefficients_init);
   double load_factor = 0.0;
+  int32_t worst = WRC_OK;
   for (double ratio : {1e-3, 0.3, 2.0, 1e3}) {
-    wrc_linear_coefficients(ratio, 0.4, 0.27, &coefficients);
-    wrc_shakedown_limit(ratio < 10.0 ? ratio : 0.1, &load_factor);
+    worst = std::min(worst, wrc_linear_coefficients(ratio, 0.4, 0.27, &coefficients));
+    worst = std::min(worst, wrc_shakedown_limit(ratio < 10.0 ? ratio : 0.1, &load_factor));
   }
   wrc_linear_coefficients(std::numeric_limits<double>::quiet_NaN(), 0.4, 0.27, &coefficients);
+  return worst;
 }
 
-void defaults_and_names(Wheel&) {
+int32_t defaults_and_names(Wheel&) {
   made<wrc_profile>(wrc_profile_init);
   made<wrc_config>(wrc_config_init);
   made<wrc_wear_laws>(wrc_wear_laws_init);
@@ -171,6 +206,7 @@ void defaults_and_names(Wheel&) {
   wrc_status_name(WRC_ERROR_GAP);
   wrc_status_text(-1000);
   wrc_get_api(WRC_ABI_VERSION);
+  return WRC_OK;
 }
 
 }  // namespace
@@ -192,10 +228,12 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_patch", contact_patch},
       {"wrc_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
+      {"wrc_contact_init", contact_init},
       {"wrc_normal, gap by elements", normal_of_elements},
       {"wrc_regularise, strips", regularise_strips},
       {"wrc_tangential, double ellipse", tangential_patch},
       {"wrc_step refused, wrc_last_error", refused_input},
+      {"wrc_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
       {"wrc_contact_size", contact_size},
       {"wrc_linear_coefficients, ...", plain_numbers},

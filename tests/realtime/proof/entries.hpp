@@ -7,7 +7,7 @@
 
 struct Entry {
   const char* name;
-  void (*call)(Wheel&);
+  int32_t (*call)(Wheel&);  ///< a failure is not as it should be
 };
 
 /// In an order in which each finds what it needs in the contact.

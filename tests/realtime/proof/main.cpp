@@ -1,7 +1,7 @@
 /// What docs/realtime.md says, proven on the shared library as shipped:
 ///     realtime_proof [STEPS]           everything that can fail; STEPS (1000000) for the quiet steps
 ///     realtime_proof quiet [STEPS]     no heap, system call, page fault, floating-point trap
-///     realtime_proof traps | stack | allocations | restore | denormals
+///     realtime_proof traps | stack | allocations | restore | bytes | denormals
 ///     realtime_proof time [STEPS]      percentiles of the step's time, what the machine adds, what denormals
 ///     cost
 /// One malloc for the whole program counts what the library asks for (heap.cpp).
@@ -26,6 +26,7 @@ constexpr Proof proofs[] = {
     {"stack", "use of the stack", [](int) { return prove_stack_bound(); }},
     {"allocations", "creation without memory", [](int) { return prove_failed_allocations(); }},
     {"restore", "save and restore", [](int) { return prove_restore(); }},
+    {"bytes", "bytes of saved states", [](int) { return prove_equal_bytes(); }},
     {"denormals", "creepages that fade out", [](int) { return prove_no_denormal_creepages(); }},
 };
 

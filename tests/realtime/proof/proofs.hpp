@@ -18,6 +18,9 @@ bool prove_failed_allocations();
 /// A step repeated after wrc_contact_restore(), in the same contact and in another: the same bits.
 bool prove_restore();
 
+/// The same calls on contacts in memory with different old contents: the same bytes in the saved states.
+bool prove_equal_bytes();
+
 /// Creepages so small that their products are denormal numbers give the bits, and so the time, of none at
 /// all.
 bool prove_no_denormal_creepages();

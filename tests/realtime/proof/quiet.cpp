@@ -16,20 +16,25 @@
 
 namespace {
 
-constexpr int warm_up = 64;          ///< steps before the counting: they touch every page a step needs
-constexpr int between_entries = 64;  ///< steps from one round of all entries to the next
+constexpr int warm_up = 64;  ///< steps before the counting: they touch every page a step needs
+/// Steps from one round of all entries to the next; prime, so that the rounds meet every kind of input.
+constexpr int between_entries = 67;
 
 struct Task {
   Methods methods;
   int steps = 0;
+  bool filter = true;  ///< the kernel lets a process filter its system calls
 };
 
 /// Every exception an engineer would trap. Inexact results are the rule in the harness's own arithmetic, so
 /// they have a proof of their own (traps.cpp).
 constexpr int trapped = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW;
 
-void run_entries(Wheel& wheel) {
-  for (const Entry& entry : all_entries()) entry.call(wheel);
+/// Returns how many did not do what they should.
+int run_entries(Wheel& wheel) {
+  int failed = 0;
+  for (const Entry& entry : all_entries()) failed += entry.call(wheel) < 0;
+  return failed;
 }
 
 void step_quietly(void* context, Record& record) {
@@ -37,10 +42,11 @@ void step_quietly(void* context, Record& record) {
   Wheel wheel(task.methods);
   for (int i = 0; i < warm_up; ++i) {
     wheel.vary(997 * i);
+    wheel.vary_laws(i);
     wheel.step();
     if (i % 16 == 0) run_entries(wheel);
   }
-  if (!forbid_system_calls()) {
+  if (task.filter && !forbid_system_calls()) {
     record.steps = -1;
     return;
   }
@@ -49,8 +55,9 @@ void step_quietly(void* context, Record& record) {
   count_faults(record, -1);
   for (int i = 0; i < task.steps; ++i) {
     wheel.vary(i);
+    wheel.vary_laws(i);
     record.failed_calls += wheel.step() < 0;
-    if (i % between_entries == 0) run_entries(wheel);
+    if (i % between_entries == 0) record.failed_calls += run_entries(wheel);
     ++record.steps;
   }
   count_faults(record, +1);
@@ -95,9 +102,9 @@ void divide_by_zero(void*, Record&) {
 }
 
 /// False when a deliberate offence goes unnoticed.
-bool harness_notices() {
+bool harness_notices(bool filter) {
   Record heap, fault, none;
-  const bool system_call = in_child(call_the_system, nullptr, none) == End::system_call;
+  const bool system_call = !filter || in_child(call_the_system, nullptr, none) == End::system_call;
   const bool trap = in_child(divide_by_zero, nullptr, none) == End::trap;
   const bool heap_seen = in_child(use_the_heap, nullptr, heap) == End::good && heap.heap_calls == 2;
   const bool fault_seen = in_child(touch_a_page, nullptr, fault) == End::good && fault.minor_faults == 1;
@@ -124,18 +131,17 @@ const char* name_of(End end) {
 
 bool prove_quiet(int steps) {
   Record record;
-  if (in_child(do_nothing, nullptr, record) != End::good) {
-    std::printf("skipped: this kernel or container lets no process filter its system calls\n");
-    return true;
-  }
-  if (!harness_notices()) return false;
+  const bool filter = in_child(do_nothing, nullptr, record) == End::good;
+  if (!filter)
+    std::printf("this kernel or container lets no process filter its system calls: THEY ARE NOT LOOKED AT\n");
+  if (!harness_notices(filter)) return false;
   const std::vector<Methods> all = all_methods();
   const int each = (steps + static_cast<int>(all.size()) - 1) / static_cast<int>(all.size());
   long total = 0;
   int loud = 0;
-  std::printf("%-16s %-14s %9s %6s %6s %7s\n", "normal", "tangential", "steps", "heap", "faults", "failed");
+  std::printf("%-48s %9s %6s %6s %7s\n", "methods", "steps", "heap", "faults", "failed");
   for (const Methods& methods : all) {
-    Task task{methods, each};
+    Task task{methods, each, filter};
     Record seen;
     const End end = in_child(step_quietly, &task, seen);
     const long faults = seen.minor_faults + seen.major_faults;
@@ -143,9 +149,8 @@ bool prove_quiet(int steps) {
                       seen.failed_calls == 0;
     total += seen.steps;
     loud += !good;
-    std::printf("%-16s %-14s %9ld %6ld %6ld %7ld  %s\n", normal_names[methods.normal],
-                tangential_names[methods.tangential], seen.steps, seen.heap_calls, faults, seen.failed_calls,
-                end == End::good && !good ? "NOT QUIET" : name_of(end));
+    std::printf("%-48s %9ld %6ld %6ld %7ld  %s\n", names_of(methods).c_str(), seen.steps, seen.heap_calls,
+                faults, seen.failed_calls, end == End::good && !good ? "NOT QUIET" : name_of(end));
   }
   std::printf(
       "%ld steps, every %dth with every other entry: %d of %d combinations made a heap call, a system call, "

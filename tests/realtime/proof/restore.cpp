@@ -10,6 +10,7 @@ namespace {
 std::uint64_t hash_of_step(Wheel& wheel, int i) {
   Hash hash;
   wheel.vary(i);
+  wheel.vary_laws(i);
   const int32_t status = wheel.step();
   hash_step(wheel.contact, status, wheel.point, wheel.patch, wheel.forces, wheel.damage, hash);
   return hash.value();

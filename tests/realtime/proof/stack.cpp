@@ -92,13 +92,12 @@ bool prove_stack_bound() {
     Wheel wheel(methods);
     for (int i = 0; i < 6; ++i) {
       wheel.vary(1531 * i);
+      wheel.vary_laws(i);
       for (const Entry& entry : all_entries()) {
         Round round{&wheel, &entry};
         const std::size_t depth = depth_of(run_entry, &round);
         Deepest& known_depth = by_entry[entry.name];
-        if (depth > known_depth.bytes)
-          known_depth = {
-              depth, std::string(normal_names[methods.normal]) + ", " + tangential_names[methods.tangential]};
+        if (depth > known_depth.bytes) known_depth = {depth, names_of(methods)};
         deepest = std::max(deepest, depth);
       }
     }

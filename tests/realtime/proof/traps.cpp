@@ -48,16 +48,16 @@ bool prove_no_traps() {
   const bool notices = disturbs([&] { third = 1.0 / three; });
   std::printf("deliberate inexact division: %s\n", notices ? "noticed" : "NOT NOTICED");
   int calls = 0, disturbing = 0;
-  for (const Methods& methods : all_methods()) {
+  for (const Methods& methods : on_every_instruction_set(all_methods())) {
     Wheel wheel(methods);
     for (int i = 0; i < 12; ++i) {
       wheel.vary(2043 * i);
+      wheel.vary_laws(i);
       for (const Entry& entry : all_entries()) {
         ++calls;
         if (!disturbs([&] { entry.call(wheel); })) continue;
         if (++disturbing > 20) continue;
-        std::printf("%s with %s and %s: A TRAP FIRED OR A FLAG STAYED\n", entry.name,
-                    normal_names[methods.normal], tangential_names[methods.tangential]);
+        std::printf("%s with %s: A TRAP FIRED OR A FLAG STAYED\n", entry.name, names_of(methods).c_str());
       }
     }
   }
@@ -66,7 +66,7 @@ bool prove_no_traps() {
     ++calls;
     if (!disturbs([&] { Wheel another(methods); })) continue;
     ++disturbing;
-    std::printf("creation with %s: A TRAP FIRED OR A FLAG STAYED\n", normal_names[methods.normal]);
+    std::printf("creation with %s: A TRAP FIRED OR A FLAG STAYED\n", names_of(methods).c_str());
   }
   ++calls;
   if (disturbs(refuse_configuration)) {

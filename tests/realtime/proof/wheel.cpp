@@ -6,22 +6,53 @@
 std::vector<Methods> all_methods() {
   std::vector<Methods> all;
   for (int32_t normal = 0; normal < normal_methods; ++normal) {
-    for (int32_t tangential : tangential_methods) all.push_back({normal, tangential, WRC_SIDE_RIGHT, 32, 32});
+    for (int32_t tangential = 0; tangential < tangential_methods; ++tangential)
+      all.push_back({normal, tangential, WRC_SIDE_RIGHT, 32, 32});
+  }
+  for (int32_t tangential : {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTSIM_EQE, WRC_TANGENTIAL_FASTSIM_EQL,
+                             WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_MODIFIED_FASTSIM}) {
+    for (int32_t other : {1, 2}) {  // both at once: they do not meet in the code
+      Methods methods{WRC_NORMAL_EKP, tangential, WRC_SIDE_RIGHT, 32, 32};
+      methods.bound = other;
+      methods.flexibility = other;
+      all.push_back(methods);
+    }
   }
   return all;
 }
 
-Wheel::Wheel(const Methods& methods) {
+std::vector<Methods> on_every_instruction_set(const std::vector<Methods>& all) {
+  std::vector<Methods> everywhere;
+  for (int32_t set = WRC_INSTRUCTIONS_BASELINE; set <= WRC_INSTRUCTIONS_AVX512; ++set) {
+    if (!available(set)) continue;
+    for (Methods methods : all) {
+      methods.instruction_set = set;
+      everywhere.push_back(methods);
+    }
+  }
+  return everywhere;
+}
+
+std::string names_of(const Methods& methods) {
+  static constexpr const char* bounds[] = {"", ", elliptic", ", ellipsoidal"};
+  static constexpr const char* flexibilities[] = {"", ", single", ", blended"};
+  return std::string(normal_names[methods.normal]) + ", " + tangential_names[methods.tangential] +
+         bounds[methods.bound] + flexibilities[methods.flexibility];
+}
+
+Wheel::Wheel(const Methods& with) : methods(with) {
   wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
   wheel.kind = WRC_PROFILE_S1002;
   rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_config config = made_config();
   config.side = methods.side;
   config.normal_method = methods.normal;
   config.tangential_method = methods.tangential;
   config.strips = methods.strips;
   config.cells = methods.cells;
   config.instruction_set = methods.instruction_set;
+  config.traction_bound = methods.bound;
+  config.flexibility = methods.flexibility;
   config.warm_start = 1;
   config.wheel = &wheel;
   config.rail = &rail;
@@ -30,6 +61,9 @@ Wheel::Wheel(const Methods& methods) {
       wrc_contact_size(model, &bytes, &alignment) < 0)
     throw std::runtime_error("no model");
   state.resize(bytes);
+  spare_memory_.resize(bytes + alignment);
+  const auto first = reinterpret_cast<std::uintptr_t>(spare_memory_.data());
+  spare = spare_memory_.data() + (alignment - first % alignment);
 }
 
 Wheel::~Wheel() {
@@ -47,6 +81,20 @@ void Wheel::vary(int i) {
   creepage.longitudinal = 3e-3 * std::sin(13.0 * t);
   creepage.lateral = 3e-3 * std::cos(17.0 * t);
   creepage.spin = 0.8 * std::sin(19.0 * t);
+}
+
+void Wheel::vary_laws(int i) {
+  static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
+  friction.kind = i % 3;
+  friction.slope_reduction = i % 5 == 4 ? 0.4 : 1.0;
+  friction.slope_fall = 0.6;
+  friction.zones = i % 2 == 1 ? 4 : 0;
+  friction.zone_y = zone_y;
+  friction.zone_coefficient = zone_coefficient;
+  friction.zone_frame = i % 7 < 3 ? WRC_ZONES_RAIL_PROFILE : WRC_ZONES_CONTACT_FRAME;
+  creepage.speed = 0.7 * (i % 60);
+  load.damping = 0.2 * (i % 3);
+  load.approach_velocity = 4.0 * std::sin(0.023 * i);
 }
 
 int32_t Wheel::step() {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "structs.hpp"
@@ -14,10 +15,19 @@ struct Methods {
   int32_t side = WRC_SIDE_RIGHT;
   int32_t strips = 60, cells = 32;
   int32_t instruction_set = WRC_INSTRUCTIONS_BEST;
+  int32_t bound = WRC_BOUND_PARABOLIC, flexibility = WRC_FLEXIBILITY_SEPARATE;
 };
 
-/// Every normal method with every tangential one.
+/// Every normal method with every tangential one; then, with one normal method, every traction bound and
+/// every form of the flexibilities.
 std::vector<Methods> all_methods();
+
+/// The same with the kernels of each instruction set this processor has.
+std::vector<Methods> on_every_instruction_set(const std::vector<Methods>& all);
+
+/// "ekp, fastsim_sdec", and the bound and flexibilities if they are not the usual
+/// ones.
+std::string names_of(const Methods& methods);
 
 /// A gap by rows, as a host would hold it.
 struct Gap {
@@ -35,6 +45,10 @@ class Wheel {
   /// approach instead, now and then apart; creepages up to full slip.
   void vary(int i);
 
+  /// Laws number i: constant friction, falling with the speed in two ways, every other time over zones; a
+  /// layer between the bodies; damping of the approach, now and then of all the force.
+  void vary_laws(int i);
+
   int32_t step();                     ///< from the pose
   int32_t step_with(const Gap& gap);  ///< from a gap of the host
   int32_t geometry() { return wrc_geometry(contact, &pose, &point); }
@@ -42,6 +56,7 @@ class Wheel {
   int32_t save() { return wrc_contact_save(contact, state.data(), state.size()); }
   int32_t restore() { return wrc_contact_restore(contact, state.data(), state.size()); }
 
+  const Methods methods;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
   wrc_pose pose = made<wrc_pose>(wrc_pose_init);
@@ -53,6 +68,10 @@ class Wheel {
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
   std::vector<char> state;  ///< room for a saved contact
+  char* spare = nullptr;    ///< room for another contact, aligned as contacts are
+
+ private:
+  std::vector<char> spare_memory_;
 };
 
 /// wrc_gap that shows rows of a host's gap.

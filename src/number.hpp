@@ -1,5 +1,5 @@
-/// The functions the formulas of this room use beside + - * /, for plain numbers; packs of them
-/// (simd/pack.hpp) and numbers with derivatives (dual.hpp) have their own.
+/// The functions formulas use beside + - * / where they are written for plain numbers and others; packs of
+/// them (simd/pack.hpp) and numbers with derivatives (tangential/dual.hpp) have their own.
 #pragma once
 
 namespace wrc {

@@ -1,0 +1,115 @@
+/// What both marches do with a group of strips, one strip per lane, before and after marching: where the
+/// strips lie, which cells lie in their first stick zones, and what the cells' tractions sum up to.
+#pragma once
+
+#include "simd/pack.hpp"
+#include "tangential/simd/kernels.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// Groups of strips that are marched side by side, so that one computes while another waits for a root.
+constexpr std::int32_t in_flight = 2;
+
+struct StripGroup {
+  std::int32_t first, count;  ///< strips
+  std::int32_t all_stick;     ///< cells before this one lie in the first stick zones of all strips
+  std::int32_t all_move;      ///< cells from this one on begin where all strips have left theirs
+  Pack lead, y, half_length;  ///< x of the leading edge, y, half length [m]
+  Pack cell;                  ///< area of a cell [m^2]
+  Pack bound;                 ///< traction bound at the strip's middle [Pa]
+  Pack stick_cells;           ///< cells whose middle lies in the first stick zone
+};
+
+/// Places the strips first .. first + count - 1. Lanes without a strip have no width, but a length to divide
+/// by.
+inline void place(const Strips& strips, std::int32_t cells, std::int32_t first, std::int32_t count,
+                  StripGroup& g) {
+  g.first = first;
+  g.count = count;
+  g.half_length = load(strips.half_length, first, count, 1.0);
+  g.lead = load(strips.centre, first, count, 0.0) + g.half_length;
+  g.y = load(strips.y, first, count, 0.0);
+  g.cell = g.half_length * (2.0 / cells) * load(strips.width, first, count, 0.0);
+}
+
+/// Sets the first stick zones, `stick` cells long.
+inline void set_stick_zone(Pack stick, std::int32_t cells, StripGroup& g) {
+  g.stick_cells = nearest_integer(stick);
+  double of_strip[lanes];
+  store_pack(of_strip, g.stick_cells);
+  double least = cells, most = 0.0;
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    least = of_strip[k] < least ? of_strip[k] : least;
+    most = of_strip[k] > most ? of_strip[k] : most;
+  }
+  g.all_stick = static_cast<std::int32_t>(least);
+  g.all_move = static_cast<std::int32_t>(most) + 1;
+}
+
+/// Sums of tractions over the bound, or of their derivatives: over the first stick zone and over the cells
+/// that moved, t the distance of a cell from the leading edge in half lengths.
+struct ForceSums {
+  Pack stick_px, stick_py, stick_t_py;
+  Pack px, py;
+  Pack py_so_far;  ///< sum over the cells of what py was after each: n - i times the traction of cell i of n
+};
+
+inline void add_cell(Pack px, Pack py, ForceSums& s) {
+  s.px += px;
+  s.py += py;
+  s.py_so_far += s.py;
+}
+
+/// Forces and moment of each lane.
+struct LaneForces {
+  double fx[lanes], fy[lanes], mz[lanes];
+};
+
+inline LaneForces lane_forces(const StripGroup& g, std::int32_t cells, const ForceSums& s) {
+  const Pack force = g.bound * g.cell, h = 2.0 / cells;
+  const Pack px = s.stick_px + s.px, py = s.stick_py + s.py;
+  const Pack t_py = s.stick_t_py + h * ((cells + 0.5) * s.py - s.py_so_far);
+  LaneForces f;
+  store_pack(f.fx, force * px);
+  store_pack(f.fy, force * py);
+  store_pack(f.mz, force * (g.lead * py - g.half_length * t_py - g.y * px));
+  return f;
+}
+
+/// Adds a group strip by strip. unslid: cells behind the first stick zone that have not slid; power: of the
+/// slip [N].
+inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, Pack unslid, Pack power,
+                      Sums& total) {
+  const LaneForces f = lane_forces(g, cells, s);
+  double of_power[lanes], cell[lanes], slid[lanes];
+  store_pack(of_power, power);
+  store_pack(cell, g.cell);
+  store_pack(slid, g.cell * ((cells - g.stick_cells) - unslid));
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    total.fx += f.fx[k];
+    total.fy += f.fy[k];
+    total.mz += f.mz[k];
+    total.power_per_speed += of_power[k];
+    total.area += cells * cell[k];
+    total.slid_area += slid[k];
+  }
+}
+
+/// The same for the derivatives with respect to an input.
+inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, std::int32_t input,
+                      Sums& total) {
+  const LaneForces f = lane_forces(g, cells, s);
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    total.d[0][input] += f.fx[k];
+    total.d[1][input] += f.fy[k];
+    total.d[2][input] += f.mz[k];
+  }
+}
+
+inline void store_field(Pack a, double* field, std::ptrdiff_t at, std::int32_t count) {
+  if (field != nullptr) store(a, field + at, count);
+}
+
+}  // namespace
+}  // namespace wrc::simd

@@ -1,0 +1,80 @@
+/// What bends the creep curve, and its slopes: friction over place and sliding speed, a layer between the
+/// bodies, damping of the approach, and the derivatives of the forces, with every tangential method.
+#include "golden/plan.hpp"
+
+namespace {
+
+constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3};
+constexpr double zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
+
+/// Friction number i: the three kinds in turn, every other time with zones, in the one frame and the other.
+wrc_friction friction_number(int i) {
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  friction.kind = i % 3;
+  friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
+  friction.slope_fall = 0.6;
+  friction.zones = i % 2 == 1 ? 4 : 0;
+  friction.zone_y = zone_y;
+  friction.zone_coefficient = zone_coefficient;
+  friction.zone_frame = i % 4 == 1 ? WRC_ZONES_RAIL_PROFILE : WRC_ZONES_CONTACT_FRAME;
+  return friction;
+}
+
+/// One patch and two; every friction number; once in a while damped.
+std::vector<Step> steps_with_laws() {
+  std::vector<Step> steps;
+  Numbers numbers(7);
+  for (int i = 0; i < 12; ++i) {
+    Step step;
+    step.pose.lateral = i % 3 == 2 ? 5.1e-3 : numbers.between(-3e-3, 4e-3);
+    step.load.normal_force = numbers.between(5e4, 1e5);
+    step.load.prescribed = i % 4 == 2 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
+    step.load.approach = 70e-6;
+    step.load.approach_velocity = 0.5;
+    step.load.damping = 0.2;
+    step.creepage.longitudinal = numbers.between(-3e-3, 3e-3);
+    step.creepage.lateral = numbers.between(-3e-3, 3e-3);
+    step.creepage.spin = numbers.between(-0.6, 0.6);
+    step.creepage.speed = 40.0;
+    step.friction = friction_number(i);
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+void run_sensitivities(wrc_contact* contact, Hash& hash) {
+  for (const Step& step : steps_with_laws()) {
+    wrc_input input = made<wrc_input>(wrc_input_init);
+    input.pose = &step.pose;
+    input.load = &step.load;
+    input.creepage = &step.creepage;
+    input.friction = &step.friction;
+    wrc_output output = made<wrc_output>(wrc_output_init);
+    wrc_sensitivity slopes = made<wrc_sensitivity>(wrc_sensitivity_init);
+    wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+    hash.add(wrc_step(contact, &input, &output));
+    hash.add(wrc_sensitivities(contact, &slopes));
+    hash.add(wrc_step_sensitivities(contact, &of_step));
+    for (const auto& row : slopes.forces) {
+      for (double number : row) hash.add(number);
+    }
+    for (double number : of_step.by_load) hash.add(number);
+    for (double number : of_step.by_lateral) hash.add(number);
+  }
+}
+
+}  // namespace
+
+void add_laws(Plan& plan) {
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+    wrc_config& config = plan.models.emplace_back(made_config());
+    config.normal_method = WRC_NORMAL_EKP;
+    config.tangential_method = tangential;
+    config.strips = 26;
+    config.cells = 18;
+    config.wheel = &plan.profiles[0];
+    config.rail = &plan.profiles[1];
+    plan.jobs.push_back({"friction", plan.models.size() - 1, steps_with_laws(), {}});
+    plan.jobs.push_back({"sensitivities", plan.models.size() - 1, {}, run_sensitivities});
+  }
+}

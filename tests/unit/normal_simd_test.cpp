@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "normal/contact_condition.hpp"
+#include "normal/simd/kernels.hpp"
+#include "normal/strip_halfspace.hpp"
+#include "normal_gaps.hpp"
+#include "simd/instruction_set.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGap;
+
+/// The influence tables with the kernels of each set this processor has.
+std::vector<std::unique_ptr<StripKernel>> all_kernels() {
+  std::vector<std::unique_ptr<StripKernel>> all;
+  for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set > best_instruction_set()) continue;
+    all.push_back(std::make_unique<StripKernel>());
+    tabulate(*all.back(), set);
+  }
+  return all;
+}
+
+/// Every number of a cold solve and of three warm ones after it.
+std::vector<double> everything(const StripKernel& kernel, OwnedGap gap, double skew, std::int32_t strips) {
+  for (std::size_t j = 0; j < gap.y.size(); ++j) gap.centre[j] = skew * gap.y[j];
+  std::vector<std::byte> scratch(static_cast<std::size_t>(strip_halfspace_workspace(strips)));
+  std::vector<double> memory(static_cast<std::size_t>(4 * strips));
+  NormalWorkspace workspace{scratch.data(), static_cast<std::int64_t>(scratch.size())};
+  double* const m = memory.data();
+  StripHalfspaceStart start{strips, 0, m, m + strips, m + 2 * strips, m + 3 * strips};
+  test::StripMemory owned(strips);
+  std::vector<double> all;
+  for (const double load : {80e3, 82e3, 60e3, 95e3}) {
+    NormalSolution solution;
+    const Fault fault = solve_strip_halfspace(test::under_load(gap, load, strips), {}, kernel, workspace,
+                                              start, owned.strips, solution);
+    EXPECT_FALSE(fault.failed());
+    const Strips& found = owned.strips;
+    for (std::int32_t j = 0; j < found.count; ++j)
+      for (const double value :
+           {found.y[j], found.width[j], found.centre[j], found.half_length[j], found.peak[j]})
+        all.push_back(value);
+    for (const double value : {solution.approach, solution.area, solution.stiffness, solution.peak_pressure})
+      all.push_back(value);
+  }
+  return all;
+}
+
+TEST(NormalInstructionSets, GiveTheSameBits) {
+  const auto kernels = all_kernels();
+  const OwnedGap gap = test::s1002_on_uic60();
+  for (const double skew : {0.0, -0.05, 0.4})
+    for (std::int32_t strips = 5; strips <= 75; strips += 7) {  // packs filled and not
+      const std::vector<double> baseline = everything(*kernels.front(), gap, skew, strips);
+      for (const auto& kernel : kernels) {
+        const std::vector<double> wide = everything(*kernel, gap, skew, strips);
+        ASSERT_EQ(baseline.size(), wide.size());
+        ASSERT_EQ(std::memcmp(baseline.data(), wide.data(), baseline.size() * sizeof(double)), 0)
+            << strips << " strips, set " << static_cast<int>(kernel->kernels->set);
+      }
+    }
+}
+
+TEST(NormalInstructionSets, AreTheOnesAskedFor) {
+  for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set <= best_instruction_set()) {
+      EXPECT_EQ(normal_kernels(set).set, set);
+    }
+  }
+}
+
+/// Strips side by side with half lengths and centres that differ, in arrays as the kernels want them.
+struct RowOfStrips {
+  static constexpr std::size_t room = 64 + 2 * simd::beyond_sources;
+  std::int32_t count;
+  std::vector<double> memory;
+  double *y, *width, *centre, *inverse_length, *strength, *edge, *half_width, *found;
+
+  RowOfStrips(std::int32_t strips, double skew) : count(strips), memory(8 * room, 0.0) {
+    double* next = memory.data() + simd::beyond_sources;
+    for (double** array : {&y, &width, &centre, &inverse_length, &strength, &edge, &half_width, &found}) {
+      *array = next;
+      next += room;
+    }
+    for (std::int32_t j = 0; j < count; ++j) {
+      width[j] = 0.5e-3;
+      y[j] = 0.5e-3 * j;
+      centre[j] = skew * y[j];
+      const double half_length = 4e-3 + 0.5e-3 * std::sin(0.4 * j);
+      inverse_length[j] = 1.0 / half_length;
+      strength[j] = width[j] * half_length;
+      edge[j] = centre[j] + half_length;
+      half_width[j] = 0.5 * width[j] * inverse_length[j];
+    }
+  }
+};
+
+TEST(NormalKernels, InfluenceIsTheDisplacementUnderAStrip) {
+  for (const auto& kernel : all_kernels())
+    for (const std::int32_t count : {1, 7, 16, 33, 60}) {
+      const RowOfStrips s(count, 0.0);
+      const simd::InfluenceTask task{kernel->tables(), count, s.y, s.width, s.centre,
+                                     s.inverse_length, false};
+      std::vector<double> row(RowOfStrips::room);
+      for (const std::int32_t j : {0, count / 2, count - 1}) {
+        kernel->kernels->influence_row(task, j, row.data());
+        for (std::int32_t i = 0; i < count; ++i) {
+          if (i == j) continue;  // left to the caller
+          const double from = s.y[i] - s.y[j] - 0.5 * s.width[i];
+          const double exact = strip_displacement(1.0 / s.inverse_length[i], from, from + s.width[i]);
+          EXPECT_NEAR(row[static_cast<std::size_t>(i)], exact, 2e-3 * exact) << j << " sees " << i;
+        }
+      }
+    }
+}
+
+TEST(NormalKernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
+  for (const auto& kernel : all_kernels()) {
+    const RowOfStrips s(60, 0.3);
+    const simd::InfluenceTask task{kernel->tables(), 60, s.y, s.width, s.centre, s.inverse_length, true};
+    std::vector<double> row(RowOfStrips::room);
+    for (std::int32_t j = 0; j < 60; j += 7) {
+      kernel->kernels->influence_row(task, j, row.data());
+      for (std::int32_t i = 0; i < 60; ++i) {
+        if (std::abs(i - j) <= 8) continue;  // corrected for their width
+        const double inverse = s.inverse_length[i];
+        const double exact = s.width[i] * line_potential(std::abs(s.y[i] - s.y[j]) * inverse,
+                                                         std::abs(s.centre[i] - s.centre[j]) * inverse);
+        EXPECT_NEAR(row[static_cast<std::size_t>(i)], exact, 2e-3 * exact) << j << " sees " << i;
+      }
+    }
+  }
+}
+
+TEST(NormalKernels, EdgesSeeAllStrips) {
+  for (const auto& kernel : all_kernels())
+    for (const std::int32_t count : {1, 2, 5, 6, 8, 9, 17, 31, 60}) {
+      RowOfStrips s(count, 0.1), pairs(count, 0.1);
+      // Pair k at the middle of strips k and k + 1, with the strength of both; the outermost strips alone.
+      const auto alone = [&](std::int32_t k, std::int32_t a) {
+        pairs.y[k] = s.y[a];
+        pairs.centre[k] = s.centre[a];
+        pairs.inverse_length[k] = s.inverse_length[a];
+        pairs.strength[k] = s.strength[a];
+      };
+      for (std::int32_t k = 0; k + 1 < count; ++k) {
+        const double load = s.strength[k] / s.inverse_length[k] + s.strength[k + 1] / s.inverse_length[k + 1];
+        pairs.y[k] = 0.5 * (s.y[k] + s.y[k + 1]);
+        pairs.centre[k] = 0.5 * (s.centre[k] + s.centre[k + 1]);
+        pairs.inverse_length[k] = 0.5 * (s.inverse_length[k] + s.inverse_length[k + 1]);
+        pairs.strength[k] = load * pairs.inverse_length[k];
+      }
+      alone(count - 1, count - 1);
+      alone(-1, 0);
+      kernel->kernels->edge_displacements({kernel->tables(),
+                                           count,
+                                           {s.y, s.centre, s.inverse_length, s.strength},
+                                           {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
+                                           s.edge,
+                                           s.y,
+                                           s.half_width,
+                                           s.found});
+      for (std::int32_t a = 0; a < count; ++a) {
+        double exact = s.strength[a] * kernel->own_edge(s.half_width[a]);
+        for (std::int32_t b = 0; b < count; ++b)
+          if (b != a)
+            exact += s.strength[b] * line_potential(std::abs(s.y[a] - s.y[b]) * s.inverse_length[b],
+                                                    std::abs(s.edge[a] - s.centre[b]) * s.inverse_length[b]);
+        EXPECT_NEAR(s.found[a], exact, 2e-3 * exact) << "edge " << a << " of " << count;
+      }
+    }
+}
+
+TEST(NormalKernels, EliminationSolvesTheEquations) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const auto& kernel : all_kernels())
+    for (std::int32_t size = 4; size <= 64; size += 4) {
+      const auto n = static_cast<std::size_t>(size);
+      const auto stride = static_cast<std::size_t>(simd::elimination_stride(size));
+      std::vector<double> matrix(n * stride, 0.0), r(stride), s(stride);
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n + 2; ++j) matrix[i * stride + j] = uniform(random);
+        matrix[i * stride + i] += 0.6 * size;
+      }
+      const std::vector<double> given = matrix;
+      kernel->kernels->eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
+      for (std::size_t i = 0; i < n; ++i) {
+        double left_r = given[i * stride + n], left_s = given[i * stride + n + 1];
+        for (std::size_t j = 0; j < n; ++j) {
+          left_r -= given[i * stride + j] * r[j];
+          left_s -= given[i * stride + j] * s[j];
+        }
+        EXPECT_NEAR(left_r, 0.0, 1e-13);
+        EXPECT_NEAR(left_s, 0.0, 1e-13);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace wrc

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tangential/simd/turning.hpp"
+
+namespace wrc::simd {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double lane(Pack x) {
+  double of[lanes];
+  store_pack(of, x);
+  return of[0];
+}
+
+struct Case {
+  double angle;  ///< of e
+  double Vx, Vy, d;
+};
+
+Case random_case(std::mt19937& random) {
+  std::uniform_real_distribution<double> angle(-pi, pi), decade(-3.0, 3.0);
+  const double towards = angle(random), r = std::pow(10.0, decade(random));
+  return {angle(random), r * std::cos(towards), r * std::sin(towards), std::pow(10.0, decade(random))};
+}
+
+/// Angle of e after the step; z of the step gives `ahead`.
+double turned(const Case& c, double& ahead) {
+  Pack ex = std::cos(c.angle), ey = std::sin(c.angle), next = 0.0;
+  turn(c.Vx, c.Vy, c.d, ex, ey, next);
+  ahead = lane(next);
+  return std::atan2(lane(ey), lane(ex));
+}
+
+TEST(Turning, HalvesTheTangentAsItShould) {
+  std::mt19937 random(3);
+  for (int n = 0; n < 1000; ++n) {
+    const Case c = random_case(random);
+    const double against = std::atan2(-c.Vy, -c.Vx), z = 2.0 * std::hypot(c.Vx, c.Vy) / c.d;
+    const double q = 1.0 + z + 0.5 * z * z;
+    const double expected = against + 2.0 * std::atan(std::tan(0.5 * (c.angle - against)) / q);
+    double ahead;
+    EXPECT_NEAR(std::remainder(turned(c, ahead) - expected, 2.0 * pi), 0.0, 1e-12);
+    EXPECT_NEAR(ahead * (2.0 + z), 1.0, 1e-14);
+  }
+}
+
+TEST(Turning, KeepsTheLengthOfTheDirection) {
+  std::mt19937 random(5);
+  Pack ex = 0.6, ey = 0.8, ahead = 0.5;
+  for (int n = 0; n < 1000; ++n) {
+    const Case c = random_case(random);
+    turn(c.Vx, c.Vy, c.d, ex, ey, ahead);
+  }
+  EXPECT_NEAR(std::hypot(lane(ex), lane(ey)), 1.0, 1e-13);  // a thousand roundings
+}
+
+TEST(Turning, LeavesTheDirectionWhereNothingSlipsAndWhereItHasNoWayToTurn) {
+  for (const double Vx : {0.0, 3.0, 1e12}) {  // 3, 1e12: against itself, where both ways round are as far
+    Pack ex = 1.0, ey = 0.0, ahead = 0.5;
+    turn(Vx, 0.0, 0.01, ex, ey, ahead);
+    EXPECT_NEAR(std::fabs(lane(ex)), 1.0, 1e-15);
+    EXPECT_EQ(lane(ey), 0.0);
+  }
+}
+
+TEST(Turning, SlopesAreThoseOfDifferences) {
+  std::mt19937 random(7);
+  for (int n = 0; n < 300; ++n) {
+    const Case c = random_case(random);
+    Pack ex = std::cos(c.angle), ey = std::sin(c.angle), ahead = 0.0;
+    const Pack before_x = ex, before_y = ey;
+    const TurnSlopes s = slopes(turn(c.Vx, c.Vy, c.d, ex, ey, ahead), before_x, before_y);
+    const double r = std::hypot(c.Vx, c.Vy);
+    const double unit[] = {1.0, r, r, c.d};
+    const double of_angle[] = {lane(s.kept), lane(s.by_x), lane(s.by_y), lane(s.by_d)};
+    const double of_ahead[] = {0.0, lane(s.ahead_by_x), lane(s.ahead_by_y), lane(s.ahead_by_d)};
+    for (int k = 0; k < 4; ++k) {
+      const double step = 1e-6 * unit[k];
+      Case more = c, less = c;
+      double* const inputs_of[][4] = {{&more.angle, &more.Vx, &more.Vy, &more.d},
+                                      {&less.angle, &less.Vx, &less.Vy, &less.d}};
+      *inputs_of[0][k] += step;
+      *inputs_of[1][k] -= step;
+      double ahead_more, ahead_less;
+      const double change = std::remainder(turned(more, ahead_more) - turned(less, ahead_less), 2.0 * pi);
+      // an unstable direction, against which e is turned away, multiplies what is left of the differences by
+      // q
+      const double largest = 1.0 + std::fabs(of_angle[k] * unit[k]);
+      EXPECT_NEAR(of_angle[k] * unit[k], 0.5e6 * change, 1e-7 * largest * largest * largest) << n << ' ' << k;
+      EXPECT_NEAR(of_ahead[k] * unit[k], 0.5e6 * (ahead_more - ahead_less), 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wrc::simd
