@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/gap_rows.hpp"
+#include "geometry/simd/kernels.hpp"
 #include "geometry/surface_gap.hpp"
 #include "geometry_test_bodies.hpp"
 
@@ -121,7 +122,8 @@ TEST(SurfaceGap, WithoutYawIsTheRowsParabolaAndThenACircle) {
   std::array<double, 20> y, height, centre, curvature;
   GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -9.0 * mm, .high = 9.0 * mm}, 20,
-                          {20, y.data(), height.data(), centre.data(), curvature.data()}, rows)
+                          {20, y.data(), height.data(), centre.data(), curvature.data()},
+                          geometry_kernels(InstructionSet::baseline), rows)
                 .status,
             WRC_OK);
   const SurfaceGap gap{bodies.rail, wheel, contact};
@@ -164,7 +166,8 @@ TEST(SurfaceGap, HasNoRidgeAheadOfTheFlangeRoot) {
   std::array<double, 80> y, height, centre, curvature;
   GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -1.0 * mm, .high = 1.0 * mm}, 80,
-                          {80, y.data(), height.data(), centre.data(), curvature.data()}, rows)
+                          {80, y.data(), height.data(), centre.data(), curvature.data()},
+                          geometry_kernels(InstructionSet::baseline), rows)
                 .status,
             WRC_OK);
   const auto parabola = [&](std::size_t j, double x) {
