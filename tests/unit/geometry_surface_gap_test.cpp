@@ -17,16 +17,17 @@ constexpr double mm = 1e-3;
 
 /// A wheel of one slope all over, r = radius + slope (s - s0), and a plane rail.
 struct ConeOnPlane {
-  std::array<double, 2> s{0.6, 0.9}, z{}, wheel_slope{}, y{0.6, 0.9}, rail_z{}, rail_slope{};
+  std::array<double, 2> s{0.6, 0.9}, z{}, wheel_slope{}, y{0.6, 0.9}, rail_z{}, rail_slope{},
+      none{};  // straight
   Wheel wheel;
   Rail rail;
 
   ConeOnPlane(double cone, double plane) : wheel_slope{cone, cone}, rail_slope{plane, plane} {
     z = {-0.15 * cone, 0.15 * cone};
     rail_z = {-0.15 * plane, 0.15 * plane};
-    wheel.profile = {2, s.data(), z.data(), wheel_slope.data()};
+    wheel.profile = {2, s.data(), z.data(), wheel_slope.data(), none.data(), none.data()};
     wheel.nominal_radius = 0.46;
-    rail.profile = {2, y.data(), rail_z.data(), rail_slope.data()};
+    rail.profile = {2, y.data(), rail_z.data(), rail_slope.data(), none.data(), none.data()};
   }
 
   /// From the point (x, y) of the contact plane along the normal n to the cone X^2 + Z^2 = r^2 and the plane,
