@@ -146,8 +146,11 @@ WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solu
 WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result);                 /**< Defaults of a result. */
 /** @} */
 
-/** Samples the gap in a contact (of wrc_geometry, yaw included, or of the caller) at the cell centres of a grid, its
- * minimum at zero. Outside the rows the gap is that of the last row plus its slope's continuation.
+/** Samples the gap in a contact at the cell centres of a grid, its minimum at zero.
+ * Of wrc_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail,
+ * along the contact normal. The rows the real-time methods read are its expansion along x; beside steps of the
+ * profile's curvature they leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a
+ * parabola. Outside the rows' range of y the gap continues with the last row's slope.
  * @param contact with a gap
  * @param grid where to sample
  * @param[out] gap nx * ny [m]; zero on failure, once the grid is known to be one

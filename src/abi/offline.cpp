@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include "abi/fp_environment.hpp"
@@ -326,11 +327,26 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   return exact.fault;
 }
 
-/// Height of the gap at one point; beyond the rows the end row's slope continues.
-double gap_at(const GapRows& rows, double x, double y) {
-  const double inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
-  const GapRow row = interpolate(rows, inside);
-  return row.height + row.slope * (y - inside) + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
+/// Samples the gap in a contact at the cell centres, its minimum at zero: of a pose the true surfaces', of
+/// the caller that of the rows' parabolas; beyond the rows the end row's slope continues.
+void sample_gap(const Contact& contact, const halfspace::Grid& grid, double* gap) {
+  const GapRows rows = gap_rows(contact);
+  std::optional<SurfaceGap> surfaces;
+  if (contact.posed) surfaces = surface_gap(contact);
+  const auto height_at = [&](const GapRow& row, double x, double y) {
+    if (surfaces) return surfaces->at(x, y);
+    return row.height + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
+  };
+  const double lowest_y = minimum(rows).y;
+  const GapRow lowest_row = interpolate(rows, lowest_y);
+  const double lowest = height_at(lowest_row, lowest_row.centre, lowest_y);
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = grid.y(j), inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
+    const GapRow row = interpolate(rows, inside);
+    for (int i = 0; i < grid.nx; ++i) {
+      gap[grid.index(i, j)] = height_at(row, grid.x(i), inside) + row.slope * (y - inside) - lowest;
+    }
+  }
 }
 
 /// Only where the caller wants the fields; every number zero.
@@ -393,12 +409,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
               .field = "gap",
               .cause = "call wrc_geometry first, or hand over a gap"};
     }
-    const wrc::GapRows rows = wrc::gap_rows(inside);
-    const double lowest = wrc::minimum(rows).height;
-    for (int j = 0; j < ours.ny; ++j) {
-      for (int i = 0; i < ours.nx; ++i)
-        gap[ours.index(i, j)] = abi::gap_at(rows, ours.x(i), ours.y(j)) - lowest;
-    }
+    abi::sample_gap(inside, ours, gap);
     return fault;
   });
   return inside.last.status;

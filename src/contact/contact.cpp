@@ -31,6 +31,19 @@ constexpr double gap_half_width = 0.030;  // [m]
 /// the approach is half of this, or twice.
 constexpr double pressed_depth = 80e-6;
 
+/// The wheel where its gap is taken, lowered to first touch and pressed_depth further, and the contact point
+/// as the origin of that gap: the wheel is down already.
+struct PressedWheel {
+  PosedWheel wheel;
+  ContactPoint origin;
+
+  PressedWheel(const Model& model, Pose pose, const ContactPoint& first_touch) : origin(first_touch) {
+    pose.vertical += first_touch.vertical_gap + pressed_depth / first_touch.cosine;
+    wheel = posed(model.wheel, pose);
+    origin.vertical_gap = 0.0;
+  }
+};
+
 /// The strips whose five arrays begin with `first`.
 Strips strips_at(Contact& contact, Array first, std::int32_t count) {
   const auto member = [&](int i) { return array(contact, static_cast<Array>(static_cast<int>(first) + i)); };
@@ -154,11 +167,7 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   Fault fault = find_contact(model.rail, posed(model.wheel, pose), 1, &contact.point, found);
   if (fault.failed()) return fault;
 
-  Pose pressed = pose;
-  pressed.vertical += contact.point.vertical_gap + pressed_depth / contact.point.cosine;
-  const PosedWheel wheel = posed(model.wheel, pressed);
-  ContactPoint origin = contact.point;
-  origin.vertical_gap = 0.0;  // the wheel is down already
+  const auto [wheel, origin] = PressedWheel(model, pose, contact.point);
   const GapWindow window = gap_window(model.rail, wheel, origin, {model.options.gap_limit, gap_half_width});
   GapRows rows;
   const GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
@@ -173,6 +182,11 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   contact.posed = true;
   contact.reached = Stage::gap;
   return fault;
+}
+
+SurfaceGap surface_gap(const Contact& contact) {
+  const auto [wheel, origin] = PressedWheel(*contact.model, contact.pose, contact.point);
+  return {contact.model->rail, wheel, origin};
 }
 
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {

@@ -15,6 +15,7 @@
 #include "fault.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/creepages.hpp"
+#include "geometry/surface_gap.hpp"
 #include "normal/problem.hpp"
 #include "patch/sdec.hpp"
 #include "patch/split.hpp"
@@ -196,6 +197,10 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
 /// work on a copy: the contact stays as it is.
 Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities);
 Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities);
+
+/// The surfaces whose expansion are the rows of find_gap(), heights up to one constant; of a contact that is
+/// `posed`. Not real-time code.
+SurfaceGap surface_gap(const Contact& contact);
 
 /// Entry with data of the host: a gap, a pressure distribution, an exact double ellipse under load.
 void take_gap(Contact& contact, const GapRows& rows);

@@ -4,7 +4,8 @@
 ///     normal_report jumps                      the same: what is left of its changes as the step shrinks
 ///
 ///     normal_report flange [CELLS]             first touch leaping to the flange, against the exact solver
-///                                              on CELLS x 2 CELLS cells [160]
+///                                              on CELLS x 2 CELLS cells [160]: of the true surfaces, of the
+///                                              rows
 ///
 ///     normal_report speed                      microseconds per solve of every method, 60 strips
 ///
@@ -71,6 +72,18 @@ class Wheel {
     return wrc_geometry(contact_, &pose, &point);
   }
   int32_t solve() { return wrc_normal(contact_, nullptr, &load_, &patch); }
+
+  /// Takes over the rows of another wheel's gap, as the caller's.
+  int32_t take_rows(const Wheel& other) {
+    const wrc_view y = other.field(WRC_FIELD_GAP_Y, 0);
+    wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+    gap.rows = static_cast<uint32_t>(y.count[0]);
+    gap.y = y.data;
+    gap.height = other.field(WRC_FIELD_GAP_HEIGHT, 0).data;
+    gap.centre = other.field(WRC_FIELD_GAP_CENTRE, 0).data;
+    gap.curvature = other.field(WRC_FIELD_GAP_CURVATURE, 0).data;
+    return wrc_normal(contact_, &gap, &load_, &patch);
+  }
 
   /// The shortest of three identical solves [us]: what the code takes, not what else the machine does.
   double time_of_solve() {
@@ -298,20 +311,48 @@ int jumps() {
 
 // ------------------------------------------------------------------------------------------------ flange
 
-/// The strips against the exact half-space solver of the same gap, where first touch moves to the flange;
-/// `cells` along x, twice as many along y. Also where the exact peak lies: x from the middle of its row.
+/// The exact solution of the gap in a contact.
+struct Exact {
+  bool solved = false;
+  wrc_exact_normal_solution of = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+  double ahead = 0.0;  ///< where the peak lies: x from the middle of its row [m]
+};
+
+Exact solve_exactly(wrc_contact* contact, const wrc_grid& grid, double load) {
+  std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny), pressure(gap.size());
+  wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+  problem.normal_force = load;
+  problem.grid = &grid;
+  problem.gap = gap.data();
+  Exact exact;
+  exact.of.pressure = pressure.data();
+  exact.solved = wrc_exact_gap(contact, &grid, gap.data()) >= 0 &&
+                 wrc_exact_normal(&problem, &exact.of, nullptr, 0) >= 0;
+  const std::ptrdiff_t cells = grid.nx;
+  const std::ptrdiff_t peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
+  const auto row = gap.begin() + peak - peak % cells;
+  const std::ptrdiff_t middle = std::min_element(row, row + cells) - row;
+  exact.ahead = grid.dx * static_cast<double>(peak % cells - middle);
+  return exact;
+}
+
+/// The strips against the exact half-space solver, where first touch moves to the flange: on the true
+/// surfaces, and on the rows the strips read. `cells` along x, twice as many along y.
 int flange(uint32_t cells) {
   std::printf(
-      "strip_halfspace against the exact solver on the same gap, %.0f kN; errors in %%\n"
-      "%8s %6s %8s %9s %9s %9s | %9s %9s %9s %12s\n",
-      1e-3 * load_of_all, "lateral", "yaw", "patches", "approach", "area", "peak", "approach", "area", "peak",
-      "off mid [mm]");
-  Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false);
+      "strip_halfspace against the exact solver of the true surfaces | of the rows the strips read; %.0f kN\n"
+      "errors in %%; x: of the exact peak, from the middle of its row [mm]\n"
+      "%8s %6s %8s %9s %9s %9s",
+      1e-3 * load_of_all, "lateral", "yaw", "patches", "approach", "area", "peak");
+  for (int i = 0; i < 2; ++i) std::printf(" | %8s %7s %7s %7s", "approach", "area", "peak", "x");
+  std::printf("\n");
+  Wheel wheel(WRC_NORMAL_STRIP_HALFSPACE, false), rows(WRC_NORMAL_STRIP_HALFSPACE, false);
   for (double yaw : {0.0, 0.010})
-    for (double lateral = 6.0e-3;
-         lateral<7.01e-3; lateral += lateral> 6.45e-3 && lateral < 6.75e-3 ? 0.05e-3 : 0.1e-3) {
+    for (double lateral : {6.0, 6.1, 6.2, 6.3, 6.4, 6.5, 6.55, 6.6, 6.65, 6.7, 6.75, 6.85, 6.95}) {
+      lateral *= 1e-3;
       wheel.place(lateral, yaw);
       wheel.solve();
+      rows.take_rows(wheel);
       const Wheel::Extent extent = wheel.extent();
       constexpr double margin = 1e-3;
       wrc_grid grid = made<wrc_grid>(wrc_grid_init);
@@ -321,25 +362,17 @@ int flange(uint32_t cells) {
       grid.dy = (extent.y_to - extent.y_from + 2.0 * margin) / grid.ny;
       grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
       grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
-      std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny), pressure(gap.size());
-      wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
-      wrc_exact_normal_solution exact = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
-      problem.normal_force = wheel.patch.normal_force;
-      problem.grid = &grid;
-      problem.gap = gap.data();
-      exact.pressure = pressure.data();
-      if (wrc_exact_gap(wheel.contact(), &grid, gap.data()) < 0 ||
-          wrc_exact_normal(&problem, &exact, nullptr, 0) < 0)
-        return 1;
-      const std::ptrdiff_t peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
-      const auto row = gap.begin() + peak - peak % cells;
-      const std::ptrdiff_t middle = std::min_element(row, row + cells) - row;
       const wrc_patch& p = wheel.patch;
-      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f | %+9.2f %+9.2f %+9.2f %12.2f\n", 1e3 * lateral,
-                  1e3 * yaw, p.patches, 1e6 * p.approach, 1e6 * p.area, 1e-6 * p.peak_pressure,
-                  100.0 * (p.approach / exact.approach - 1.0), 100.0 * (p.area / exact.area - 1.0),
-                  100.0 * (p.peak_pressure / exact.peak_pressure - 1.0),
-                  1e3 * grid.dx * static_cast<double>(peak % cells - middle));
+      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f", 1e3 * lateral, 1e3 * yaw, p.patches, 1e6 * p.approach,
+                  1e6 * p.area, 1e-6 * p.peak_pressure);
+      for (const Wheel* each : {&wheel, &rows}) {
+        const Exact exact = solve_exactly(each->contact(), grid, p.normal_force);
+        if (!exact.solved) return 1;
+        std::printf(" | %+8.2f %+7.2f %+7.2f %7.2f", 100.0 * (p.approach / exact.of.approach - 1.0),
+                    100.0 * (p.area / exact.of.area - 1.0),
+                    100.0 * (p.peak_pressure / exact.of.peak_pressure - 1.0), 1e3 * exact.ahead);
+      }
+      std::printf("\n");
     }
   return 0;
 }
