@@ -39,8 +39,8 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
   bool at_edge = false;
   const auto force = [&](double approach, const PenetrationScale& scale, const Span& span) {
     at_edge = span.at_edge;
-    divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
-    return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
+    divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
   fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
                           solution);
