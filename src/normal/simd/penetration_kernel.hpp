@@ -8,57 +8,46 @@
 namespace wrc::simd {
 namespace {
 
-/// How the height changes at the row of each lane.
-struct RowSlope {
-  Pack at;      ///< d height / dy at the row [-]
-  Pack second;  ///< d2 height / dy2 around it [1/m]
-};
-
-/// The parabola through a row and its neighbours: row_slope of patch/gap.cpp, operation by operation.
-inline RowSlope row_slope(const GapRows& rows, const Indices& before, const Indices& middle) {
-  const Neighbours y_left = pick(rows.y, before), y_right = pick(rows.y, middle);
-  const Neighbours height_left = pick(rows.height, before), height_right = pick(rows.height, middle);
+/// The slope of the height at y, by the parabola through the row `before` and the two behind it [-]:
+/// row_slope of patch/gap.cpp, operation by operation.
+inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
+  const Neighbours y_left = pick(rows.y, before), y_right = pick(rows.y + 1, before);
+  const Neighbours height_left = pick(rows.height, before), height_right = pick(rows.height + 1, before);
   const Pack left = y_left.behind - y_left.at, right = y_right.behind - y_right.at;
   const Pack drop = height_left.behind - height_left.at, rise = height_right.behind - height_right.at;
   const Pack inverse = 1.0 / (left * right * (left + right));
-  return {(drop * right * right + rise * left * left) * inverse,
-          2.0 * (rise * left - drop * right) * inverse};
+  const Pack slope = (drop * right * right + rise * left * left) * inverse;
+  const Pack second = 2.0 * (rise * left - drop * right) * inverse;
+  return slope + second * (y - y_right.at);
 }
 
 /// NormalKernels::divide_span.
 void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
   const GapRows& rows = task.rows;
   const std::int32_t last = rows.count - 1;
-  const auto inner = [&](std::int64_t j) { return j < 1 ? 1 : j < last ? j : last - 1; };
   std::int64_t interval = task.first_interval;
   for (std::int32_t first = 0; first < task.count; first += lanes) {
     const std::int32_t count = task.count - first < lanes ? task.count - first : lanes;
     const Pack y = task.y_from + (load_pack(lane_numbers) + (1.0 * first + 0.5)) * task.width;
     double places[lanes];
     store_pack(places, y);
-    // The interval of each strip, and the rows the slopes at its ends come from: the ends themselves, but
-    // for the outermost.
-    Indices from, middle_from, before_from, middle_to, before_to;
+    // The interval of each strip, and where the three rows begin that the slopes at its ends come from.
+    Indices from, slope_from, slope_to;
     for (std::int32_t k = 0; k < lanes; ++k) {
       while (k < count && interval < last - 1 && places[k] >= rows.y[interval + 1]) ++interval;
       from.at[k] = interval;
-      middle_from.at[k] = inner(interval);
-      before_from.at[k] = middle_from.at[k] - 1;
-      middle_to.at[k] = inner(interval + 1);
-      before_to.at[k] = middle_to.at[k] - 1;
+      slope_from.at[k] = interval > 0 ? interval - 1 : 0;
+      slope_to.at[k] = interval < last - 1 ? interval : last - 2;
     }
     const Neighbours y_row = pick(rows.y, from), height_row = pick(rows.height, from);
     const Neighbours centre = pick(rows.centre, from), curvature = pick(rows.curvature, from);
-    const RowSlope at_from = row_slope(rows, before_from, middle_from);
-    const RowSlope at_to = row_slope(rows, before_to, middle_to);
-    const Pack c1 = at_from.at + at_from.second * (y_row.at - pick(rows.y, middle_from).at);
-    const Pack slope_to = at_to.at + at_to.second * (y_row.behind - pick(rows.y, middle_to).at);
+    const Pack c1 = row_slope(rows, slope_from, y_row.at), c1_to = row_slope(rows, slope_to, y_row.behind);
     // The cubic of GapReader.
     const Pack d = y - y_row.at;
     const Pack inverse = 1.0 / (y_row.behind - y_row.at);
     const Pack chord = (height_row.behind - height_row.at) * inverse;
-    const Pack c2 = (3.0 * chord - 2.0 * c1 - slope_to) * inverse;
-    const Pack c3 = (c1 + slope_to - 2.0 * chord) * (inverse * inverse);
+    const Pack c2 = (3.0 * chord - 2.0 * c1 - c1_to) * inverse;
+    const Pack c3 = (c1 + c1_to - 2.0 * chord) * (inverse * inverse);
     const Pack height = height_row.at + d * (c1 + d * (c2 + d * c3));
     const Pack row_curvature = curvature.at + d * ((curvature.behind - curvature.at) * inverse);
 
@@ -82,11 +71,12 @@ void displacements_at_kernel(const PointTask& task, const StripArrays& strips, d
     const Pack dy = load(strips.y, first, count, 0.0) - task.y;
     const Pack shift = load(strips.centre, first, count, 0.0) - task.x;
     const Pack l = load(strips.half_length, first, count, 1.0);
-    const Pack half_width = 0.5 * load(strips.width, first, count, 0.0);
+    const Pack half_width = 0.5 * load(strips.width, first, count, 1.0);
     // strip_displacement (contact_condition.cpp) away from the strip, operation by operation.
     const Pack y_from = dy - half_width, y_to = dy + half_width;
     const Pack width = y_to - y_from, middle = 0.5 * (y_from + y_to);
-    const Pack t2 = width * width / (4.0 * middle * middle);
+    const Pack distance = larger(magnitude(middle), width);  // nearer is the caller's
+    const Pack t2 = width * width / (4.0 * distance * distance);
     Pack series = 0.0;
     for (std::int32_t n = 8; n >= 1; --n) series = t2 * (series + 1.0 / (2 * n * (2 * n + 1)));
     const Pack tau = magnitude(middle) / l;
@@ -97,7 +87,10 @@ void displacements_at_kernel(const PointTask& task, const StripArrays& strips, d
         low.at + place.fraction * (low.behind + place.fraction * (high.at + place.fraction * high.behind));
     constexpr double end = axis.node(axis.intervals());
     const Mask far = tau >= Pack(end);
-    if (any(far)) line = select(far, half_pi / tau * (1.0 - 0.125 / (tau * tau)), line);
+    if (any(far)) {
+      const Pack beyond = larger(tau, end);
+      line = select(far, half_pi / beyond * (1.0 - 0.125 / (beyond * beyond)), line);
+    }
     const Pack r = root(l * l + middle * middle);
     const Pack seen = width * (line + 2.0 * series * l / r);
     const Pack to_line2 = l * l + dy * dy;
