@@ -291,6 +291,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
   problem.strips = options.sizes.strips;
   problem.max_iterations = options.max_iterations;
   problem.force_tolerance = options.load_tolerance;
+  problem.kernels = &normal_kernels(options.instruction_set);
 
   Strips strips = all_strips(contact);
   Fault fault;

@@ -26,9 +26,6 @@ constexpr Slope line_slope(double tau) {
   return {2.0 * integrals.d * inverse_r, 2.0 * inverse_r * (d_slope - integrals.d * tau * m)};
 }
 
-/// tau = 1e-6 .. 256.
-constexpr OctaveAxis line_axis{-20, 28, 4};
-
 /// J between the nodes by cubics, to a millionth; written by the compiler, so that its bits are the same
 /// everywhere.
 constexpr auto line_table = [] {
@@ -73,18 +70,24 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
   return width * rest - 2.0 * l * (integral_of_log(y_to / l) - integral_of_log(y_from / l));
 }
 
-double impose_approach(double approach, const Material& material, double x, double y,
-                       Strips& strips) noexcept {
+double impose_approach(const NormalKernels& kernels, double approach, const Material& material, double x,
+                       double y, Strips& strips) noexcept {
+  // The pressures are found last: until then their place holds what each strip does at the point.
+  kernels.displacements_at({&line_table[0].c0, x, y, strips.count},
+                           {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
+
   double displacement = 0.0;  // per unit of peak / half length and of the compliance [m^2]
   double load = 0.0;          // per unit of peak / half length [m^3]
   for (std::int32_t j = 0; j < strips.count; ++j) {
-    const double shift = strips.centre[j] - x;
     const double dy = strips.y[j] - y;
-    const double half_width = 0.5 * strips.width[j];
     const double l = strips.half_length[j];
-    double seen = strip_displacement(l, dy - half_width, dy + half_width);
-    if (shift != 0.0) seen *= std::sqrt((l * l + dy * dy) / (l * l + dy * dy + shift * shift));
-    displacement += l * seen;
+    double by_strip = strips.peak[j];
+    if (std::abs(dy) < 1.001 * strips.width[j]) {
+      const double shift = strips.centre[j] - x, half_width = 0.5 * strips.width[j];
+      by_strip = l * strip_displacement(l, dy - half_width, dy + half_width) *
+                 std::sqrt((l * l + dy * dy) / (l * l + dy * dy + shift * shift));
+    }
+    displacement += by_strip;
     load += 0.5 * pi * l * l * strips.width[j];
   }
   const double level = approach / (material.normal_compliance() * displacement);

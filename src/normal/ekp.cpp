@@ -32,20 +32,18 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
   const GapRow contact = interpolate(rows, lowest.y);
   const double coefficient_x = 0.5 * contact.curvature;
 
-  PenetrationScale scale;
-  const auto outline = [&](double approach) {
+  const auto scale_at = [&](double approach) {
     const LateralCurvature lateral = lateral_curvature(rows, lowest, approach);
-    scale = penetration_scale(options.scale, coefficient_x, lateral, approach);
-    return penetration_span(rows, lowest, scale, approach);
+    return penetration_scale(options.scale, coefficient_x, lateral, approach);
   };
   bool at_edge = false;
-  const auto force = [&](double approach, const Span& span) {
+  const auto force = [&](double approach, const PenetrationScale& scale, const Span& span) {
     at_edge = span.at_edge;
-    divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
-    return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
+    divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
-  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest),
-                          outline, force, strips, solution);
+  fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
+                          solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

@@ -21,18 +21,16 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
   HertzEllipse ellipse;
   bool at_edge = false;
   // The ellipse's curvature is that of the chord: its ends are all there is to know.
-  const auto outline = [&](double approach) {
-    return penetration_span(rows, lowest, PenetrationScale{}, approach);
-  };
-  const auto force = [&](double approach, const Span& chord) {
+  const auto scale_at = [](double) { return PenetrationScale{}; };
+  const auto force = [&](double approach, const PenetrationScale&, const Span& chord) {
     const LateralCurvature lateral = lateral_curvature(chord, approach);
     at_edge = lateral.at_edge;
     ellipse =
         hertz_ellipse(coefficient_x, lateral.coefficient, approach, problem.material.normal_compliance());
     return ellipse.normal_force;
   };
-  fault = search_approach(problem, first_guess(problem, coefficient_x), deepest_approach(rows, lowest),
-                          outline, force, strips, solution);
+  fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
+                          solution);
   if (fault.failed()) return fault;
 
   sdec_strips({ellipse.a, ellipse.b, 0.0}, contact.centre, lowest.y, solution.normal_force, problem.strips,

@@ -47,20 +47,20 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
 
   bool at_edge = false;
   GapReader gap(rows);
-  const auto outline = [&](double approach) { return penetration_span(rows, lowest, scale, approach); };
-  const auto force = [&](double approach, const Span& span) {
+  const auto scale_at = [&](double) { return scale; };
+  const auto force = [&](double approach, const PenetrationScale&, const Span& span) {
     at_edge = span.at_edge;
-    divide_span(rows, lowest, scale, approach, span, problem.strips, strips);
+    divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
     for (std::int32_t j = 0; j < strips.count; ++j) {
       const double row_curvature = gap.at(strips.y[j]).curvature;
       strips.half_length[j] *= std::sqrt(row_curvature / contact.curvature);
       strips.centre[j] = contact.centre;
     }
     if (options.shape_correction) correct_shape(strips, lowest.y);
-    return impose_approach(approach, problem.material, contact.centre, lowest.y, strips);
+    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
-  fault = search_approach(problem, first_guess(problem, 0.5 * contact.curvature),
-                          deepest_approach(rows, lowest), outline, force, strips, solution);
+  fault = search_approach(problem, lowest, first_guess(problem, 0.5 * contact.curvature), scale_at, force,
+                          strips, solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

@@ -44,29 +44,87 @@ struct Trial {
   Span span;
 };
 
-/// Narrows a leap of the patch's extent between low and high by bisection. The extents tell on which side of
-/// it an approach lies, and cost a tenth of the load.
-template <class Outline>
-void narrow_leap(Outline&& outline, Trial& low, Trial& high) noexcept {
-  constexpr double relative_width = 1e-5;
+/// Rows first .. last, none if last < first.
+struct RowRange {
+  std::int32_t first = 0, last = -1;
+};
+
+/// The rows that keep a second region from the patch `before`, from its border to where the region is
+/// deepest, on the side where the overlap, that of the patch `after`, falls and rises most.
+template <class Scale>
+RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span& after) noexcept {
+  const GapRows& rows = overlap.rows;
+  const auto rows_below = [&](double y) {
+    return static_cast<std::int32_t>(std::lower_bound(rows.y, rows.y + rows.count, y) - rows.y);
+  };
+  RowRange barrier;
+  double highest = 0.0;
+  // Inwards from the border of the patch after the leap.
+  const auto walk = [&](std::int32_t from, std::int32_t to, std::int32_t step) {
+    double deepest = 0.0;
+    std::int32_t deepest_row = from;
+    for (std::int32_t j = from; (to - j) * step >= 0; j += step) {
+      const double g = overlap.at_row(j);
+      if (g > deepest) {
+        deepest = g;
+        deepest_row = j;
+      }
+      if (deepest - g > highest) {
+        highest = deepest - g;
+        barrier = {std::min(deepest_row, to), std::max(deepest_row, to)};
+      }
+    }
+  };
+  walk(rows_below(after.y_from), rows_below(before.y_from) - 1, 1);
+  walk(rows_below(after.y_to) - 1, rows_below(before.y_to), -1);
+  return barrier;
+}
+
+/// Narrows a leap of the patch's extent between low and high. The extents tell on which side of it an
+/// approach lies; where to look next, a secant on the overlap at the barrier that parts the regions, which
+/// vanishes where they join, or bisection where that does not get there.
+template <class ScaleAt>
+void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
+                 Trial& high) noexcept {
+  constexpr int secants = 6;  // 3 to 5 are used
   constexpr int cap = 40;
-  for (int i = 0; i < cap && high.approach - low.approach > relative_width * high.approach; ++i) {
-    const double middle = 0.5 * (low.approach + high.approach);
-    const Span span = outline(middle);
+  const double width = 1e-5 * high.approach;
+  const auto overlap_at = [&](double approach) {
+    return Overlap<decltype(scale_at(approach))>{rows, lowest, scale_at(approach), approach};
+  };
+  auto at_high = overlap_at(high.approach), at_low = overlap_at(low.approach);
+  const RowRange barrier = barrier_between(at_high, low.span, high.span);
+  const auto least = [&](auto& overlap) {
+    double g = high.approach;
+    for (std::int32_t j = barrier.first; j <= barrier.last; ++j) g = std::min(g, overlap.at_row(j));
+    return g;
+  };
+  double before = high.approach, g_before = least(at_high), last = low.approach, g_last = least(at_low);
+  for (int i = 0; i < cap && high.approach - low.approach > width; ++i) {
+    double next = 0.5 * (low.approach + high.approach);
+    // Half the width wanted beyond an end that is next to the root: the other end then follows.
+    if (i < secants && g_last != g_before)
+      next = std::clamp(last - g_last * (last - before) / (g_last - g_before), low.approach + 0.5 * width,
+                        high.approach - 0.5 * width);
+    auto overlap = overlap_at(next);
+    const Span span = penetration_span(rows, lowest, overlap.scale, next);
     const double from_low = std::abs(span.y_from - low.span.y_from) + std::abs(span.y_to - low.span.y_to);
     const double from_high = std::abs(span.y_from - high.span.y_from) + std::abs(span.y_to - high.span.y_to);
     Trial& side = from_low < from_high ? low : high;
-    side.approach = middle;
+    side.approach = next;
     side.span = span;
+    before = last;
+    g_before = g_last;
+    last = next;
+    g_last = least(overlap);
   }
 }
 
 /// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps
 /// kept inside the bracket of what is known, bisection where they leave it. A method is two functions:
-/// `outline` gives the lateral extent of its patch at an approach [m], and `force` (approach, extent) the
-/// patch's load [N], filling `strips`; it is called right after `outline` of the same approach. Fills
-/// approach, normal_force, stiffness and iterations (calls of `force`) of the solution. `start` > 0: first
-/// guess of the approach; `ceiling`: the deepest the gap describes.
+/// `scale_at` gives the scale of the penetration at an approach [m], and `force` (approach, scale, extent of
+/// the patch) the patch's load [N], filling `strips`. Fills approach, normal_force, stiffness and iterations
+/// (calls of `force`) of the solution. `start` > 0: first guess of the approach.
 ///
 /// The search ends when its next step would be right to problem.force_tolerance: secant steps square the
 /// error. That step is taken without another evaluation: the approach moves by it and the pressures are
@@ -75,15 +133,18 @@ void narrow_leap(Outline&& outline, Trial& low, Trial& high) noexcept {
 /// WRC_ERROR_LOAD when the ceiling cannot carry the load. Where the load leaps past the target, the answer is
 /// join_gradually(). WRC_FLAG_ITERATION_CAP if that is not possible, or the cap ended the search: the patch
 /// is then that of the last trial, scaled to the load.
-template <class Outline, class Force>
-Fault search_approach(const NormalProblem& problem, double start, double ceiling, Outline&& outline,
-                      Force&& force, Strips& strips, NormalSolution& solution) noexcept {
+template <class ScaleAt, class Force>
+Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, double start,
+                      ScaleAt&& scale_at, Force&& force, Strips& strips, NormalSolution& solution) noexcept {
   constexpr double probe = 1e-4;          // relative step of a stiffness that no two iterates give
   constexpr double steepest_power = 6.0;  // N ~ approach^power: 1.5 is Hertz's; beyond, the load leaps
+  const GapRows& rows = problem.gap;
+  const double ceiling = deepest_approach(rows, lowest);
   const auto evaluate = [&](double approach) {
     ++solution.iterations;
-    const Span span = outline(approach);
-    return Trial{approach, force(approach, span), span};
+    const auto scale = scale_at(approach);
+    const Span span = penetration_span(rows, lowest, scale, approach);
+    return Trial{approach, force(approach, scale, span), span};
   };
   const auto settle = [&](double approach) {
     const double beside = evaluate(approach * (1.0 - probe)).normal_force;
@@ -160,7 +221,7 @@ Fault search_approach(const NormalProblem& problem, double start, double ceiling
       // The slope of the larger patch, as far as one is known.
       const double chord = high.normal_force / high.approach;
       Trial before = low, after = high;
-      narrow_leap(outline, before, after);
+      narrow_leap(rows, lowest, scale_at, before, after);
       before = evaluate(before.approach);
       after = evaluate(after.approach);
       if (before.normal_force < target && target <= after.normal_force) {

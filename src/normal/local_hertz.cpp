@@ -47,15 +47,11 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
   const GapMinimum lowest = minimum(rows);
   const double compliance = problem.material.normal_compliance();
   bool at_edge = false;
-  const auto local_at = [&](double approach) {
+  const auto scale_at = [&](double approach) {
     const Span half_depth = penetration_span(rows, lowest, PenetrationScale{}, approach);
     return LocalCurvature(rows, reach(0.5 * half_depth.width()));
   };
-  const auto outline = [&](double approach) {
-    return penetration_span(rows, lowest, local_at(approach), approach);
-  };
-  const auto force = [&](double approach, const Span& span) {
-    LocalCurvature local = local_at(approach);
+  const auto force = [&](double approach, LocalCurvature local, const Span& span) {
     at_edge = span.at_edge;
     strips.count = problem.strips;
     const double width = span.width() / strips.count;
@@ -77,8 +73,8 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
     }
     return load;
   };
-  fault = search_approach(problem, first_guess(problem, 0.5 * interpolate(rows, lowest.y).curvature),
-                          deepest_approach(rows, lowest), outline, force, strips, solution);
+  fault = search_approach(problem, lowest, first_guess(problem, 0.5 * interpolate(rows, lowest.y).curvature),
+                          scale_at, force, strips, solution);
   if (fault.failed()) {
     strips.count = 0;
     return fault;

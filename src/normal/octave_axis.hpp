@@ -47,6 +47,9 @@ struct OctaveAxis {
   static constexpr std::int64_t exponent_bias = 1023;
 };
 
+/// Distances from a line of semi-elliptic pressure, over its half length: 1e-6 .. 256.
+inline constexpr OctaveAxis line_axis{-20, 28, 4};
+
 /// A cubic over one interval, t = 0..1 across it.
 struct Cubic {
   double c0 = 0.0, c1 = 0.0, c2 = 0.0, c3 = 0.0;

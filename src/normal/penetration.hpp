@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fault.hpp"
+#include "normal/simd/kernels.hpp"
 #include "patch/gap.hpp"
 #include "patch/strips.hpp"
 
@@ -106,23 +107,9 @@ Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale
 /// Divides the span into `count` strips of equal width; at each strip's middle the half length is that of the
 /// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Fitting the strips
 /// to the span, instead of cutting it out of a fixed grid, is what makes area and load smooth.
-template <class Scale>
-void divide_span(const GapRows& rows, const GapMinimum& lowest, Scale scale, double approach,
-                 const Span& span, std::int32_t count, Strips& strips) noexcept {
-  Overlap<Scale> overlap{rows, lowest, scale, approach};
-  const double width = span.width() / count;
-  for (std::int32_t j = 0; j < count; ++j) {
-    const double y = span.y_from + (j + 0.5) * width;
-    const GapRow row = overlap.gap.at(y);
-    // A dip of the overlap between two rows must not end in the root of a negative number.
-    const double g = std::max(overlap.of(y, row.height), 1e-12 * approach);
-    strips.y[j] = y;
-    strips.width[j] = width;
-    strips.centre[j] = row.centre;
-    strips.half_length[j] = std::sqrt(2.0 * g / row.curvature);
-  }
-  strips.count = count;
-}
+void divide_span(const NormalKernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+                 const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
+                 Strips& strips) noexcept;
 
 /// Lateral curvature of the gap as the patch sees it: the coefficient B of h = B (y - middle)^2 [1/m] through
 /// the ends of the region below half the approach. A local second derivative would jump on every curvature

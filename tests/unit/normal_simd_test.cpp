@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "normal/contact_condition.hpp"
+#include "normal/penetration.hpp"
 #include "normal/simd/kernels.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
@@ -203,6 +204,84 @@ TEST(NormalKernels, EliminationSolvesTheEquations) {
         }
         EXPECT_NEAR(left_r, 0.0, 1e-13);
         EXPECT_NEAR(left_s, 0.0, 1e-13);
+      }
+    }
+}
+
+/// Rows at uneven distances.
+OwnedGap uneven_rows() {
+  OwnedGap gap;
+  for (int j = 0; j < 40; ++j) {
+    const double y = 0.5e-3 * (j - 20) + 0.15e-3 * std::sin(2.0 * j);
+    gap.y.push_back(y);
+    gap.height.push_back(1.2 * y * y + 2e-6 * std::sin(900.0 * y));
+    gap.centre.push_back(0.1 * y);
+    gap.curvature.push_back(2.2 + 20.0 * y);
+  }
+  return gap;
+}
+
+TEST(NormalKernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
+  const OwnedGap gap = uneven_rows();
+  const GapRows rows = gap.rows();
+  const GapMinimum lowest = minimum(rows);
+  constexpr double approach = 100e-6;
+  const PenetrationScale scale{.at_centre = 0.6, .bend = -2e3, .centre = 1e-3};
+  // Inside, over all rows, and in the outermost intervals alone.
+  const Span spans[] = {
+      {-6e-3, 5e-3}, {rows.y[0], rows.y[39]}, {rows.y[0], rows.y[1]}, {rows.y[38], rows.y[39]}};
+  for (const auto& kernel : all_kernels())
+    for (const Span& span : spans)
+      for (const std::int32_t count : {1, 5, 16, 33, 60}) {
+        test::StripMemory owned(count);
+        Strips& found = owned.strips;
+        divide_span(*kernel->kernels, rows, lowest, scale, approach, span, count, found);
+        ASSERT_EQ(found.count, count);
+        for (std::int32_t j = 0; j < count; ++j) {
+          const double y = span.y_from + (j + 0.5) * (span.width() / count);
+          const GapRow row = interpolate(rows, y);
+          const double overlap =
+              std::max(scale.at(y) * approach - (row.height - lowest.height), 1e-12 * approach);
+          EXPECT_EQ(found.y[j], y);
+          EXPECT_EQ(found.width[j], span.width() / count);
+          EXPECT_EQ(found.centre[j], row.centre);
+          EXPECT_EQ(found.half_length[j], std::sqrt(2.0 * overlap / row.curvature));
+        }
+      }
+}
+
+TEST(NormalKernels, APointSeesEachStripOnce) {
+  // Near, far and very far; with and without a shift.
+  constexpr std::int32_t count = 61;
+  constexpr double x = 1e-3, y = 0.3e-3, approach = 80e-6;
+  const Material material;
+  for (const double spread : {1.0, 40.0, 4000.0})
+    for (const double skew : {0.0, 0.2}) {
+      std::vector<double> peaks;
+      for (const auto& kernel : all_kernels()) {
+        test::StripMemory owned(count);
+        Strips& strips = owned.strips;
+        strips.count = count;
+        double displacement = 0.0, load = 0.0;
+        for (std::int32_t j = 0; j < count; ++j) {
+          const double width = 0.2e-3 * spread;
+          strips.y[j] = (j - 28) * width;
+          strips.width[j] = width;
+          strips.centre[j] = x + skew * (strips.y[j] - y);
+          const double l = strips.half_length[j] = 5e-3 * std::sqrt(1.0 - (j - 30.0) * (j - 30.0) / 1000.0);
+          const double dy = strips.y[j] - y, shift = strips.centre[j] - x;
+          displacement += l * strip_displacement(l, dy - 0.5 * width, dy + 0.5 * width) *
+                          std::sqrt((l * l + dy * dy) / (l * l + dy * dy + shift * shift));
+          load += 0.5 * pi * l * l * width;
+        }
+        const double level = approach / (material.normal_compliance() * displacement);
+        EXPECT_NEAR(impose_approach(*kernel->kernels, approach, material, x, y, strips), level * load,
+                    1e-13 * level * load);
+        for (std::int32_t j = 0; j < count; ++j)
+          EXPECT_NEAR(strips.peak[j], level * strips.half_length[j], 1e-13 * level * strips.half_length[j]);
+        std::vector<double> found(strips.peak, strips.peak + count);
+        if (peaks.empty()) peaks = found;
+        EXPECT_EQ(found, peaks);
       }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "patch/gap.hpp"
 #include "simd/instruction_set.hpp"
 
 namespace wrc {
@@ -62,6 +63,29 @@ struct EliminationTask {
   double *r, *s;        ///< the solutions; room for `stride`
 };
 
+/// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an
+/// overlap, divided into `count` strips of `width`.
+struct SpanTask {
+  const GapRows& rows;
+  double lowest_height, approach;
+  double scale_at_centre, scale_bend, scale_centre;
+  double y_from, width;
+  std::int32_t first_interval;  ///< between the rows, that holds y_from
+  std::int32_t count;
+};
+
+/// Arrays of strips; no more than their `count` elements are touched.
+struct StripArrays {
+  double *y, *width, *centre, *half_length;
+};
+
+/// A point that sees strips of semi-elliptic pressure.
+struct PointTask {
+  const double* line_cubics;  ///< line_displacement over line_axis, four coefficients each interval
+  double x, y;
+  std::int32_t count;
+};
+
 /// Whole groups of eight columns.
 constexpr std::int64_t elimination_stride(std::int32_t size) { return (size + 2 + 7) / 8 * 8; }
 
@@ -75,6 +99,13 @@ struct NormalKernels {
   void (*influence_row)(const simd::InfluenceTask& task, std::int32_t j, double* row);
   void (*edge_displacements)(const simd::EdgeTask& task);
   void (*eliminate)(const simd::EliminationTask& task);
+  /// Fills the strips: place, width, centre, and half length, that of the overlap of the row's parabola,
+  /// sqrt(2 g / curvature).
+  void (*divide_span)(const simd::SpanTask& task, const simd::StripArrays& strips);
+  /// Displacement at the point by each strip of unit peak / half length, over the compliance [m^2]: see
+  /// impose_approach (contact_condition.hpp). What strips nearer than their width do is left to the caller.
+  void (*displacements_at)(const simd::PointTask& task, const simd::StripArrays& strips,
+                           double* displacement);
 };
 
 /// The kernels of a set, which the processor must have.

@@ -4,12 +4,18 @@
 #include "normal/simd/edge_kernel.hpp"
 #include "normal/simd/elimination_kernel.hpp"
 #include "normal/simd/influence_kernel.hpp"
+#include "normal/simd/penetration_kernel.hpp"
 
 namespace wrc::simd {
 namespace {
 
 constexpr NormalKernels normal_kernels_of(InstructionSet set) {
-  return {set, influence_row_kernel, edge_displacements_kernel, eliminate_kernel};
+  return {set,
+          influence_row_kernel,
+          edge_displacements_kernel,
+          eliminate_kernel,
+          divide_span_kernel,
+          displacements_at_kernel};
 }
 
 }  // namespace
