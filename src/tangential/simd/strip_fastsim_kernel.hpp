@@ -439,6 +439,7 @@ template <bool entering>
 /// What the slip of a group's strips is made of, for the fields.
 struct SlipShape {
   Pack stick;                 ///< 2 - u_s, the length of the first stick zone
+  Pack two;                   ///< 2; 0 without friction, where nothing holds the slip's direction
   Pack elastic_x, elastic_y;  ///< elastic slip at the leading edge along x and y
   Pack per_even, per_odd;     ///< 2 / (v + u_s - u) in a pair of cells, the first of even index
 };
@@ -446,6 +447,7 @@ struct SlipShape {
 inline SlipShape slip_shape(const StripFastsimTask& task, const Group& g) {
   SlipShape shape;
   shape.stick = 2.0 - g.slip_end;
+  shape.two = select(g.bound > 0.0, 2.0, 0.0);
   shape.elastic_x = (2.0 * task.l11) * g.slope;
   shape.elastic_y = (2.0 * task.l22) * g.slope;
   return shape;
@@ -457,7 +459,7 @@ inline void enter_pair(const Cell& cell, SlipShape& shape) {
   const double t_even = (even + 0.5) * cell.h, t_odd = (even + 1.5) * cell.h;
   const Pack of_even = t_even + larger(0.0, t_even - shape.stick);
   const Pack of_odd = t_odd + larger(0.0, t_odd - shape.stick);
-  const Pack twice = 2.0 / (of_even * of_odd);
+  const Pack twice = shape.two / (of_even * of_odd);
   shape.per_even = of_odd * twice;
   shape.per_odd = of_even * twice;
 }
@@ -528,7 +530,7 @@ template <bool sticking, bool moving, Output output>
       if ((cell.index & 1) == 0 || cell.index == g.all_stick) enter_pair(cell, m.slip);
       size = slip_size(g, m.slip, cell, rho_x, rho_y);
       if constexpr (sticking) size = moved.part * size;
-      size = select(moved.slips & (g.bound > 0.0), size, 0.0);
+      if (sticking || moved.any_sticks) size = select(moved.slips, size, 0.0);
     }
   }
   if constexpr (sticking) {
@@ -573,13 +575,12 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const std::int32_t strips = task.region->count;
   const double* mean = task.shape->mean;
-  constexpr std::int32_t side_by_side = in_flight(output);
   std::int32_t slips = task.cells;  // no cell before it
-  for (std::int32_t first = 0; first < strips; first += side_by_side * lanes) {
-    strip::Marching marching[side_by_side];
-    strip::Derivative derivative[sensitivities ? side_by_side : 1][inputs];
+  for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
+    strip::Marching marching[in_flight];
+    strip::Derivative derivative[sensitivities ? in_flight : 1][inputs];
     std::int32_t groups = 0;
-    for (std::int32_t at = first; at < strips && groups < side_by_side; at += lanes, ++groups) {
+    for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
       strip::Marching& m = marching[groups];
       strip::prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state);
       m.stick = {};

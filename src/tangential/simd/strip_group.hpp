@@ -11,9 +11,8 @@ namespace {
 /// What a kernel computes, besides the forces: each is a kernel of its own.
 enum class Output { forces, fields, sensitivities };
 
-/// Groups of strips that are marched side by side, so that one computes while another waits for a root;
-/// derivatives are enough to compute meanwhile.
-constexpr std::int32_t in_flight(Output output) { return output == Output::sensitivities ? 1 : 2; }
+/// Groups of strips that are marched side by side, so that one computes while another waits for a root.
+constexpr std::int32_t in_flight = 2;
 
 struct StripGroup {
   std::int32_t first, count;  ///< strips
