@@ -47,7 +47,6 @@ struct TangentialFields {
   double* slip_y = nullptr;      ///< [-]
 
   bool any() const { return traction_x || traction_y || slip_x || slip_y; }
-  bool all() const { return traction_x && traction_y && slip_x && slip_y; }
 };
 
 struct TangentialForces {

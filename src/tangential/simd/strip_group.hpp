@@ -110,12 +110,16 @@ inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& 
   }
 }
 
+inline bool all_wanted(const TangentialFields& fields) {
+  return fields.traction_x && fields.traction_y && fields.slip_x && fields.slip_y;
+}
+
 /// Tractions [Pa] and slip [-] of a cell of a group; strips: of all groups.
 [[gnu::always_inline]] inline void store_cell(const TangentialFields& fields, const StripGroup& g,
                                               std::int32_t cell, std::int32_t strips, Pack traction_x,
                                               Pack traction_y, Pack slip_x, Pack slip_y) {
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) * strips + g.first;
-  if (g.count == lanes && fields.all()) {  // of most groups: nothing more to ask, field by field
+  if (g.count == lanes && all_wanted(fields)) {  // of most groups: nothing more to ask, field by field
     store_pack(fields.traction_x + at, traction_x);
     store_pack(fields.traction_y + at, traction_y);
     store_pack(fields.slip_x + at, slip_x);
