@@ -64,7 +64,11 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
                        const TangentialFields& fields, TangentialSensitivities* sensitivities) {
   simd::Sums sums;
   const simd::MarchTask task = task_of(problem, grid, fields);
-  (sensitivities ? grid.kernels->march_sensitivities : grid.kernels->march)(task, sums);
+  const Kernels& kernels = *grid.kernels;
+  const auto kernel = sensitivities  ? kernels.march_sensitivities
+                      : fields.any() ? kernels.march_fields
+                                     : kernels.march;
+  kernel(task, sums);
   if (sensitivities)
     *sensitivities =
         sensitivities_of(sums, problem.creepage, problem.friction.mean, totals(problem.region).normal_force);

@@ -35,8 +35,8 @@ namespace wrc {
 
 /// Solves the problem on the grid. Fields are written where their pointers are set. Any finite creepages,
 /// friction >= 0 and flexibilities > 0 give finite results; an empty region gives zeros. Real-time: no
-/// memory, work proportional to strips times cells. `sensitivities`: nullptr, not wanted; the flexibilities
-/// are held.
+/// memory, work proportional to strips times cells. `sensitivities`: nullptr, not wanted; with them, the
+/// flexibilities are held and no fields written.
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
                        const TangentialFields& fields = {}, TangentialSensitivities* sensitivities = nullptr);
 

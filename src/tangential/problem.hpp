@@ -45,6 +45,8 @@ struct TangentialFields {
   double* traction_y = nullptr;  ///< [Pa]
   double* slip_x = nullptr;      ///< sliding velocity / rolling speed [-]
   double* slip_y = nullptr;      ///< [-]
+
+  bool any() const { return traction_x || traction_y || slip_x || slip_y; }
 };
 
 struct TangentialForces {

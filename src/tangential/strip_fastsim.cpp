@@ -203,7 +203,8 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
     *sensitivities = sensitivities_of(sums, c, contact.friction.mean, totals(contact.region).normal_force);
   } else {
     const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
-    contact.grid->kernels->strip_fastsim(task_of(contact, m, fields), sums);
+    const Kernels& kernels = *contact.grid->kernels;
+    (fields.any() ? kernels.strip_fastsim_fields : kernels.strip_fastsim)(task_of(contact, m, fields), sums);
   }
   return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
           sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};

@@ -49,7 +49,7 @@
 namespace wrc {
 
 /// contact.region: the strips of the actual patch. contact.bound is not used, the bound is mu p_n; nor, but
-/// for a patch without pressure, are a, b and shape_number.
+/// for a patch without pressure, are a, b and shape_number. With sensitivities no fields are written.
 TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                                TangentialSensitivities* sensitivities = nullptr);
 

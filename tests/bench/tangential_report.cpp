@@ -6,6 +6,7 @@
 /// slip. All variants take turns; a number is the fastest of many turns, which other programs cannot lower.
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -32,7 +33,7 @@ enum What { forces, fields, sensitivities };
 class Patches {
  public:
   Patches(int strips, int cells, InstructionSet set)
-      : table_(0.28), grid_(cells, set), traction_(4 * static_cast<std::size_t>(strips * cells)) {
+      : table_(0.28), grid_(cells, set), traction_(4 * static_cast<std::size_t>(strips * cells) + line) {
     std::mt19937 random(17);
     for (int n = 0; n < patches; ++n) {
       const test::RandomCase c = test::random_case(random);
@@ -41,7 +42,8 @@ class Patches {
                            c.creepage, c.friction, TractionBound::parabolic});
     }
     const std::ptrdiff_t field = strips * cells;
-    double* const p = traction_.data();
+    double* p = traction_.data();
+    while (reinterpret_cast<std::uintptr_t>(p) % (line * sizeof *p) != 0) ++p;  // as a contact's fields lie
     fields_ = {p, p + field, p + 2 * field, p + 3 * field};
   }
 
@@ -62,6 +64,8 @@ class Patches {
   }
 
  private:
+  static constexpr std::size_t line = 8;  ///< doubles in a line of the cache
+
   SdecTable table_;
   test::OwnedGrid grid_;
   std::vector<double> traction_;

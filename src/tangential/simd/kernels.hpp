@@ -68,12 +68,15 @@ struct StripFastsimTask {
 
 }  // namespace simd
 
-/// The kernels of one instruction set. All sets give the same bits.
+/// The kernels of one instruction set. All sets give the same bits. Fields are written by the kernels of
+/// fields only.
 struct Kernels {
   InstructionSet set;
   void (*march)(const simd::MarchTask& task, simd::Sums& sums);
+  void (*march_fields)(const simd::MarchTask& task, simd::Sums& sums);
   void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  void (*strip_fastsim_fields)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
   /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
   void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);

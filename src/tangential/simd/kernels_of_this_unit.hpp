@@ -10,10 +10,12 @@ namespace {
 
 constexpr Kernels kernels_of(InstructionSet set) {
   return {set,
-          march_kernel<false>,
-          march_kernel<true>,
-          strip_fastsim_kernel<false>,
-          strip_fastsim_kernel<true>,
+          march_kernel<Output::forces>,
+          march_kernel<Output::fields>,
+          march_kernel<Output::sensitivities>,
+          strip_fastsim_kernel<Output::forces>,
+          strip_fastsim_kernel<Output::fields>,
+          strip_fastsim_kernel<Output::sensitivities>,
           place_cells_kernel};
 }
 

@@ -216,7 +216,6 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   d.force.stick_t_py += select(cut, t * (cut_y - dpy), zero);
 }
 
-/// A step's result beside the state.
 /// What a step did, for fields and derivatives.
 struct Moved {
   Pack share;              ///< of the cell that is slip
@@ -305,8 +304,12 @@ template <bool entering>
     }
     Pack Vy = y + moved.bend * d.ahead;
     if (entering || k == 2) Vy += bend * before.ahead;
-    Pack angle = slope.kept * d.angle + slope.by_x * x + slope.by_y * Vy;
-    Pack ahead = slope.ahead_by_x * x + slope.ahead_by_y * Vy;
+    Pack angle = slope.kept * d.angle + slope.by_y * Vy;
+    Pack ahead = slope.ahead_by_y * Vy;
+    if (entering || k != 1) {  // the lateral creepage has no part in the growth along x
+      angle += slope.by_x * x;
+      ahead += slope.ahead_by_x * x;
+    }
     if constexpr (entering) {
       angle += slope.by_d * bound_before;
       ahead += slope.ahead_by_d * bound_before;
@@ -338,79 +341,86 @@ inline void first_stick(const Group& g, const Cell& cell, Pack& px, Pack& py) {
   py = share * py;
 }
 
-inline void store_cell(const MarchTask& task, const Group& g, const Cell& cell, Pack px, Pack py, Pack sx,
-                       Pack sy) {
-  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
-  store_field(g.bound * px, task.fields->traction_x, at, g.count);
-  store_field(g.bound * py, task.fields->traction_y, at, g.count);
-  store_field(g.stiffness * sx, task.fields->slip_x, at, g.count);
-  store_field(g.stiffness * sy, task.fields->slip_y, at, g.count);
-}
-
 /// One group of strips on its way.
 struct Marching {
   Group group;
   State state;
   GroupSums sums;
+  Pack slip_x, slip_y;  ///< slip [-] over the excess of growth and the direction of the traction; for fields
 };
 
 /// A cell of a group that moves: the step, its derivatives, the fields.
-template <bool entering, bool sensitivities>
-[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, bool fields, Marching& m,
+template <bool entering, Output output>
+[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, Marching& m,
                                         GroupDerivative (&derivative)[inputs]) {
+  constexpr bool sensitivities = output == Output::sensitivities;
   const Mask moving = m.group.stick_cells <= Pack(cell.index);
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
   const Moved moved = step<entering>(task, m.group, cell, moving, m.state, m.sums);
   if constexpr (sensitivities)
     differentiate<entering>(m.group, cell, moving, before, m.state, moved, derivative);
-  if (!fields) return;
+  if constexpr (output != Output::fields) return;
   const State& s = m.state;
-  Pack px = moved.size * s.ex, py = moved.size * s.ey, slip = cell.per_h * moved.lambda;
+  Pack px = moved.size * s.ex, py = moved.size * s.ey, excess = moved.lambda;
   if constexpr (entering) {
     Pack stick_x, stick_y;
     first_stick(m.group, cell, stick_x, stick_y);
     px = select(moving, px, stick_x);
     py = select(moving, py, stick_y);
-    slip = select(moving, slip, 0.0);
+    excess = select(moving, excess, 0.0);
   }
-  store_cell(task, m.group, cell, px, py, 0.0 - slip * task.l11 * s.ex, 0.0 - slip * task.l22 * s.ey);
+  store_cell(*task.fields, m.group, cell.index, task.region->count, m.group.bound * px, m.group.bound * py,
+             0.0 - excess * s.ex * m.slip_x, 0.0 - excess * s.ey * m.slip_y);
 }
 
-template <bool sensitivities>
+/// The fields of the cells that lie in the first stick zones of all strips of a group.
+inline void store_first_stick(const MarchTask& task, const Group& g) {
+  const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
+  for (std::int32_t i = 0; i < g.all_stick; ++i) {
+    const Cell cell{i, (i + 0.5) * h, 0.0, 0.0, 0.0, h, per_h};
+    Pack px, py;
+    first_stick(g, cell, px, py);
+    store_cell(*task.fields, g, i, task.region->count, g.bound * px, g.bound * py, 0.0, 0.0);
+  }
+}
+
+template <Output output>
 void march_kernel(const MarchTask& task, Sums& total) {
+  constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const std::int32_t strips = task.region->count;
   const double* mean = task.shape->mean;
-  const bool fields =
-      task.fields->traction_x || task.fields->traction_y || task.fields->slip_x || task.fields->slip_y;
-  for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
-    Marching marching[in_flight];
-    GroupDerivative derivative[sensitivities ? in_flight : 1][inputs];
+  constexpr std::int32_t side_by_side =
+      sensitivities ? 1 : in_flight;  // derivatives are enough to do meanwhile
+  for (std::int32_t first = 0; first < strips; first += side_by_side * lanes) {
+    Marching marching[side_by_side];
+    GroupDerivative derivative[sensitivities ? side_by_side : 1][inputs];
     std::int32_t groups = 0;
     std::int32_t start = task.cells;  // no strip slips before
-    for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
+    for (std::int32_t at = first; at < strips && groups < side_by_side; at += lanes, ++groups) {
       Marching& m = marching[groups];
       prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state, m.sums);
       start = m.group.all_stick < start ? m.group.all_stick : start;
+      if constexpr (output == Output::fields) {
+        m.slip_x = per_h * task.l11 * m.group.stiffness;
+        m.slip_y = per_h * task.l22 * m.group.stiffness;
+        store_first_stick(task, m.group);
+      }
       if constexpr (sensitivities) {
         for (std::int32_t k = 0; k < inputs; ++k) differentiate(task, k, m.group, derivative[groups][k]);
       }
     }
-    for (std::int32_t i = fields ? 0 : start; i < task.cells; ++i) {
+    for (std::int32_t i = start; i < task.cells; ++i) {
       const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
         GroupDerivative(&d)[inputs] = derivative[sensitivities ? k : 0];
         if (i >= m.group.all_move) {
-          move<false, sensitivities>(task, cell, fields, m, d);
+          move<false, output>(task, cell, m, d);
         } else if (i >= m.group.all_stick) {
-          move<true, sensitivities>(task, cell, fields, m, d);
-        } else if (fields) {
-          Pack px, py;
-          first_stick(m.group, cell, px, py);
-          store_cell(task, m.group, cell, px, py, 0.0, 0.0);
+          move<true, output>(task, cell, m, d);
         }
       }
     }

@@ -400,9 +400,12 @@ template <bool entering>
     }
     Pack wy = a.wy + moved.advance.bend * d.ahead;
     if (entering || k == 2) wy += a.spin * cell.x + a.bend * before.ahead;  // only spin turns the slip
-    Pack angle = kept * d.angle + slope.by_x * a.wx + slope.by_y * wy + by_turning * d.turning;
-    Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_x * a.wx + slope.ahead_by_y * wy +
-                 ahead_by_turning * d.turning;
+    Pack angle = kept * d.angle + slope.by_y * wy + by_turning * d.turning;
+    Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_y * wy + ahead_by_turning * d.turning;
+    if (entering || k != 1) {  // the lateral creepage has no part in the slip along x
+      angle += slope.by_x * a.wx;
+      ahead += slope.ahead_by_x * a.wx;
+    }
     if constexpr (entering) {
       angle += slope.by_d * (bound * moved.flexibility);
       ahead += slope.ahead_by_d * (bound * moved.flexibility);
@@ -433,17 +436,44 @@ template <bool entering>
   }
 }
 
+/// What the slip of a group's strips is made of, for the fields.
+struct SlipShape {
+  Pack stick;                 ///< 2 - u_s, the length of the first stick zone
+  Pack two;                   ///< 2; 0 without friction, where nothing holds the slip's direction
+  Pack elastic_x, elastic_y;  ///< elastic slip at the leading edge along x and y
+  Pack per_even, per_odd;     ///< 2 / (v + u_s - u) in a pair of cells, the first of even index
+};
+
+inline SlipShape slip_shape(const StripFastsimTask& task, const Group& g) {
+  SlipShape shape;
+  shape.stick = 2.0 - g.slip_end;
+  shape.two = select(g.bound > 0.0, 2.0, 0.0);
+  shape.elastic_x = (2.0 * task.l11) * g.slope;
+  shape.elastic_y = (2.0 * task.l22) * g.slope;
+  return shape;
+}
+
+/// Sets what the pair of cells needs in which `cell` lies: one divide makes two inverses.
+inline void enter_pair(const Cell& cell, SlipShape& shape) {
+  const std::int32_t even = cell.index - (cell.index & 1);
+  const double t_even = (even + 0.5) * cell.h, t_odd = (even + 1.5) * cell.h;
+  const Pack of_even = t_even + larger(0.0, t_even - shape.stick);
+  const Pack of_odd = t_odd + larger(0.0, t_odd - shape.stick);
+  const Pack twice = shape.two / (of_even * of_odd);
+  shape.per_even = of_odd * twice;
+  shape.per_odd = of_even * twice;
+}
+
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
 /// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times what Carter's solution, in
 /// which s is proportional to sqrt(v (u_s - u)), makes of it when only u < u_s slips.
-inline Pack slip_size(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x,
-                      Pack rho_y) {
+inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
   const Pack zero = 0.0;
-  const Pack rigid = -(g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y);
-  const Pack elastic = 2.0 * cell.x * g.slope * (task.l11 * (rho_x * rho_x) + task.l22 * (rho_y * rho_y));
-  const Pack behind = larger(zero, g.slip_end - (2.0 - cell.t));
-  const Pack partial = select(g.slip_end < 2.0, 2.0 * root(behind * cell.t) / (behind + cell.t), 1.0);
-  return larger(zero, rigid - elastic) * partial;
+  const Pack along = g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y;
+  const Pack elastic = cell.x * (shape.elastic_y + (shape.elastic_x - shape.elastic_y) * (rho_x * rho_x));
+  const Pack behind = larger(zero, cell.t - shape.stick);
+  const Pack per_sum = (cell.index & 1) != 0 ? shape.per_odd : shape.per_even;
+  return larger(zero, zero - (along + elastic)) * (root(behind * cell.t) * per_sum);
 }
 
 /// The first stick zone's share of a group's sums, from the sums over s.
@@ -468,11 +498,8 @@ inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell&
                        Pack slip, Sums& sums) {
   const Pack zero = 0.0, bound = cell.mean * g.bound;
   sums.power += slip * bound;
-  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell.index) * task.region->count + g.first;
-  store_field(bound * rho_x, task.fields->traction_x, at, g.count);
-  store_field(bound * rho_y, task.fields->traction_y, at, g.count);
-  store_field(zero - slip * rho_x, task.fields->slip_x, at, g.count);
-  store_field(zero - slip * rho_y, task.fields->slip_y, at, g.count);
+  simd::store_cell(*task.fields, g, cell.index, task.region->count, bound * rho_x, bound * rho_y,
+                   zero - slip * rho_x, zero - slip * rho_y);
 }
 
 /// One group of strips on its way.
@@ -481,12 +508,14 @@ struct Marching {
   State state;
   StickSums stick;
   Sums sums;
+  SlipShape slip;  ///< for fields
 };
 
 /// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
-template <bool sticking, bool moving, bool sensitivities>
-[[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, bool fields,
-                                        Marching& m, Derivative (&derivative)[inputs]) {
+template <bool sticking, bool moving, Output output>
+[[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
+                                        Derivative (&derivative)[inputs]) {
+  constexpr bool fields = output == Output::fields, sensitivities = output == Output::sensitivities;
   const Group& g = m.group;
   const Mask moves = g.stick_cells <= Pack(cell.index);
   Pack rho_x = 0.0, rho_y = 0.0, size = 0.0;
@@ -495,37 +524,42 @@ template <bool sticking, bool moving, bool sensitivities>
     if constexpr (sensitivities) before = m.state;
     const Moved moved = step<sticking>(g, cell, moves, m.state, m.sums);
     if constexpr (sensitivities) differentiate<sticking>(g, cell, moves, before, m.state, moved, derivative);
-    if (fields) {
+    if constexpr (fields) {
       rho_x = m.state.x();
       rho_y = m.state.y();
-      size = select(moved.slips & (g.bound > 0.0), moved.part * slip_size(task, g, cell, rho_x, rho_y), 0.0);
+      if ((cell.index & 1) == 0 || cell.index == g.all_stick) enter_pair(cell, m.slip);
+      size = slip_size(g, m.slip, cell, rho_x, rho_y);
+      if constexpr (sticking) size = moved.part * size;
+      if (sticking || moved.any_sticks) size = select(moved.slips, size, 0.0);
     }
   }
   if constexpr (sticking) {
     const StickCell stuck = stick<sensitivities>(g, cell, fields, m.stick, m.sums, derivative);
-    if (fields) {
+    if constexpr (fields) {
       rho_x = select(moves, rho_x, stuck.x);
       rho_y = select(moves, rho_y, stuck.y);
     }
   }
-  if (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
+  if constexpr (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
 }
 
 }  // namespace strip
 
 namespace strip {
 
-/// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi); the fields of slip, whose power is known as that of
-/// their distribution only, are scaled to dissipate it.
-inline void balance_power(const StripFastsimTask& task, simd::Sums& total) {
+/// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi) [N].
+inline double balance_of_power(const StripFastsimTask& task, const simd::Sums& total) {
   const double balance = -(total.fx * task.nu_x + total.fy * task.nu_y + total.mz * task.phi);
-  const double power = balance > 0.0 ? balance : 0.0;
-  const double scale = total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0;
-  total.power_per_speed = power;
+  return balance > 0.0 ? balance : 0.0;
+}
+
+/// The fields of slip, whose power is known as that of their distribution only, are scaled; all cells before
+/// the cell `first` stick.
+inline void scale_slip(const StripFastsimTask& task, std::int32_t first, double scale) {
   const std::int32_t cells = task.region->count * task.cells;
   double* const fields[] = {task.fields->slip_x, task.fields->slip_y};
   for (double* field : fields) {
-    for (std::int32_t at = 0; field != nullptr && at < cells; at += lanes) {
+    for (std::int32_t at = first * task.region->count; field != nullptr && at < cells; at += lanes) {
       const std::int32_t count = cells - at < lanes ? cells - at : lanes;
       store(scale * load(field, at, count, 0.0), field + at, count);
     }
@@ -534,14 +568,14 @@ inline void balance_power(const StripFastsimTask& task, simd::Sums& total) {
 
 }  // namespace strip
 
-template <bool sensitivities>
+template <Output output>
 void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
+  constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const std::int32_t strips = task.region->count;
   const double* mean = task.shape->mean;
-  const bool fields =
-      task.fields->traction_x || task.fields->traction_y || task.fields->slip_x || task.fields->slip_y;
+  std::int32_t slips = task.cells;  // no cell before it
   for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
     strip::Marching marching[in_flight];
     strip::Derivative derivative[sensitivities ? in_flight : 1][inputs];
@@ -551,6 +585,8 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       strip::prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state);
       m.stick = {};
       m.sums = {};
+      if constexpr (output == Output::fields) m.slip = strip::slip_shape(task, m.group);
+      slips = m.group.all_stick < slips ? m.group.all_stick : slips;
       const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
       m.stick.root_near = root(near);
       m.stick.power_near = near * m.stick.root_near;
@@ -569,11 +605,11 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
         strip::Marching& m = marching[k];
         strip::Derivative(&d)[inputs] = derivative[sensitivities ? k : 0];
         if (i >= m.group.all_move)
-          strip::move<false, true, sensitivities>(task, cell, fields, m, d);
+          strip::move<false, true, output>(task, cell, m, d);
         else if (i >= m.group.all_stick)
-          strip::move<true, true, sensitivities>(task, cell, fields, m, d);
+          strip::move<true, true, output>(task, cell, m, d);
         else
-          strip::move<true, false, sensitivities>(task, cell, fields, m, d);
+          strip::move<true, false, output>(task, cell, m, d);
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
@@ -588,7 +624,10 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       }
     }
   }
-  strip::balance_power(task, total);
+  const double power = strip::balance_of_power(task, total);
+  if constexpr (output == Output::fields)
+    strip::scale_slip(task, slips, total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0);
+  total.power_per_speed = power;
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 namespace wrc::simd {
 namespace {
 
+/// What a kernel computes, besides the forces: each is a kernel of its own.
+enum class Output { forces, fields, sensitivities };
+
 /// Groups of strips that are marched side by side, so that one computes while another waits for a root.
 constexpr std::int32_t in_flight = 2;
 
@@ -107,8 +110,26 @@ inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& 
   }
 }
 
-inline void store_field(Pack a, double* field, std::ptrdiff_t at, std::int32_t count) {
-  if (field != nullptr) store(a, field + at, count);
+inline bool all_wanted(const TangentialFields& fields) {
+  return fields.traction_x && fields.traction_y && fields.slip_x && fields.slip_y;
+}
+
+/// Tractions [Pa] and slip [-] of a cell of a group; strips: of all groups.
+[[gnu::always_inline]] inline void store_cell(const TangentialFields& fields, const StripGroup& g,
+                                              std::int32_t cell, std::int32_t strips, Pack traction_x,
+                                              Pack traction_y, Pack slip_x, Pack slip_y) {
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) * strips + g.first;
+  if (g.count == lanes && all_wanted(fields)) {  // of most groups: nothing more to ask, field by field
+    store_pack(fields.traction_x + at, traction_x);
+    store_pack(fields.traction_y + at, traction_y);
+    store_pack(fields.slip_x + at, slip_x);
+    store_pack(fields.slip_y + at, slip_y);
+    return;
+  }
+  if (fields.traction_x != nullptr) store(traction_x, fields.traction_x + at, g.count);
+  if (fields.traction_y != nullptr) store(traction_y, fields.traction_y + at, g.count);
+  if (fields.slip_x != nullptr) store(slip_x, fields.slip_x + at, g.count);
+  if (fields.slip_y != nullptr) store(slip_y, fields.slip_y + at, g.count);
 }
 
 }  // namespace
