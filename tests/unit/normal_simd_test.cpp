@@ -254,7 +254,7 @@ TEST(NormalKernels, APointSeesEachStripOnce) {
   // Near, far and very far; with and without a shift.
   constexpr std::int32_t count = 61;
   constexpr double x = 1e-3, y = 0.3e-3, approach = 80e-6;
-  const Material material;
+  const Material material = test::steel;
   for (const double spread : {1.0, 40.0, 4000.0})
     for (const double skew : {0.0, 0.2}) {
       std::vector<double> peaks;
