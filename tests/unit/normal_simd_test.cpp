@@ -251,10 +251,10 @@ TEST(NormalKernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
 }
 
 TEST(NormalKernels, APointSeesEachStripOnce) {
-  // Near, far and very far; with and without a shift.
+  // Side by side, and apart as far as the tables reach and beyond; with and without a shift.
   constexpr std::int32_t count = 61;
   constexpr double x = 1e-3, y = 0.3e-3, approach = 80e-6;
-  const Material material;
+  const Material material = test::steel;
   for (const double spread : {1.0, 40.0, 4000.0})
     for (const double skew : {0.0, 0.2}) {
       std::vector<double> peaks;
@@ -264,8 +264,8 @@ TEST(NormalKernels, APointSeesEachStripOnce) {
         strips.count = count;
         double displacement = 0.0, load = 0.0;
         for (std::int32_t j = 0; j < count; ++j) {
-          const double width = 0.2e-3 * spread;
-          strips.y[j] = (j - 28) * width;
+          constexpr double width = 0.2e-3;
+          strips.y[j] = (j - 28) * width * spread;
           strips.width[j] = width;
           strips.centre[j] = x + skew * (strips.y[j] - y);
           const double l = strips.half_length[j] = 5e-3 * std::sqrt(1.0 - (j - 30.0) * (j - 30.0) / 1000.0);
