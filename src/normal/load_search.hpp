@@ -138,6 +138,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
                       ScaleAt&& scale_at, Force&& force, Strips& strips, NormalSolution& solution) noexcept {
   constexpr double probe = 1e-4;          // relative step of a stiffness that no two iterates give
   constexpr double steepest_power = 6.0;  // N ~ approach^power: 1.5 is Hertz's; beyond, the load leaps
+  constexpr double least_share = 1e-12;   // of the ceiling: below, halving would go on to denormal approaches
   const GapRows& rows = problem.gap;
   const double ceiling = deepest_approach(rows, lowest);
   const auto evaluate = [&](double approach) {
@@ -206,6 +207,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
     } else {
       high = trial;
       bracketed = true;
+      if (high.approach < least_share * ceiling) break;  // a needle of a gap: any approach carries more
     }
     double next = approach + (x_target - x) / slope;
     if (!bracketed) next = std::min(std::max(next, 1.001 * approach), 10.0 * approach);

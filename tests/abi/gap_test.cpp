@@ -106,6 +106,21 @@ TEST_P(Gap, ConformalOverAWidthGivesAPatch) {
   EXPECT_GE(patch.width, 10e-3);
 }
 
+TEST_P(Gap, ANarrowTroughEndsTheSearchBeforeDenormalApproaches) {
+  // Found by the fuzzer: whatever the approach, ANALYN's strips carried more than the load.
+  TearDown();
+  config.max_iterations = 1000;
+  load.normal_force = 29e3;
+  ReferenceContact::SetUp();
+  const Rows trough(4.8623e-4, 15, [](double y) {
+    return std::fabs(y) > 4.5e-4 ? 1.584e-3 : std::fabs(y) > 3.8e-4 ? 2.66e-4 : 0.0;
+  });
+  const int32_t status = solve(trough);
+  EXPECT_TRUE(status >= WRC_OK || status == WRC_ERROR_LOAD || status == WRC_ERROR_GAP) << error();
+  EXPECT_TRUE(std::isfinite(patch.stiffness) && std::isfinite(forces.fx) && std::isfinite(forces.power));
+  EXPECT_TRUE(status < WRC_OK || patch.approach > 1e-20) << patch.approach;
+}
+
 TEST_P(Gap, FlatAllAcrossIsFlaggedOrRefusedByName) {
   const int32_t status = solve(Rows(0.02, 81, [](double) { return 0.0; }));
   EXPECT_TRUE(status == WRC_FLAG_PATCH_AT_EDGE || status == WRC_ERROR_LOAD || status == WRC_ERROR_GAP)
