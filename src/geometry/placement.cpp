@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/profile_points.hpp"
+
 namespace wrc {
 namespace {
 
@@ -87,6 +89,16 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
               .unit = "",
               .cause = "the canted profile folds back: it is no longer a height over lateral position"};
     }
+  }
+  const double width = memory.y[count - 1] - memory.y[0];
+  if (width < profile_width_least) {
+    return {.status = WRC_ERROR_PROFILE,
+            .field = "width of a profile where it is not too steep",
+            .value = width,
+            .unit = "m",
+            .low = profile_width_least,
+            .high = profile_width_most,
+            .cause = "its ends are steeper than 89.4 degrees and cut off: is the scale of z that of y?"};
   }
   placed = profile_in(memory, count);
   return {};

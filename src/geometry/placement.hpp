@@ -22,7 +22,8 @@ struct Placement {
 };
 
 /// Places `profile` into `memory`. The nodes are rotated exactly, value and slope; ends that the rotation
-/// turns vertical or beyond are cut off. WRC_ERROR_PROFILE if the profile's middle would fold back.
+/// turns vertical or beyond are cut off. WRC_ERROR_PROFILE if the profile's middle would fold back or hardly
+/// anything is left.
 Fault place(const Profile& profile, const Placement& placement, const ProfileMemory& memory, Profile& placed);
 
 /// y -> -y of a profile in `memory`, node order reversed so that y still increases.

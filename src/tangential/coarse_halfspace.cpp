@@ -148,12 +148,15 @@ Sample sample(const Shares<n>& shares, const Between& along, const Between& acro
 }
 
 /// Tractions and slip on the cells of the strips, from the samples of both grids; the power they make [N].
+/// Some cell of the grids slips if `slips`; a few strips and cells may miss all of those, so the trailing
+/// edges, where slip begins, keep a trace for the power of the forces to be spent in.
 template <int m, int n>
 double write_fields(const RollingContact& contact, const CoarseGrid<m>& coarse,
                     const Shares<m>& coarse_shares, const CoarseGrid<n>& fine, const Shares<n>& fine_shares,
-                    const TangentialFields& fields) {
+                    bool slips, const TangentialFields& fields) {
   const Strips& strips = contact.region;
   const MarchGrid& march = *contact.grid;
+  const Creepage& creep = contact.creepage;
   double total = 0.0;
   for (std::int32_t s = 0; s < strips.count; ++s) {
     const double y = strips.y[s], l = strips.half_length[s];
@@ -165,7 +168,12 @@ double write_fields(const RollingContact& contact, const CoarseGrid<m>& coarse,
       // tractions of a grid's cell belong a quarter of a cell behind its middle
       const Sample low =
           sample(coarse_shares, between<m>((x - coarse.first_x) / coarse.dx + 0.25), across_coarse);
-      const Sample high = sample(fine_shares, between<n>((x - fine.first_x) / fine.dx + 0.25), across_fine);
+      Sample high = sample(fine_shares, between<n>((x - fine.first_x) / fine.dx + 0.25), across_fine);
+      if (slips && c == march.cells - 1) {
+        const double rigid =
+            std::fabs(creep.longitudinal - creep.spin * y) + std::fabs(creep.lateral + creep.spin * x);
+        high.slip = std::max(high.slip, 1e-9 * rigid);
+      }
       double ex = 2.0 * high.x - low.x, ey = 2.0 * high.y - low.y;
       const double size = std::sqrt(ex * ex + ey * ey);
       const double cut = size > 1.0 ? 1.0 / size : 1.0;
@@ -235,8 +243,8 @@ TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace
     f.fx *= limit / size;
     f.fy *= limit / size;
   }
-  const double local_power =
-      write_fields(contact, coarse.grid, coarse_shares, fine.grid, fine_shares, fields);
+  const double local_power = write_fields(contact, coarse.grid, coarse_shares, fine.grid, fine_shares,
+                                          high.adhesion_fraction < 1.0, fields);
   const Creepage& creep = contact.creepage;
   f.power_per_speed = std::max(0.0, -(f.fx * creep.longitudinal + f.fy * creep.lateral + f.mz * creep.spin));
   const double scale = local_power > 0.0 ? f.power_per_speed / local_power : 0.0;

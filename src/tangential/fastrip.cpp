@@ -133,9 +133,12 @@ void roll_strip(const RollingContact& contact, const StripSolution& strip, std::
       const double u = ahead - 1.0 + 0.5 * part, behind = slip_cells - u, before = cells - u;
       const double form = slips_as_a_whole ? 1.0 : 2.0 * std::sqrt(behind * before) / (behind + before);
       const Creepage& creep = contact.creepage;
-      const double along =
-          -((creep.longitudinal - creep.spin * y) * ex + (creep.lateral + creep.spin * x) * ey);
-      slip = std::max(0.0, along) * form * part;
+      const double rigid_x = creep.longitudinal - creep.spin * y, rigid_y = creep.lateral + creep.spin * x;
+      const double along = -(rigid_x * ex + rigid_y * ey);
+      // A trace where the traction does not oppose the rigid slip: were there nothing else, as happens on
+      // coarse grids, the power of the forces would have no cell to be spent in.
+      const double trace = 1e-9 * (std::abs(rigid_x) + std::abs(rigid_y));
+      slip = std::max(trace, along) * form * part;
     }
     fields.slip_x[at] = -slip * ex;
     fields.slip_y[at] = -slip * ey;

@@ -104,6 +104,20 @@ TEST(ProfilePoints, HalfMillimetrePointsKeepTreadAndFlangeRoot) {
   }
 }
 
+TEST(ProfilePoints, AProfileTooSteepAlmostEverywhereIsTold) {
+  const Points points = wheel_points();
+  const std::size_t count = points.y.size();
+  std::vector<double> scratch(count);
+  ProfileStore store, placed;
+  Profile profile;
+  spline_through(ProfileBody::wheel, static_cast<std::int32_t>(count), points.y.data(), points.z.data(),
+                 scratch.data(), store.memory(), profile);
+  std::fill_n(store.memory().slope, count - 10, 200.0);
+  Wheel wheel;
+  expect_fault(place_wheel(profile, WheelsetDimensions{}, Side::right, placed.memory(), wheel),
+               WRC_ERROR_PROFILE, "steeper than 89.4 degrees");
+}
+
 TEST(ProfilePoints, GoodPointsPass) {
   EXPECT_EQ(check(ProfileBody::wheel, wheel_points()).status, WRC_OK);
   EXPECT_EQ(check(ProfileBody::rail, rail_points()).status, WRC_OK);
