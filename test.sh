@@ -51,7 +51,7 @@ suite release
 if [ "${1:-}" != quick ]; then
   suite clang
   suite sanitize
-  suite tsan  # the suites in which threads share a model
+  suite tsan  # threads that share a model
   check "golden hashes of other builds" golden
   check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
   check "clang-format" formatted

@@ -185,7 +185,8 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
     const Trial trial = evaluate(approach);
     const double x = straightened(trial.normal_force);
     double slope = approach != previous ? (x - x_previous) / (approach - previous) : 0.0;
-    if (!(slope > 0.0)) slope = x / approach;  // a step across a merging patch may have misled the secant
+    // A step across a merging patch may have misled the secant.
+    if (!(slope > 0.0) && approach > 0.0) slope = x / approach;
     const double error = trial.normal_force / target - 1.0;
     if (error * error <= problem.force_tolerance && i > 0) {
       solution.approach = approach + (x_target - x) / slope;

@@ -502,7 +502,7 @@ TEST_F(ExactRolling, ReportsProgressThatGrowsAndIsCancelledAtAnyTime) {
 }
 
 // Sanitizers reserve the address space themselves; a limit on it would end the program.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef WRC_SANITIZED
 TEST_F(ExactRolling, MemoryThatIsNotThereIsAStatus) {
   grid = grid_over(a, b, 1024);
   const std::vector<double> flat(std::size_t{1024} * 1024, 1e6);

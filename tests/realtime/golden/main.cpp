@@ -1,13 +1,12 @@
 /// Are the results the same bits whatever computes them?
 ///     golden_hash print                  one hash per group of cases, and one over all
 ///     golden_hash write FILE             the same into a file: the expected values
-///     golden_hash check FILE [shortly]   every instruction set of this processor, 1 to 8 threads, single
-///     steps, batches
-///                                        and stages alone, against the file; shortly: two of these per
-///                                        instruction set
+///     golden_hash check FILE             every instruction set of this processor, 1 to 8 threads, single
+///                                        steps, batches and stages alone, against the file
+///     golden_hash check FILE shortly     two of these per instruction set
+///     golden_hash check FILE threads     8 threads with the best instruction set
 /// The same program built with another compiler, other options or for another processor must print the same.
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <map>
@@ -61,7 +60,7 @@ std::string difference(const Hashes& found, const Hashes& expected) {
   return names;
 }
 
-int check(const Plan& plan, const char* path, bool shortly) {
+int check(const Plan& plan, const char* path, const std::string& extent) {
   const Hashes expected = expected_from(path);
   if (expected.empty()) {
     std::printf("no expected values in %s\n", path);
@@ -71,13 +70,14 @@ int check(const Plan& plan, const char* path, bool shortly) {
     int threads;
     Way way;
   };
-  std::vector<Run> runs = {{1, Way::step}, {2, Way::batch}};
-  if (!shortly)
-    runs = {{1, Way::step}, {1, Way::batch}, {1, Way::stages},
-            {2, Way::step}, {3, Way::batch}, {8, Way::step}};
+  std::vector<Run> runs = {{1, Way::step}, {1, Way::batch}, {1, Way::stages},
+                           {2, Way::step}, {3, Way::batch}, {8, Way::step}};
+  if (extent == "shortly") runs = {{1, Way::step}, {2, Way::batch}};
+  if (extent == "threads") runs = {{8, Way::step}};
+  const std::int32_t last_set = extent == "threads" ? WRC_INSTRUCTIONS_BEST : WRC_INSTRUCTIONS_AVX512;
   int same = 0, different = 0;
   std::string named;  // the groups last printed: usually the same ones differ everywhere
-  for (int32_t set = WRC_INSTRUCTIONS_BEST; set <= WRC_INSTRUCTIONS_AVX512; ++set) {
+  for (std::int32_t set = WRC_INSTRUCTIONS_BEST; set <= last_set; ++set) {
     if (!available(set)) {
       std::printf("%-8s  not in this build or on this processor\n", set_names[set]);
       continue;
@@ -129,8 +129,7 @@ int main(int count, char** arguments) {
     const Plan plan = golden_plan();
     const std::string command = count > 1 ? arguments[1] : "print";
     if (command == "write" && count > 2) return write(plan, arguments[2]);
-    if (command == "check" && count > 2)
-      return check(plan, arguments[2], count > 3 && std::strcmp(arguments[3], "shortly") == 0);
+    if (command == "check" && count > 2) return check(plan, arguments[2], count > 3 ? arguments[3] : "");
     if (command == "print") {
       print(plain_run(plan), stdout);
       return 0;
@@ -139,6 +138,6 @@ int main(int count, char** arguments) {
     std::printf("%s\n", failure.what());
     return 1;
   }
-  std::printf("golden_hash print | write FILE | check FILE [shortly]\n");
+  std::printf("golden_hash print | write FILE | check FILE [shortly | threads]\n");
   return 2;
 }
