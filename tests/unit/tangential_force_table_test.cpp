@@ -470,8 +470,9 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
 
   wrc_view view = {};
   view.struct_size = sizeof view;
-  for (const std::int32_t field : {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y,
-                                   WRC_FIELD_POWER_DENSITY, WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR}) {
+  for (const std::int32_t field :
+       {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
+        WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
     EXPECT_EQ(wrc_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
     EXPECT_EQ(view.data, nullptr);
   }
