@@ -14,9 +14,7 @@ void divide_span(const NormalKernels& kernels, const GapRows& rows, const GapMin
 }
 
 LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept {
-  // Narrower chords, down to none at all, lie between the numbers that y can be: as good as a needle.
-  constexpr double least_half_width = 1e-12;  // [m]
-  const double half_width = std::max(0.5 * chord.width(), least_half_width);
+  const double half_width = std::max(0.5 * chord.width(), least_half_chord);
   return {PenetrationScale{}.at_centre * approach / (half_width * half_width), chord.middle(), chord.at_edge};
 }
 

@@ -308,6 +308,12 @@ TEST(PenetrationMethods, NameWhatIsWrong) {
     bad = good;
     std::swap(bad.y[3], bad.y[4]);
     EXPECT_EQ(status(test::under_load(bad, 80e3)), WRC_ERROR_GAP);
+    for (const double range : {0.0, 5e-324, 1e-13}) {  // flat, as far as lengths have a meaning
+      bad = good;
+      std::fill(bad.height.begin(), bad.height.end(), 0.0);
+      bad.height.back() = range;
+      EXPECT_EQ(status(test::under_load(bad, 80e3)), WRC_ERROR_GAP);
+    }
 
     EXPECT_EQ(status(test::under_load(good, 80e3)), WRC_OK);
   }
