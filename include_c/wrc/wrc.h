@@ -832,7 +832,8 @@ WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
- * _UNSUPPORTED (no such field; tractions, slip and what is made of them with WRC_TANGENTIAL_TABLE).
+ * _UNSUPPORTED (no such field; tractions, slip, what is made of them and the friction of a strip with
+ * WRC_TANGENTIAL_TABLE).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 

@@ -350,8 +350,9 @@ struct Field {
 
 /// Fields of the tangential stage and what is made of them; the strips and the gap come from the normal
 /// stage.
-bool needs_tractions(std::int32_t id) {
-  return id <= WRC_FIELD_FATIGUE_INDEX || id == WRC_FIELD_STRIP_POWER || id == WRC_FIELD_STRIP_WEAR;
+bool needs_cells(std::int32_t id) {
+  return id <= WRC_FIELD_FATIGUE_INDEX || id == WRC_FIELD_STRIP_POWER || id == WRC_FIELD_STRIP_WEAR ||
+         id == WRC_FIELD_STRIP_FRICTION;
 }
 
 Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
@@ -568,7 +569,7 @@ int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_v
   if (cleared.failed()) return cleared.status;
   if (field < 0 || field > WRC_FIELD_STRIP_FRICTION) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
-  if (!gives_fields(contact) && abi::needs_tractions(field)) return WRC_ERROR_UNSUPPORTED;
+  if (!gives_fields(contact) && abi::needs_cells(field)) return WRC_ERROR_UNSUPPORTED;
   const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;
   const bool of_patch = !of_gap && contact.patches > 0;
   if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;

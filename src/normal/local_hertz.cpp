@@ -49,7 +49,7 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
   bool at_edge = false;
   const auto scale_at = [&](double approach) {
     const Span half_depth = penetration_span(rows, lowest, PenetrationScale{}, approach);
-    return LocalCurvature(rows, reach(0.5 * half_depth.width()));
+    return LocalCurvature(rows, reach(std::max(0.5 * half_depth.width(), least_half_chord)));
   };
   const auto force = [&](double approach, LocalCurvature local, const Span& span) {
     at_edge = span.at_edge;

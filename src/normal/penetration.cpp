@@ -14,7 +14,7 @@ void divide_span(const NormalKernels& kernels, const GapRows& rows, const GapMin
 }
 
 LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept {
-  const double half_width = 0.5 * chord.width();
+  const double half_width = std::max(0.5 * chord.width(), least_half_chord);
   return {PenetrationScale{}.at_centre * approach / (half_width * half_width), chord.middle(), chord.at_edge};
 }
 

@@ -111,6 +111,10 @@ void divide_span(const NormalKernels& kernels, const GapRows& rows, const GapMin
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
                  Strips& strips) noexcept;
 
+/// Half widths of chords below this are taken for it [m]: down to none at all they lie between the numbers
+/// that y can be, as in a needle of a gap, and no patch is to be found there.
+inline constexpr double least_half_chord = 1e-12;
+
 /// Lateral curvature of the gap as the patch sees it: the coefficient B of h = B (y - middle)^2 [1/m] through
 /// the ends of the region below half the approach. A local second derivative would jump on every curvature
 /// step of a standard profile; a chord over the patch does not. CONTACT's KPEC uses the same chord.

@@ -109,7 +109,8 @@ struct State {
 void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& options,
                    const StripKernel& kernel, const GapMinimum& lowest, std::int32_t count,
                    StripHalfspaceStart& start, StripSystem& s, State& state) {
-  double depth = depth_per_approach * state.approach;
+  const double guess = state.approach;
+  double depth = depth_per_approach * guess;
   constexpr int widenings = 3;
   for (int attempt = 0; attempt < widenings; ++attempt) {
     place(problem, lowest, state.approach, depth, count, start, s);
@@ -130,9 +131,11 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
       fit_ends(problem.gap, lowest.height, s);
     }
     if (s.active_count == 0 && start.count > 0) {
-      start.count = 0;  // a start that far off is worse than none
+      start.count = 0;  // a start that far off is worse than none, and so is where it led
+      state.approach = guess;
       continue;
     }
+    if (!(state.approach > 0.0)) break;  // the gap dips below its rows: no depth to widen
     if (!touches_the_grids_end(s) || s.grid.at_edge) break;
     depth *= 1.4;
   }

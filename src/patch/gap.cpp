@@ -133,8 +133,8 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
 GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y[rows.count - 1]); }
 
 GapMinimum minimum(const GapRows& rows, double low, double high) {
-  // The interpolant is C1 and, around its lowest node, unimodal: the root of the slope in one of the two
-  // adjoining pieces.
+  // The interpolant is C1: the root of the slope in one of the two pieces that adjoin its lowest node. An end
+  // of these is the minimum only if it is no higher: in rows that go up and down, a ridge has slope zero too.
   std::int32_t lowest = -1;
   for (std::int32_t j = 0; j < rows.count; ++j) {
     if (rows.y[j] < low || rows.y[j] > high) continue;
@@ -145,8 +145,11 @@ GapMinimum minimum(const GapRows& rows, double low, double high) {
     low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
     high = std::min(high, rows.y[std::min(lowest + 1, rows.count - 1)]);
   }
-  if (const GapRow row = gap.at(low); row.slope >= 0.0) return {low, row.height};
-  if (const GapRow row = gap.at(high); row.slope <= 0.0) return {high, row.height};
+  const auto may_be_lowest = [&](const GapRow& row) {
+    return lowest < 0 || row.height <= rows.height[lowest];
+  };
+  if (const GapRow row = gap.at(low); row.slope >= 0.0 && may_be_lowest(row)) return {low, row.height};
+  if (const GapRow row = gap.at(high); row.slope <= 0.0 && may_be_lowest(row)) return {high, row.height};
   if (lowest >= 0) (gap.at(rows.y[lowest]).slope < 0.0 ? low : high) = rows.y[lowest];
   const double y = gap.lowest_between(low, high);
   return {y, gap.height(y)};

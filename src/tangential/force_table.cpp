@@ -205,18 +205,19 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
       axes.ratios);
   at.shape = open_stencil((axes.shapes - 1) * (shape / axes.largest_shape_number), axes.shapes);
 
-  // The creepages as the table counts them, without and with the stiffness of the bodies' Poisson ratio.
+  // The creepages as the table counts them, without and with the stiffness of the bodies' Poisson ratio, times
+  // the limit of the forces [N]: so they are numbers without friction too, where t = 1.
   const double limit = friction * normal_force, centre = pressure_centre(patch);
-  const double c2 = patch.a * patch.b, c = std::sqrt(c2), per_limit = shear_modulus * c2 / limit;
+  const double c2 = patch.a * patch.b, c = std::sqrt(c2), stiff = shear_modulus * c2;
   const CreepageScale scale = creepage_scale(ratio), stiffness = weighted(table.stiffness, at.ratio);
-  const double x = scale.longitudinal * per_limit * (creepage.longitudinal - creepage.spin * centre);
-  const double y = scale.lateral * per_limit * creepage.lateral * mirror;
-  const double s = scale.spin * per_limit * c * creepage.spin * mirror;
+  const double x = scale.longitudinal * stiff * (creepage.longitudinal - creepage.spin * centre);
+  const double y = scale.lateral * stiff * creepage.lateral * mirror;
+  const double s = scale.spin * stiff * c * creepage.spin * mirror;
   const double elastic_x = stiffness.longitudinal * x, elastic_y = stiffness.lateral * y,
                elastic_s = stiffness.spin * s;
   const double r = std::sqrt(elastic_x * elastic_x + elastic_y * elastic_y + elastic_s * elastic_s);
   if (!(r > 0.0)) return {.adhesion_fraction = 1.0};
-  const double t = r / (r + axes.half_saturation), rigid = t * t;
+  const double t = r / (r + axes.half_saturation * limit), rigid = t * t;
 
   const double sign = s < 0.0 ? -1.0 : 1.0;
   at.direction = {sign * (elastic_x + rigid * (x - elastic_x)) / r,

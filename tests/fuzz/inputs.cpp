@@ -138,12 +138,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   config.side = static_cast<std::int32_t>(choices.below(2));
   config.normal_method = static_cast<std::int32_t>(choices.below(7));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
-  constexpr std::int32_t tangential_methods[] = {
-      WRC_TANGENTIAL_FASTSIM,         WRC_TANGENTIAL_FASTSIM_EQE,      WRC_TANGENTIAL_FASTSIM_EQL,
-      WRC_TANGENTIAL_FASTSIM_SDEC,    WRC_TANGENTIAL_STRIP_FASTSIM,    WRC_TANGENTIAL_MODIFIED_FASTSIM,
-      WRC_TANGENTIAL_FASTRIP,         WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC,
-      WRC_TANGENTIAL_COARSE_HALFSPACE};
-  config.tangential_method = tangential_methods[choices.below(10)];
+  config.tangential_method = static_cast<std::int32_t>(choices.below(WRC_TANGENTIAL_COARSE_HALFSPACE + 1));
+  config.force_table = WRC_FORCE_TABLE;
   config.traction_bound = static_cast<std::int32_t>(choices.below(3));
   config.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.strips = count(4.0, finest);

@@ -11,6 +11,7 @@
 #include "normal/elliptic_integrals.hpp"
 #include "normal/hertz_theory.hpp"
 #include "normal/kik_piotrowski.hpp"
+#include "normal/penetration.hpp"
 #include "normal_gaps.hpp"
 #include "patch/regularise.hpp"
 
@@ -307,6 +308,12 @@ TEST(PenetrationMethods, NameWhatIsWrong) {
     bad = good;
     std::swap(bad.y[3], bad.y[4]);
     EXPECT_EQ(status(test::under_load(bad, 80e3)), WRC_ERROR_GAP);
+    for (const double range : {0.0, 5e-324, 1e-13}) {  // flat, as far as lengths have a meaning
+      bad = good;
+      std::fill(bad.height.begin(), bad.height.end(), 0.0);
+      bad.height.back() = range;
+      EXPECT_EQ(status(test::under_load(bad, 80e3)), WRC_ERROR_GAP);
+    }
 
     EXPECT_EQ(status(test::under_load(good, 80e3)), WRC_OK);
   }
@@ -364,6 +371,18 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
     EXPECT_GT(leap_at, 0.0);  // the approach stands still while the second region comes in
     EXPECT_LT(worst, 0.04);   // the new region's area sets in like the root of its load; a leap has 0.5
   }
+}
+
+// A step of the gap beside its lowest point may leave a small overlap no width that y can express.
+TEST(LateralCurvature, OfAChordWithoutWidthIsANumber) {
+  for (const double approach : {1e-12, 1e-6, 1e-3})
+    for (const double width : {0.0, 1e-300, 1e-17}) {
+      const LateralCurvature lateral = lateral_curvature({0.02, 0.02 + width, false}, approach);
+      EXPECT_TRUE(std::isfinite(lateral.coefficient)) << approach << " " << width;
+      EXPECT_GE(lateral.coefficient, 1e11);
+    }
+  const LateralCurvature wide = lateral_curvature({-1e-11, 1e-11, false}, 1e-6);
+  EXPECT_DOUBLE_EQ(wide.coefficient, 0.5e-6 / 1e-22);
 }
 
 }  // namespace

@@ -120,5 +120,31 @@ TEST_F(RoughGaps, FlatConcaveKinkedAndTilted) {
     }
 }
 
+// A wall between rows that stand apart: the surface through the rows dips half a millimetre below the lowest,
+// and the strips carry the load at an approach below zero. Where contact also reached the grid's end, the
+// solver went on from there, on a grid widened to lengths that are no numbers.
+TEST_F(RoughGaps, ADipBetweenRowsBesideAWallIsRefusedWithNumbers) {
+  constexpr double micrometres[] = {12187, 11736, 493, 0,   188, 568, 961, 1221, 1297, 1224, 1073, 938, 874,
+                                    860,   873,   891, 895, 883, 860, 831, 801,  775,  753,  733,  717, 702,
+                                    692,   686,   687, 696, 713, 739, 773, 814,  862,  916,  977,  1045};
+  OwnedGap wall;
+  for (const double height : micrometres)
+    wall.add(0.2714e-3 * static_cast<double>(wall.y.size()) - 0.818e-3, 1e-6 * height, 2.156);
+  const OwnedGap smooth = test::elliptic_gap(1.1, 1.67, 10e-3, 8);
+  for (const std::int32_t strips : {4, 5, 6, 7, 8, 10, 14, 20, 40})
+    for (const double load : {1e3, 10e3, 40e3, 60e3, 70e3, 80e3, 90e3, 120e3}) {
+      SCOPED_TRACE(testing::Message() << strips << " strips under " << load << " N");
+      start.count = 0;
+      NormalSolution solution;
+      const auto solve = [&](const OwnedGap& gap) {
+        return solve_strip_halfspace(test::under_load(gap, load, strips), {}, *kernel, workspace, start,
+                                     owned.strips, solution);
+      };
+      EXPECT_EQ(solve(smooth).status, WRC_OK);
+      const Fault fault = solve(wall);  // from the smooth gap's solution
+      EXPECT_TRUE(std::isfinite(fault.value)) << fault.field;
+    }
+}
+
 }  // namespace
 }  // namespace wrc

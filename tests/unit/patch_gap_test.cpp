@@ -67,6 +67,27 @@ TEST(Gap, MinimumAtTheEdgeIsTheEdge) {
   EXPECT_DOUBLE_EQ(minimum(gap.rows()).y, 0.02);
 }
 
+TEST(Gap, MinimumIsNoHigherThanAnyRow) {
+  EllipticRows gap(1.0, 0.0, 0.0, 0.0, 25);
+  for (const double waves : {0.0, 1.0, 5.5, 11.0, 11.5, 12.0, 23.0}) {
+    for (const double slope : {-1e-6, 0.0, 1e-7, 1e-5}) {
+      for (int j = 0; j < 25; ++j)
+        gap.height[j] = 4e-8 * std::cos(waves * 6.283185307 * j / 24.0) + slope * gap.y[j];
+      const GapRows rows = gap.rows();
+      for (int first = 0; first < 24; ++first) {
+        for (int last = first; last < 25; ++last) {
+          const GapMinimum least = minimum(rows, rows.y[first], rows.y[last]);
+          EXPECT_EQ(least.height, interpolate(rows, least.y).height);
+          EXPECT_GE(least.y, rows.y[first]);
+          EXPECT_LE(least.y, rows.y[last]);
+          for (int j = first; j <= last; ++j)
+            ASSERT_LE(least.height, rows.height[j] + 1e-22) << waves << " " << slope << " " << j;
+        }
+      }
+    }
+  }
+}
+
 TEST(Gap, GridOfASkewedParaboloidGivesItsRows) {
   std::vector<double> x, y, h;
   for (int i = 0; i < 31; ++i) x.push_back(-0.015 + 0.001 * i);

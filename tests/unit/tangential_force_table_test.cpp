@@ -126,6 +126,24 @@ Draw draw(std::mt19937& random) {
           {level * uniform(-1.0, 1.0), level * uniform(-1.0, 1.0), level / c * uniform(-1.0, 1.0)}};
 }
 
+// Friction may be none, in a zone of it: then everything slides, and nothing holds.
+TEST(ForceTable, WithoutFrictionSlidesWithoutForce) {
+  for (const double friction : {0.0, 1e-300, 1e-100, 1e-12}) {
+    for (const Creepage& creepage :
+         {Creepage{0.0, 0.0, 0.3}, Creepage{1e-15, 0.0, 0.0}, Creepage{1e-3, -0.02, 100.0}}) {
+      Fault fault;
+      const TangentialForces f = table_forces(book().table, patch, N, G, friction, creepage, fault);
+      EXPECT_EQ(fault.status, WRC_OK);
+      EXPECT_LE(length(f), friction * N * (1.0 + 1e-12));
+      EXPECT_LE(std::abs(f.mz), friction * N * (patch.a + patch.b));
+      EXPECT_TRUE(std::isfinite(f.power_per_speed) && f.power_per_speed >= 0.0);
+      if (friction < 1e-90) {
+        EXPECT_NEAR(f.adhesion_fraction, 0.0, 1e-2);
+      }
+    }
+  }
+}
+
 TEST(ForceTable, ChangesSignWithTheCreepagesAndMirrorsWithThePatch) {
   std::mt19937 random(1);
   for (int k = 0; k < 200; ++k) {
@@ -452,8 +470,9 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
 
   wrc_view view = {};
   view.struct_size = sizeof view;
-  for (const std::int32_t field : {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y,
-                                   WRC_FIELD_POWER_DENSITY, WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR}) {
+  for (const std::int32_t field :
+       {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
+        WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
     EXPECT_EQ(wrc_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
     EXPECT_EQ(view.data, nullptr);
   }
