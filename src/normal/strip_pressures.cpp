@@ -15,8 +15,11 @@ constexpr double overlap_to_enter = 1e-4;
 
 double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.influence_stride; }
 
-/// Fills row j of the influence: displacement at the middle of strip j by unit peak in each of the strips.
+/// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
+/// in each of the strips.
 void find_influence(const StripKernel& kernel, const StripSystem& s, std::int32_t j) {
+  if (s.row_known[j] != 0) return;
+  s.row_known[j] = 1;
   double* const row = influence_row(s, j);
   const simd::InfluenceTask task{kernel.tables(), s.grid.count,     s.grid.y, s.grid.width,
                                  s.centre,        s.inverse_length, s.skewed};
@@ -90,6 +93,7 @@ double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, 
                        double& stiffness) noexcept {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
+  std::fill_n(s.row_known, s.grid.count, 0);
   for (std::int32_t a = 0; a < s.active_count; ++a) find_influence(kernel, s, s.active[a]);
 
   double approach = problem.approach;
