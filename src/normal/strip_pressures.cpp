@@ -39,10 +39,14 @@ simd::EliminationTask gather(const StripSystem& s, double compliance) {
       target[a] = 1.0;
       continue;
     }
-    const double* const row = influence_row(s, s.active[a]);
-    for (std::int32_t b = 0; b < m; ++b) target[b] = row[s.active[b]];
     target[size] = 1.0 / compliance;
     target[size + 1] = s.height[s.active[a]] / compliance;
+  }
+  // Column by column is slow; strips in contact come in runs.
+  for (std::int32_t first = 0, end = 0; first < m; first = end) {
+    end = run_end(s, first);
+    for (std::int32_t a = 0; a < m; ++a)
+      std::copy_n(influence_row(s, s.active[a]) + s.active[first], end - first, s.matrix + a * stride + first);
   }
   return {size, stride, s.matrix, s.by_approach, s.by_height};
 }
