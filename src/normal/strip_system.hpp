@@ -9,6 +9,11 @@
 
 namespace wrc {
 
+/// Strips first .. first + count - 1 of the grid.
+struct StripRange {
+  std::int32_t first = 0, count = 0;
+};
+
 /// Arrays in the workspace, all with room for as many strips as the problem has, in whole packs; `grid.count`
 /// are in use, and what the kernels read behind them is zero.
 struct StripSystem {
@@ -42,6 +47,7 @@ struct StripSystem {
   std::int32_t* next_active = nullptr;
   std::int32_t* row_known = nullptr;  ///< 1: row j of the influence belongs to the present lengths
   std::int32_t active_count = 0;
+  StripRange in_reach;  ///< of the present sweep: in contact, or where contact is looked for
   bool skewed = false;  ///< the gap's centre line is not straight along y
 };
 
