@@ -241,15 +241,15 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
         solution.normal_force = target;
         return {};
       }
-      // The load is reached on one side of the leap, where the search goes on.
-      if (before.normal_force < target)
-        low = after;
-      else
-        high = before;
-      previous = low.approach;
-      x_previous = straightened(low.normal_force);
-      const double x_high = straightened(high.normal_force);
-      approach = previous + (x_target - x_previous) / (x_high - x_previous) * (high.approach - previous);
+      // The load is reached on one side of the leap, where the search goes on from that side's end: by the
+      // chord of what is left, and then by secants through the end, which is near.
+      const bool beyond = before.normal_force < target;
+      const Trial& end = beyond ? after : before;
+      (beyond ? low : high) = end;
+      const double x_low = straightened(low.normal_force), x_high = straightened(high.normal_force);
+      previous = end.approach;
+      x_previous = beyond ? x_low : x_high;
+      approach = low.approach + (x_target - x_low) / (x_high - x_low) * (high.approach - low.approach);
       continue;
     }
     previous = approach;
