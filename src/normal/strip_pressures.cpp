@@ -58,9 +58,9 @@ simd::EliminationTask gather(const StripSystem& s, double compliance) {
 /// kernels.
 StripRange strips_in_reach(Search search, const StripSystem& s) {
   if (search == Search::everywhere || s.active_count == 0) return {0, s.grid.count};
-  constexpr std::int32_t beside = 3;
-  const std::int32_t from = std::max(s.active[0] - beside, 0);
-  const std::int32_t to = std::min(s.active[s.active_count - 1] + 1 + beside, s.grid.count);
+  constexpr std::int32_t margin = 2;
+  const std::int32_t from = std::max(s.active[0] - margin, 0);
+  const std::int32_t to = std::min(s.active[s.active_count - 1] + 1 + margin, s.grid.count);
   const auto packs = static_cast<std::int32_t>(simd::whole_packs(to - from));
   const auto room = static_cast<std::int32_t>(simd::whole_packs(s.grid.count));
   const std::int32_t first = std::min(from, room - packs);
