@@ -140,7 +140,8 @@ GapMinimum minimum(const GapRows& rows, double low, double high) {
   const auto end = static_cast<std::int32_t>(std::upper_bound(rows.y, y_end, high) - rows.y);
   std::int32_t lowest = -1;
   if (first < end)
-    lowest = static_cast<std::int32_t>(std::min_element(rows.height + first, rows.height + end) - rows.height);
+    lowest =
+        static_cast<std::int32_t>(std::min_element(rows.height + first, rows.height + end) - rows.height);
   GapReader gap(rows);
   if (lowest >= 0) {
     low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
