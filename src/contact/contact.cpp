@@ -154,9 +154,29 @@ double* cell_block(Contact& contact, Array which, const Patch& patch) {
 // ----------------------------------------------------------------------------------------------------------
 // gap
 
+namespace {
+
+/// Where the first touch leaps across the tread or to the flange, the patch stays behind: its last solution,
+/// from which the next normal solve may start, is taken over from the frame of the contact point `before`
+/// into the present one. What the frames are turned against each other does not matter for a start. A contact
+/// point that merely moves takes its patch along.
+void carry_start_over_leap(Contact& contact, const ContactPoint& before) {
+  if (contact.start_strips == 0) return;
+  constexpr double leap = 0.25;  // of the patch's width
+  const ContactPoint& now = contact.point;
+  const double moved = now.cosine * (now.y - before.y) + now.sine * (now.z - before.z);
+  double* const y = array(contact, Array::start_y);
+  if (std::abs(moved) < leap * (y[contact.start_strips - 1] - y[0])) return;
+  for (std::int32_t j = 0; j < contact.start_strips; ++j) y[j] -= moved;
+}
+
+}  // namespace
+
 Fault find_gap(Contact& contact, const Pose& pose) {
   back_to(contact, Stage::none);
   contact.gap_rows = 0;
+  const bool moved_on = contact.posed;
+  const ContactPoint before = contact.point;
   contact.posed = false;
   const Model& model = *contact.model;
   if (!model.has_geometry) {
@@ -166,6 +186,7 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   std::int32_t found = 0;
   Fault fault = find_contact(model.rail, posed(model.wheel, pose), 1, &contact.point, found);
   if (fault.failed()) return fault;
+  if (moved_on && model.options.warm_start) carry_start_over_leap(contact, before);
 
   const auto [wheel, origin] = PressedWheel(model, pose, contact.point);
   const GapWindow window = gap_window(model.rail, wheel, origin, {model.options.gap_limit, gap_half_width});

@@ -80,9 +80,9 @@ RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span
   return barrier;
 }
 
-/// Narrows a leap of the patch's extent between low and high. The extents tell on which side of it an
-/// approach lies; where to look next, a secant on the overlap at the barrier that parts the regions, which
-/// vanishes where they join, or bisection where that does not get there.
+/// Narrows a leap of the patch's extent between low and high. On which side of it an approach lies, tells the
+/// overlap at the barrier that parts the regions, which vanishes where they join; without a barrier, the
+/// extents do. Where to look next, a secant on that overlap, or bisection where that does not get there.
 template <class ScaleAt>
 void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
                  Trial& high) noexcept {
@@ -99,6 +99,9 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
     for (std::int32_t j = barrier.first; j <= barrier.last; ++j) g = std::min(g, overlap.at_row(j));
     return g;
   };
+  const auto apart = [](const Span& a, const Span& b) {
+    return std::abs(a.y_from - b.y_from) + std::abs(a.y_to - b.y_to);
+  };
   double before = high.approach, g_before = least(at_high), last = low.approach, g_last = least(at_low);
   for (int i = 0; i < cap && high.approach - low.approach > width; ++i) {
     double next = 0.5 * (low.approach + high.approach);
@@ -107,16 +110,16 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
       next = std::clamp(last - g_last * (last - before) / (g_last - g_before), low.approach + 0.5 * width,
                         high.approach - 0.5 * width);
     auto overlap = overlap_at(next);
-    const Span span = penetration_span(rows, lowest, overlap.scale, next);
-    const double from_low = std::abs(span.y_from - low.span.y_from) + std::abs(span.y_to - low.span.y_to);
-    const double from_high = std::abs(span.y_from - high.span.y_from) + std::abs(span.y_to - high.span.y_to);
-    Trial& side = from_low < from_high ? low : high;
-    side.approach = next;
-    side.span = span;
     before = last;
     g_before = g_last;
     last = next;
     g_last = least(overlap);
+    bool joined = g_last > 0.0;
+    if (barrier.last < barrier.first) {
+      const Span span = penetration_span(rows, lowest, overlap.scale, next);
+      joined = apart(span, high.span) <= apart(span, low.span);
+    }
+    (joined ? high : low).approach = next;
   }
 }
 
@@ -239,6 +242,16 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
         solution.normal_force = target;
         return {};
       }
+      // The load is reached on one side of the leap, where the search goes on from that side's end: by the
+      // chord of what is left, and then by secants through the end, which is near.
+      const bool beyond = before.normal_force < target;
+      const Trial& end = beyond ? after : before;
+      (beyond ? low : high) = end;
+      const double x_low = straightened(low.normal_force), x_high = straightened(high.normal_force);
+      previous = end.approach;
+      x_previous = beyond ? x_low : x_high;
+      approach = low.approach + (x_target - x_low) / (x_high - x_low) * (high.approach - low.approach);
+      continue;
     }
     previous = approach;
     x_previous = x;

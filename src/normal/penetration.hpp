@@ -20,7 +20,7 @@ struct PenetrationScale {
   double centre = 0.0;     ///< [m]
 
   double at(double y) const noexcept {
-    const double eps = at_centre + bend * (y - centre) * (y - centre);
+    const double eps = bend == 0.0 ? at_centre : at_centre + bend * (y - centre) * (y - centre);
     return std::clamp(eps, 0.05, 1.0);
   }
 };

@@ -15,12 +15,17 @@ constexpr double overlap_to_enter = 1e-4;
 
 double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.influence_stride; }
 
-/// Fills row j of the influence: displacement at the middle of strip j by unit peak in each of the strips.
+/// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
+/// in each of the strips.
 void find_influence(const StripKernel& kernel, const StripSystem& s, std::int32_t j) {
+  if (s.row_known[j] != 0) return;
+  s.row_known[j] = 1;
   double* const row = influence_row(s, j);
-  const simd::InfluenceTask task{kernel.tables(), s.grid.count,     s.grid.y, s.grid.width,
-                                 s.centre,        s.inverse_length, s.skewed};
-  kernel.kernels->influence_row(task, j, row);
+  const std::int32_t first = s.in_reach.first;
+  const simd::InfluenceTask task{
+      kernel.tables(),  s.in_reach.count,         s.grid.y + first, s.grid.width + first,
+      s.centre + first, s.inverse_length + first, s.skewed};
+  kernel.kernels->influence_row(task, j - first, row + first);
   row[j] = s.grid.width[j] * kernel.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }
 
@@ -36,12 +41,30 @@ simd::EliminationTask gather(const StripSystem& s, double compliance) {
       target[a] = 1.0;
       continue;
     }
-    const double* const row = influence_row(s, s.active[a]);
-    for (std::int32_t b = 0; b < m; ++b) target[b] = row[s.active[b]];
     target[size] = 1.0 / compliance;
     target[size + 1] = s.height[s.active[a]] / compliance;
   }
+  // Column by column is slow; strips in contact come in runs.
+  for (std::int32_t first = 0, end = 0; first < m; first = end) {
+    end = run_end(s, first);
+    for (std::int32_t a = 0; a < m; ++a)
+      std::copy_n(influence_row(s, s.active[a]) + s.active[first], end - first,
+                  s.matrix + a * stride + first);
+  }
   return {size, stride, s.matrix, s.by_approach, s.by_height};
+}
+
+/// The strips a sweep looks at: all, or those in contact and a few on both sides, in whole packs of the
+/// kernels.
+StripRange strips_in_reach(Search search, const StripSystem& s) {
+  if (search == Search::everywhere || s.active_count == 0) return {0, s.grid.count};
+  constexpr std::int32_t margin = 2;
+  const std::int32_t from = std::max(s.active[0] - margin, 0);
+  const std::int32_t to = std::min(s.active[s.active_count - 1] + 1 + margin, s.grid.count);
+  const auto packs = static_cast<std::int32_t>(simd::whole_packs(to - from));
+  const auto room = static_cast<std::int32_t>(simd::whole_packs(s.grid.count));
+  const std::int32_t first = std::min(from, room - packs);
+  return {first, std::min(packs, s.grid.count - first)};
 }
 
 /// Drops the strips that pull. True if there are any.
@@ -64,7 +87,7 @@ bool admit(const StripKernel& kernel, Search search, double compliance, double a
   constexpr std::int32_t beside = 1;  // strips from the nearest in contact that still count as beside it
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
-  for (std::int32_t j = 0; j < s.grid.count; ++j) {
+  for (std::int32_t j = s.in_reach.first; j < s.in_reach.first + s.in_reach.count; ++j) {
     bool in = a < m && s.active[a] == j;
     const bool near = (a < m && s.active[a] - j <= beside) || (a > 0 && j - s.active[a - 1] <= beside);
     if (in) {
@@ -90,6 +113,8 @@ double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, 
                        double& stiffness) noexcept {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
+  std::fill_n(s.row_known, s.grid.count, 0);
+  s.in_reach = strips_in_reach(search, s);
   for (std::int32_t a = 0; a < s.active_count; ++a) find_influence(kernel, s, s.active[a]);
 
   double approach = problem.approach;

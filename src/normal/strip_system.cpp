@@ -24,7 +24,7 @@ struct Sizes {
 
 constexpr std::int64_t arrays_over_strips = 19;
 constexpr std::int64_t arrays_over_sources = 8;
-constexpr std::int64_t arrays_of_indices = 3;
+constexpr std::int64_t arrays_of_indices = 4;
 
 }  // namespace
 
@@ -58,6 +58,7 @@ StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept {
   s.grid.region = indices;
   s.active = indices + capacity;
   s.next_active = indices + 2 * capacity;
+  s.row_known = indices + 3 * capacity;
   return s;
 }
 

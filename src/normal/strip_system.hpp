@@ -9,6 +9,11 @@
 
 namespace wrc {
 
+/// Strips first .. first + count - 1 of the grid.
+struct StripRange {
+  std::int32_t first = 0, count = 0;
+};
+
 /// Arrays in the workspace, all with room for as many strips as the problem has, in whole packs; `grid.count`
 /// are in use, and what the kernels read behind them is zero.
 struct StripSystem {
@@ -24,8 +29,8 @@ struct StripSystem {
   double* centre = nullptr;
   double* peak = nullptr;
   std::int64_t influence_stride = 0;
-  /// Row j column i: displacement at the middle of j by unit peak in i, over the compliance [m]. Known for
-  /// strips j in contact.
+  /// Row j column i: displacement at the middle of j by unit peak in i, over the compliance [m]. See
+  /// row_known.
   double* influence = nullptr;
   double* matrix = nullptr;  ///< of the active strips, with the right-hand sides
   double* by_approach = nullptr;
@@ -40,7 +45,9 @@ struct StripSystem {
   double *leading = nullptr, *trailing = nullptr;  ///< displacement there, over the compliance [m Pa]
   std::int32_t* active = nullptr;                  ///< indices of the strips in contact
   std::int32_t* next_active = nullptr;
+  std::int32_t* row_known = nullptr;  ///< 1: row j of the influence belongs to the present lengths
   std::int32_t active_count = 0;
+  StripRange in_reach;  ///< of the present sweep: in contact, or where contact is looked for
   bool skewed = false;  ///< the gap's centre line is not straight along y
 };
 

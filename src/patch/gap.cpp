@@ -135,11 +135,13 @@ GapMinimum minimum(const GapRows& rows) { return minimum(rows, rows.y[0], rows.y
 GapMinimum minimum(const GapRows& rows, double low, double high) {
   // The interpolant is C1: the root of the slope in one of the two pieces that adjoin its lowest node. An end
   // of these is the minimum only if it is no higher: in rows that go up and down, a ridge has slope zero too.
+  const double* const y_end = rows.y + rows.count;
+  const auto first = static_cast<std::int32_t>(std::lower_bound(rows.y, y_end, low) - rows.y);
+  const auto end = static_cast<std::int32_t>(std::upper_bound(rows.y, y_end, high) - rows.y);
   std::int32_t lowest = -1;
-  for (std::int32_t j = 0; j < rows.count; ++j) {
-    if (rows.y[j] < low || rows.y[j] > high) continue;
-    if (lowest < 0 || rows.height[j] < rows.height[lowest]) lowest = j;
-  }
+  if (first < end)
+    lowest =
+        static_cast<std::int32_t>(std::min_element(rows.height + first, rows.height + end) - rows.height);
   GapReader gap(rows);
   if (lowest >= 0) {
     low = std::max(low, rows.y[std::max(lowest - 1, 0)]);

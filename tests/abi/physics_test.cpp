@@ -393,4 +393,28 @@ TEST(Continuity, NoStepOfALateralScanFails) {
   }
 }
 
+/// A start that stays in the frame of the contact point lies beside the patch when the point leaps.
+TEST(WarmStart, FollowsThePatchWhereTheFirstTouchLeapsAcrossTheTread) {
+  Wheel warm, cold;
+  for (Wheel* const wheel : {&warm, &cold}) wheel->config.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
+  warm.config.warm_start = 1;
+  int leaps = 0;
+  double before = 0.0;
+  for (int i = 0; i <= 160; ++i) {
+    const Motion motion{.lateral = 0.05e-3 * (i - 80)};
+    ASSERT_GE(warm.roll(motion), 0);
+    const bool leapt = i > 0 && std::abs(warm.point.y_rail - before) > 5e-3;
+    before = warm.point.y_rail;
+    if (!leapt) continue;
+    ++leaps;
+    ASSERT_GE(cold.roll(motion), 0);
+    std::printf("leap at %.2f mm: %d sweeps warm, %d cold\n", 1e3 * motion.lateral,
+                static_cast<int>(warm.patch.iterations), static_cast<int>(cold.patch.iterations));
+    EXPECT_LE(warm.patch.iterations, 3) << motion.lateral;
+    EXPECT_NEAR(warm.patch.approach, cold.patch.approach, 2e-3 * cold.patch.approach) << motion.lateral;
+    EXPECT_NEAR(warm.patch.area, cold.patch.area, 1e-2 * cold.patch.area) << motion.lateral;
+  }
+  EXPECT_GT(leaps, 0);
+}
+
 }  // namespace

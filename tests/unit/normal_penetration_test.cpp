@@ -350,6 +350,7 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
     NormalSolution solution;
     double area = 0.0, peak = 0.0, approach = 0.0, leap_at = 0.0;
     double worst = 0.0, widest = 0.0, narrowest = 1.0;
+    std::int64_t most_evaluations = 0;
     for (double load = 10e3; load < 200e3; load *= 1.001) {
       const Fault fault = method.solve(test::under_load(gap, load), owned.strips, solution);
       if (fault.status == WRC_FLAG_PATCH_AT_EDGE) break;
@@ -361,6 +362,7 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
             {worst, std::abs(solution.area / area - 1.0), std::abs(solution.peak_pressure / peak - 1.0)});
         if (std::abs(solution.approach / approach - 1.0) < 2e-5) leap_at = load;
       }
+      most_evaluations = std::max(most_evaluations, solution.iterations);
       area = solution.area;
       peak = solution.peak_pressure;
       approach = solution.approach;
@@ -370,6 +372,7 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
     EXPECT_GT(widest, 1.5 * narrowest);
     EXPECT_GT(leap_at, 0.0);  // the approach stands still while the second region comes in
     EXPECT_LT(worst, 0.04);   // the new region's area sets in like the root of its load; a leap has 0.5
+    EXPECT_LE(most_evaluations, 10);  // also for loads just beside the leap, where bisection takes more
   }
 }
 
