@@ -205,8 +205,8 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
       axes.ratios);
   at.shape = open_stencil((axes.shapes - 1) * (shape / axes.largest_shape_number), axes.shapes);
 
-  // The creepages as the table counts them, without and with the stiffness of the bodies' Poisson ratio, times
-  // the limit of the forces [N]: so they are numbers without friction too, where t = 1.
+  // The creepages as the table counts them, without and with the stiffness of the bodies' Poisson ratio,
+  // times the limit of the forces [N]: so they are numbers without friction too, where t = 1.
   const double limit = friction * normal_force, centre = pressure_centre(patch);
   const double c2 = patch.a * patch.b, c = std::sqrt(c2), stiff = shear_modulus * c2;
   const CreepageScale scale = creepage_scale(ratio), stiffness = weighted(table.stiffness, at.ratio);
