@@ -23,36 +23,85 @@ namespace {
 /// Where slip sets in z is small, or e is along the slip already.
 constexpr double first_ahead = 0.5;
 
-/// What a step computes on its way, for its derivatives.
-struct Turn {
-  Pack Vx, Vy, r;     ///< slip times dv, where it is seen, and the size of that
-  Pack d, s, cx, cy;  ///< d resists turning, s = d + r; c points half-way
-  Pack per_c, per_s;  ///< 1 / c.c, 1 / s
-};
+/// The packs of two groups of strips. The processor looks some hundred operations ahead, which is no more
+/// than one group's step, each operation waiting for the one before: only where those of two groups alternate
+/// does one group compute while the other waits for its root or divide.
+struct TwoPacks {
+  Pack first, second;
 
-/// Turns (ex, ey) against the slip V over a step; d: what resists. `ahead` becomes the next step's 1/(2 + z).
-[[gnu::always_inline]] inline Turn turn(Pack Vx, Pack Vy, Pack d, Pack& ex, Pack& ey, Pack& ahead) {
+  TwoPacks() = default;
+  TwoPacks(Pack a, Pack b) : first(a), second(b) {}
+  TwoPacks(double everywhere) : first(everywhere), second(everywhere) {}  // NOLINT: as Pack
+
+  friend TwoPacks operator+(TwoPacks x, TwoPacks y) { return {x.first + y.first, x.second + y.second}; }
+  friend TwoPacks operator-(TwoPacks x, TwoPacks y) { return {x.first - y.first, x.second - y.second}; }
+  friend TwoPacks operator*(TwoPacks x, TwoPacks y) { return {x.first * y.first, x.second * y.second}; }
+  friend TwoPacks operator/(TwoPacks x, TwoPacks y) { return {x.first / y.first, x.second / y.second}; }
+};
+inline TwoPacks root(TwoPacks x) { return {root(x.first), root(x.second)}; }
+inline TwoPacks larger(TwoPacks x, TwoPacks y) {
+  return {larger(x.first, y.first), larger(x.second, y.second)};
+}
+
+/// A step, and what it computes on its way for its derivatives. P: packs of one group or of two.
+template <class P>
+struct TurnOf {
+  P Vx, Vy;        ///< slip times dv, where it is seen
+  P d;             ///< resists turning
+  P ex, ey;        ///< direction before the turn, and after
+  P r, s, cx, cy;  ///< r = |V|, s = d + r; c points half-way
+  P per_c, per_s;  ///< 1 / c.c, 1 / s
+  P ahead;         ///< 1 / (2 + z), of the next step
+};
+using Turn = TurnOf<Pack>;
+
+/// A step to be turned: slip times dv, what resists, direction.
+[[gnu::always_inline]] inline Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
   Turn t;
   t.Vx = Vx;
   t.Vy = Vy;
   t.d = d;
-  t.r = root(Vx * Vx + Vy * Vy);
-  t.s = d + t.r;
-  const Pack keep = d * d + t.r * t.s;
-  t.cx = keep * ex - t.s * Vx;
-  t.cy = keep * ey - t.s * Vy;
-  const Pack square = t.cx * t.cx + t.cy * t.cy;
+  t.ex = ex;
+  t.ey = ey;
+  return t;
+}
+
+/// Turns (ex, ey) against the slip V over a step.
+template <class P>
+[[gnu::always_inline]] inline void turn(TurnOf<P>& t) {
+  t.r = root(t.Vx * t.Vx + t.Vy * t.Vy);
+  t.s = t.d + t.r;
+  const P keep = t.d * t.d + t.r * t.s;
+  t.cx = keep * t.ex - t.s * t.Vx;
+  t.cy = keep * t.ey - t.s * t.Vy;
+  const P square = t.cx * t.cx + t.cy * t.cy;
   // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
   // be
-  const Pack inverse = 1.0 / larger(square * t.s, 1e-280);
+  const P inverse = 1.0 / larger(square * t.s, 1e-280);
   t.per_c = t.s * inverse;
   t.per_s = square * inverse;
-  const Pack along = ex * t.cx + ey * t.cy;
-  const Pack twice = (along + along) * t.per_c;
-  ex = twice * t.cx - ex;
-  ey = twice * t.cy - ey;
-  ahead = (0.5 * d) * t.per_s;
-  return t;
+  const P along = t.ex * t.cx + t.ey * t.cy;
+  const P twice = (along + along) * t.per_c;
+  t.ex = twice * t.cx - t.ex;
+  t.ey = twice * t.cy - t.ey;
+  t.ahead = (0.5 * t.d) * t.per_s;
+}
+
+/// The same for two groups at once.
+[[gnu::always_inline]] inline void turn(Turn& a, Turn& b) {
+  TurnOf<TwoPacks> t;
+  t.Vx = {a.Vx, b.Vx};
+  t.Vy = {a.Vy, b.Vy};
+  t.d = {a.d, b.d};
+  t.ex = {a.ex, b.ex};
+  t.ey = {a.ey, b.ey};
+  turn(t);
+  const auto part = [&](Pack TwoPacks::*of) -> Turn {
+    return {t.Vx.*of, t.Vy.*of, t.d.*of,  t.ex.*of,    t.ey.*of,    t.r.*of,
+            t.s.*of,  t.cx.*of, t.cy.*of, t.per_c.*of, t.per_s.*of, t.ahead.*of};
+  };
+  a = part(&TwoPacks::first);
+  b = part(&TwoPacks::second);
 }
 
 /// How the angle of e after a step changes with its angle before, with V and with d; how `ahead` does.
