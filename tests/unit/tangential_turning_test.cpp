@@ -85,8 +85,8 @@ TEST(Turning, TwoAtOnceAreTheSameAsEachByItself) {
     turn(together[0], together[1]);
     for (int k = 0; k < 2; ++k) {
       const Turn alone = turn_of(of[k]);
-      Pack Turn::*const all[] = {&Turn::Vx, &Turn::Vy, &Turn::d,  &Turn::ex, &Turn::ey,    &Turn::ahead,
-                                 &Turn::r,  &Turn::s,  &Turn::cx, &Turn::cy, &Turn::per_c, &Turn::per_s};
+      Pack Turn::*const all[] = {&Turn::Vx, &Turn::Vy, &Turn::d,  &Turn::ex, &Turn::ey,     &Turn::ahead,
+                                 &Turn::r,  &Turn::s,  &Turn::cx, &Turn::cy, &Turn::per_rs, &Turn::per_c};
       for (Pack Turn::*const x : all) EXPECT_EQ(lane(together[k].*x), lane(alone.*x));
     }
   }

@@ -6,7 +6,7 @@
 /// tractions.
 ///
 /// The state is the direction e of the traction, the traction, and where in a step the slip is seen; a step
-/// takes one root and one divide (turning.hpp). Only a cell in which some lane sticks again takes more of
+/// takes one root and two divides (turning.hpp). Only a cell in which some lane sticks again takes more of
 /// them, and those from which on all lanes have left their first stick zones do without selecting lanes.
 ///
 /// Derivatives: in slip the state is one angle, whose change is carried for each input, and `ahead`.

@@ -163,62 +163,89 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
   g.end_bound = g.slip_end * (2.0 - g.slip_end);
 }
 
-/// Change of the angle of -(x, y).
-inline Pack angle_of(Pack x, Pack y, Pack dx, Pack dy) {
-  const Pack square = x * x + y * y;
-  const Mask turns = square > 1e-280;
-  return select(turns, (x * dy - y * dx) / select(turns, square, 1.0), 0.0);
-}
+/// A vector and what a change of it amounts to in its angle: (turn_x dx + turn_y dy).
+struct Angle {
+  Pack turn_x, turn_y;
 
-/// Derivatives of what prepare() sets, for input k.
-inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Group& g, Derivative& d) {
-  const Pack zero = 0.0;
-  d = {};
-  d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
-  d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.centre) * g.scale;
-  d.curvature = 0.5 * task.gy_by_x.d[k] * g.half_length * g.scale;
-  if (k == 0) d.wx = 1.0;
-  if (k == 1) d.wy = 1.0;
-  if (k == 2) {
-    d.wx = -g.y;
-    d.wy = g.centre;
-    d.spin = g.half_length;
+  Angle() = default;
+  Angle(Pack x, Pack y) {
+    const Pack square = x * x + y * y;
+    const Mask turns = square > 1e-280;
+    const Pack inverse = select(turns, 1.0 / select(turns, square, 1.0), 0.0);
+    turn_x = -(y * inverse);
+    turn_y = x * inverse;
   }
-  d.wy += task.torsion.d[k];
-  d.turning = task.turning.d[k] / task.turning.value;
-  const Pack lead = g.gy + 2.0 * g.curvature, d_lead = d.gy + 2.0 * d.curvature;
-  const Pack d_near = select(g.near_edge < 1.0, 0.5 * (g.gx * d.gx + lead * d_lead), zero);
-  d.form = 4.0 * (g.near_edge * g.near_edge * g.near_edge) * d_near;
+  Pack change(Pack dx, Pack dy) const { return turn_x * dx + turn_y * dy; }
+};
+
+/// Derivatives of what prepare() sets. What costs a root or a divide is the same for all inputs.
+inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
+  constexpr int substitutions = 3;  // as in prepare()
+  const Pack zero = 0.0, one = 1.0;
+  const Pack lead = g.gy + 2.0 * g.curvature;
+  const Pack near = select(g.near_edge < one, g.near_edge, zero);
+  const Pack form_by_near = 4.0 * (near * near * near);
 
   // u_s: gx^2 + c^2 = u^2, c = gy + curvature u
   const Pack u = g.slip_end, c = g.gy + g.curvature * u;
   const Pack by_u = u - c * g.curvature;
   const Mask inside = (u > zero) & (u < 2.0) & (magnitude(by_u) > 1e-280);
-  const Pack c_input = d.gy + d.curvature * u;
-  d.slip_end = select(inside, (g.gx * d.gx + c * c_input) / select(inside, by_u, 1.0), zero);
-  const Pack c_change = c_input + g.curvature * d.slip_end;
-  const Pack per_end = 1.0 / (u + 1e-14);
-  d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
-  d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
-  d.psi = -d.curvature;
+  const Pack per_by_u = select(inside, one / select(inside, by_u, one), zero);
+  const Pack per_end = one / (u + 1e-14);
+  const Angle at_end(g.gx, c);
 
-  d.angle = angle_of(g.gx, c, d.gx, c_change);
+  // the direction of a strip that slips from its leading edge on, and those before the substitutions
   const Mask at_edge = u >= 2.0;
-  if (any(at_edge)) {
-    Pack wx = g.wx, wy = g.wy + g.spin, dwx = d.wx, dwy = d.wy + d.spin, angle = zero;
-    for (int n = 0; n < 3; ++n) {
-      angle = angle_of(wx, wy, dwx, dwy);
-      const Pack inverse = 1.0 / (root(wx * wx + wy * wy) + 1e-100);
-      const Pack ex = -(wx * inverse), ey = -(wy * inverse);
-      wx = g.wx + g.elastic * ex;
-      wy = g.wy + g.spin - g.elastic * ey;
-      dwx = d.wx - g.elastic * ey * angle;
-      dwy = d.wy + d.spin - g.elastic * ex * angle;
+  const bool any_at_edge = any(at_edge);
+  Angle angles[substitutions];
+  Pack elastic_x[substitutions], elastic_y[substitutions];  // slip by the angle before
+  if (any_at_edge) {
+    Pack wx = g.wx, wy = g.wy + g.spin;
+    for (int n = 0; n < substitutions; ++n) {
+      angles[n] = Angle(wx, wy);
+      const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
+      elastic_x[n] = g.elastic * (wx * inverse);
+      elastic_y[n] = g.elastic * (wy * inverse);
+      wx = g.wx - elastic_x[n];
+      wy = g.wy + g.spin + elastic_y[n];
     }
-    d.angle = select(at_edge, angle, d.angle);
   }
-  d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
-  d.over_cell = advance_over(d, zero, 2.0 / task.cells);
+
+  for (std::int32_t k = 0; k < inputs; ++k) {
+    Derivative& d = derivative[k];
+    d = {};
+    d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
+    d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.centre) * g.scale;
+    d.curvature = 0.5 * task.gy_by_x.d[k] * g.half_length * g.scale;
+    if (k == 0) d.wx = 1.0;
+    if (k == 1) d.wy = 1.0;
+    if (k == 2) {
+      d.wx = -g.y;
+      d.wy = g.centre;
+      d.spin = g.half_length;
+    }
+    d.wy += task.torsion.d[k];
+    d.turning = task.turning.d[k] / task.turning.value;
+    d.form = form_by_near * (0.5 * (g.gx * d.gx + lead * (d.gy + 2.0 * d.curvature)));
+
+    const Pack c_input = d.gy + d.curvature * u;
+    d.slip_end = (g.gx * d.gx + c * c_input) * per_by_u;
+    const Pack c_change = c_input + g.curvature * d.slip_end;
+    d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
+    d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
+    d.psi = -d.curvature;
+
+    d.angle = at_end.change(d.gx, c_change);
+    if (any_at_edge) {
+      const Pack dwy = d.wy + d.spin;
+      Pack angle = angles[0].change(d.wx, dwy);
+      for (int n = 1; n < substitutions; ++n)
+        angle = angles[n].change(d.wx + elastic_y[n - 1] * angle, dwy + elastic_x[n - 1] * angle);
+      d.angle = select(at_edge, angle, d.angle);
+    }
+    d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
+    d.over_cell = advance_over(d, zero, 2.0 / task.cells);
+  }
 }
 
 /// Traction over bound.
@@ -636,10 +663,7 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
       m.stick.root_near = root(near);
       m.stick.power_near = near * m.stick.root_near;
-      if constexpr (sensitivities) {
-        for (std::int32_t k = 0; k < inputs; ++k)
-          strip::differentiate(task, k, m.group, derivative[groups][k]);
-      }
+      if constexpr (sensitivities) strip::differentiate(task, m.group, derivative[groups]);
     }
     for (std::int32_t i = 0; i < task.cells; ++i) {
       const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);

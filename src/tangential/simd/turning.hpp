@@ -10,8 +10,9 @@
 ///
 /// w changes over the step, its y part by -rate per length. It is taken where a direction that decays like
 /// 1 / q would see it, 1 / (2 + z) of the step ahead of the cell: mid-step for small z, the cell itself for
-/// large z. z is that of the step before, so that a step takes one root, and one divide for this z too; its
-/// change from step to step alters the answer in third order.
+/// large z. z is that of the step before, so that a step takes one root; its change from step to step alters
+/// the answer in third order. The divides for z and for e' wait for nothing of each other: one divide for
+/// both takes more multiplications than it saves.
 #pragma once
 
 #include "simd/pack.hpp"
@@ -46,12 +47,12 @@ inline TwoPacks larger(TwoPacks x, TwoPacks y) {
 /// A step, and what it computes on its way for its derivatives. P: packs of one group or of two.
 template <class P>
 struct TurnOf {
-  P Vx, Vy;        ///< slip times dv, where it is seen
-  P d;             ///< resists turning
-  P ex, ey;        ///< direction before the turn, and after
-  P r, s, cx, cy;  ///< r = |V|, s = d + r; c points half-way
-  P per_c, per_s;  ///< 1 / c.c, 1 / s
-  P ahead;         ///< 1 / (2 + z), of the next step
+  P Vx, Vy;         ///< slip times dv, where it is seen
+  P d;              ///< resists turning
+  P ex, ey;         ///< direction before the turn, and after
+  P r, s, cx, cy;   ///< r = |V|, s = d + r; c points half-way
+  P ahead;          ///< 1 / (2 + z) = d / 2s, of the next step
+  P per_rs, per_c;  ///< 1 / r s, 1 / c.c: for the derivatives only
 };
 using Turn = TurnOf<Pack>;
 
@@ -70,21 +71,21 @@ using Turn = TurnOf<Pack>;
 template <class P>
 [[gnu::always_inline]] inline void turn(TurnOf<P>& t) {
   t.r = root(t.Vx * t.Vx + t.Vy * t.Vy);
-  t.s = t.d + t.r;
+  t.s = larger(t.d + t.r, 1e-150);
+  t.ahead = (0.5 * t.d) / t.s;
   const P keep = t.d * t.d + t.r * t.s;
   t.cx = keep * t.ex - t.s * t.Vx;
   t.cy = keep * t.ey - t.s * t.Vy;
-  const P square = t.cx * t.cx + t.cy * t.cy;
   // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
   // be
-  const P inverse = 1.0 / larger(square * t.s, 1e-280);
-  t.per_c = t.s * inverse;
-  t.per_s = square * inverse;
+  const P square = larger(t.cx * t.cx + t.cy * t.cy, 1e-280);
   const P along = t.ex * t.cx + t.ey * t.cy;
-  const P twice = (along + along) * t.per_c;
+  const P twice = (along + along) / square;
   t.ex = twice * t.cx - t.ex;
   t.ey = twice * t.cy - t.ey;
-  t.ahead = (0.5 * t.d) * t.per_s;
+
+  t.per_rs = 1.0 / larger(t.r * t.s, 1e-280);
+  t.per_c = 1.0 / square;
 }
 
 /// The same for two groups at once.
@@ -97,8 +98,8 @@ template <class P>
   t.ey = {a.ey, b.ey};
   turn(t);
   const auto part = [&](Pack TwoPacks::*of) -> Turn {
-    return {t.Vx.*of, t.Vy.*of, t.d.*of,  t.ex.*of,    t.ey.*of,    t.r.*of,
-            t.s.*of,  t.cx.*of, t.cy.*of, t.per_c.*of, t.per_s.*of, t.ahead.*of};
+    return {t.Vx.*of, t.Vy.*of, t.d.*of,  t.ex.*of,    t.ey.*of,     t.r.*of,
+            t.s.*of,  t.cx.*of, t.cy.*of, t.ahead.*of, t.per_rs.*of, t.per_c.*of};
   };
   a = part(&TwoPacks::first);
   b = part(&TwoPacks::second);
@@ -114,19 +115,17 @@ struct TurnSlopes {
 /// (ex, ey): the direction before the step.
 [[gnu::always_inline]] inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   TurnSlopes s;
-  const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d;
+  const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d, rs = t.r * t.s;
   const Pack across = twice * (ex * t.Vy - ey * t.Vx);
-  s.kept = d2 * (d2 + 2.0 * (t.s * t.r)) * t.per_c;
-  const Pack by_r = across * (t.s + t.d);  // times r
-  s.by_x = twice * (t.s * t.cy) + by_r * t.Vx;
-  s.by_y = by_r * t.Vy - twice * (t.s * t.cx);
+  s.kept = d2 * (d2 + (rs + rs)) * t.per_c;
+  const Pack along = twice * t.s, by_r = across * (t.s + t.d);  // by_r: times r
+  s.by_x = along * t.cy + by_r * t.Vx;
+  s.by_y = by_r * t.Vy - along * t.cx;
   s.by_d = across * (t.d * (t.s + t.r));
-  const Mask slips = t.r > 1e-150;
-  const Pack half = 0.5 * (t.per_s * t.per_s);
-  const Pack ahead_by_r = select(slips, half * t.d / select(slips, t.r, 1.0), 0.0);  // over r, less than zero
+  const Pack ahead_by_r = t.ahead * t.per_rs;  // over r, less than zero
   s.ahead_by_x = -(ahead_by_r * t.Vx);
   s.ahead_by_y = -(ahead_by_r * t.Vy);
-  s.ahead_by_d = half * t.r;
+  s.ahead_by_d = (0.5 - t.ahead) * (t.r * t.per_rs);  // r / (2 s^2)
   return s;
 }
 
