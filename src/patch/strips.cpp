@@ -26,4 +26,11 @@ StripTotals totals(const Strips& strips) {
   return sum;
 }
 
+double normal_force(const Strips& strips) {
+  double sum = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j)
+    sum += 0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j];
+  return sum;
+}
+
 }  // namespace wrc

@@ -39,4 +39,7 @@ struct StripTotals {
 /// Sums the strips in order of increasing index (the order is part of the result's bits).
 StripTotals totals(const Strips& strips);
 
+/// The normal force of totals() by itself, the same bits.
+double normal_force(const Strips& strips);
+
 }  // namespace wrc

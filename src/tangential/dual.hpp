@@ -53,6 +53,11 @@ struct Dual {
     return r;
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
+
+  // With constants, which have nothing to carry.
+  friend Dual operator+(double a, const Dual& b) { return b.chain(a + b.value, 1.0); }
+  friend Dual operator-(double a, const Dual& b) { return b.chain(a - b.value, -1.0); }
+  friend Dual operator*(double a, const Dual& b) { return b.chain(a * b.value, a); }
 };
 
 /// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero

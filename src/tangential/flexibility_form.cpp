@@ -55,7 +55,7 @@ Flexibility in_form(const Flexibility& separate, const RollingContact& contact, 
     }
     case FlexibilityForm::blended:
       return blended_flexibility(separate, contact.a, contact.b, shape_number, creepage,
-                                 contact.friction.mean * totals(contact.region).normal_force);
+                                 contact.friction.mean * normal_force(contact.region));
   }
   return separate;
 }

@@ -24,7 +24,7 @@ BoundScale bound_scale(const TangentialProblem& problem) {
     const double l = strips.half_length[j];
     integral += parabolic ? 4.0 / 3.0 * l * l * l * strips.width[j] : 0.5 * pi * l * l * strips.width[j];
   }
-  const double scale = integral > 0.0 ? problem.friction.mean * totals(strips).normal_force / integral : 0.0;
+  const double scale = integral > 0.0 ? problem.friction.mean * normal_force(strips) / integral : 0.0;
   return parabolic ? BoundScale{.per_length_square = scale} : BoundScale{.per_length = scale};
 }
 
@@ -71,7 +71,7 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   kernel(task, sums);
   if (sensitivities)
     *sensitivities =
-        sensitivities_of(sums, problem.creepage, problem.friction.mean, totals(problem.region).normal_force);
+        sensitivities_of(sums, problem.creepage, problem.friction.mean, normal_force(problem.region));
   return forces_of(sums);
 }
 

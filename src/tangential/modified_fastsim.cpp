@@ -17,7 +17,7 @@ TangentialForces modified_fastsim(const RollingContact& contact, const Tangentia
   const double with_spin = c.lateral + c.spin * contact.a;
   const double lateral = std::max(std::fabs(with_spin), std::fabs(c.lateral));
   const double slip = std::sqrt(c.longitudinal * c.longitudinal + lateral * lateral);
-  const double limit = contact.friction.mean * totals(contact.region).normal_force;
+  const double limit = contact.friction.mean * normal_force(contact.region);
   const double eps =
       contact.shear_modulus * pi * contact.a * contact.b * c11 * slip / (4.0 * std::max(limit, least_force));
   RollingContact softened = contact;

@@ -51,7 +51,7 @@ Equivalent equivalent(const RollingContact& c) {
     length += l;
     length_y += l * strips.y[j];
   }
-  const double load = totals(strips).normal_force;
+  const double load = normal_force(strips);
   if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
   Equivalent patch;
   patch.a = 0.75 * load / pressure;
@@ -200,7 +200,7 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
     const Model<Number> m = model<Number>(contact, calibration, Number::input(c.longitudinal, 0),
                                           Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
     contact.grid->kernels->strip_fastsim_sensitivities(task_of(contact, m, fields), sums);
-    *sensitivities = sensitivities_of(sums, c, contact.friction.mean, totals(contact.region).normal_force);
+    *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
   } else {
     const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
     const Kernels& kernels = *contact.grid->kernels;

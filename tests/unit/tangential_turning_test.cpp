@@ -27,12 +27,19 @@ Case random_case(std::mt19937& random) {
   return {angle(random), r * std::cos(towards), r * std::sin(towards), std::pow(10.0, decade(random))};
 }
 
+Turn turn_of(double Vx, double Vy, double d, Pack ex, Pack ey) {
+  Turn t = begin_turn(Vx, Vy, d, ex, ey);
+  turn(t);
+  return t;
+}
+
+Turn turn_of(const Case& c) { return turn_of(c.Vx, c.Vy, c.d, std::cos(c.angle), std::sin(c.angle)); }
+
 /// Angle of e after the step; z of the step gives `ahead`.
 double turned(const Case& c, double& ahead) {
-  Pack ex = std::cos(c.angle), ey = std::sin(c.angle), next = 0.0;
-  turn(c.Vx, c.Vy, c.d, ex, ey, next);
-  ahead = lane(next);
-  return std::atan2(lane(ey), lane(ex));
+  const Turn t = turn_of(c);
+  ahead = lane(t.ahead);
+  return std::atan2(lane(t.ey), lane(t.ex));
 }
 
 TEST(Turning, HalvesTheTangentAsItShould) {
@@ -50,20 +57,38 @@ TEST(Turning, HalvesTheTangentAsItShould) {
 
 TEST(Turning, KeepsTheLengthOfTheDirection) {
   std::mt19937 random(5);
-  Pack ex = 0.6, ey = 0.8, ahead = 0.5;
+  Pack ex = 0.6, ey = 0.8;
   for (int n = 0; n < 1000; ++n) {
     const Case c = random_case(random);
-    turn(c.Vx, c.Vy, c.d, ex, ey, ahead);
+    const Turn t = turn_of(c.Vx, c.Vy, c.d, ex, ey);
+    ex = t.ex;
+    ey = t.ey;
   }
   EXPECT_NEAR(std::hypot(lane(ex), lane(ey)), 1.0, 1e-13);  // a thousand roundings
 }
 
 TEST(Turning, LeavesTheDirectionWhereNothingSlipsAndWhereItHasNoWayToTurn) {
   for (const double Vx : {0.0, 3.0, 1e12}) {  // 3, 1e12: against itself, where both ways round are as far
-    Pack ex = 1.0, ey = 0.0, ahead = 0.5;
-    turn(Vx, 0.0, 0.01, ex, ey, ahead);
-    EXPECT_NEAR(std::fabs(lane(ex)), 1.0, 1e-15);
-    EXPECT_EQ(lane(ey), 0.0);
+    const Turn t = turn_of(Vx, 0.0, 0.01, 1.0, 0.0);
+    EXPECT_NEAR(std::fabs(lane(t.ex)), 1.0, 1e-15);
+    EXPECT_EQ(lane(t.ey), 0.0);
+  }
+}
+
+TEST(Turning, TwoAtOnceAreTheSameAsEachByItself) {
+  std::mt19937 random(11);
+  for (int n = 0; n < 100; ++n) {
+    const Case of[] = {random_case(random), random_case(random)};
+    Turn together[2];
+    for (int k = 0; k < 2; ++k)
+      together[k] = begin_turn(of[k].Vx, of[k].Vy, of[k].d, std::cos(of[k].angle), std::sin(of[k].angle));
+    turn(together[0], together[1]);
+    for (int k = 0; k < 2; ++k) {
+      const Turn alone = turn_of(of[k]);
+      Pack Turn::*const all[] = {&Turn::Vx, &Turn::Vy, &Turn::d,  &Turn::ex, &Turn::ey,     &Turn::ahead,
+                                 &Turn::r,  &Turn::s,  &Turn::cx, &Turn::cy, &Turn::per_rs, &Turn::per_c};
+      for (Pack Turn::*const x : all) EXPECT_EQ(lane(together[k].*x), lane(alone.*x));
+    }
   }
 }
 
@@ -71,9 +96,7 @@ TEST(Turning, SlopesAreThoseOfDifferences) {
   std::mt19937 random(7);
   for (int n = 0; n < 300; ++n) {
     const Case c = random_case(random);
-    Pack ex = std::cos(c.angle), ey = std::sin(c.angle), ahead = 0.0;
-    const Pack before_x = ex, before_y = ey;
-    const TurnSlopes s = slopes(turn(c.Vx, c.Vy, c.d, ex, ey, ahead), before_x, before_y);
+    const TurnSlopes s = slopes(turn_of(c), std::cos(c.angle), std::sin(c.angle));
     const double r = std::hypot(c.Vx, c.Vy);
     const double unit[] = {1.0, r, r, c.d};
     const double of_angle[] = {lane(s.kept), lane(s.by_x), lane(s.by_y), lane(s.by_d)};

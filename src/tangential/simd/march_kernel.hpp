@@ -6,7 +6,7 @@
 /// tractions.
 ///
 /// The state is the direction e of the traction, the traction, and where in a step the slip is seen; a step
-/// takes one root and one divide (turning.hpp). Only a cell in which some lane sticks again takes more of
+/// takes one root and two divides (turning.hpp). Only a cell in which some lane sticks again takes more of
 /// them, and those from which on all lanes have left their first stick zones do without selecting lanes.
 ///
 /// Derivatives: in slip the state is one angle, whose change is carried for each input, and `ahead`.
@@ -216,11 +216,12 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   d.force.stick_t_py += select(cut, t * (cut_y - dpy), zero);
 }
 
-/// What a step did, for fields and derivatives.
+/// A step on its way, and what it did, for fields and derivatives.
 struct Moved {
-  Pack share;              ///< of the cell that is slip
-  Pack bend;               ///< of the growth along the step
-  Pack size_before, size;  ///< of the traction
+  Pack share;                     ///< of the cell that is slip
+  Pack whole_y, bend;             ///< growth along y over a whole cell; of the growth along the step
+  Pack size_before, size;         ///< of the traction
+  Pack trial_x, trial_y, trial2;  ///< traction if the cell sticks, and its square
   Mask stick;
   bool any_sticks;
   Pack inverse_trial;  ///< one over the traction of lanes that stick
@@ -228,16 +229,16 @@ struct Moved {
   Turn turn;
 };
 
-/// One march step of a group. With `entering`, lanes may still be in their first stick zone or just leave it;
-/// the others are `moving`. No lane's numbers depend on what the others do.
+/// One march step of a group, up to the turn of its direction. With `entering`, lanes may still be in their
+/// first stick zone or just leave it; the others are `moving`. No lane's numbers depend on what the others
+/// do.
 template <bool entering>
-[[gnu::always_inline]] inline Moved step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving,
-                                         State& s, GroupSums& sums) {
-  const Pack zero = 0.0, one = 1.0;
+[[gnu::always_inline]] inline Moved begin_step(const Group& g, const Cell& cell, Mask moving,
+                                               const State& s) {
   Moved moved;
-  Pack x = g.over_cell.x, bound_before = cell.bound_before, bound = cell.bound;
-  const Pack whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
-  Pack y = whole_y;
+  Pack x = g.over_cell.x, bound_before = cell.bound_before;
+  moved.whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
+  Pack y = moved.whole_y;
   moved.bend = g.over_cell.bend;
   moved.size_before = s.stuck ? s.size : bound_before;
   if constexpr (entering) {
@@ -248,36 +249,42 @@ template <bool entering>
     const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
     bound_before = select(begins, g.onset_bound, bound_before);
     moved.size_before = select(begins, g.onset_bound, moved.size_before);
-    bound = select(moving, bound, zero);  // what sums up to nothing
   }
-  const Pack trial_x = moved.size_before * s.ex - x,
-             trial_y = moved.size_before * s.ey - (y + 0.5 * moved.bend);
-  const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
-  moved.stick = trial2 <= cell.bound * cell.bound;
+  moved.trial_x = moved.size_before * s.ex - x;
+  moved.trial_y = moved.size_before * s.ey - (y + 0.5 * moved.bend);
+  moved.trial2 = moved.trial_x * moved.trial_x + moved.trial_y * moved.trial_y;
+  moved.stick = moved.trial2 <= cell.bound * cell.bound;
   if constexpr (entering) moved.stick = moved.stick & moving;
   moved.any_sticks = any(moved.stick);
+  moved.turn = begin_turn(x, y + moved.bend * s.ahead, bound_before + cell.bound, s.ex, s.ey);
+  return moved;
+}
 
-  Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
-  moved.turn = turn(x, y + moved.bend * s.ahead, bound_before + cell.bound, ex, ey, ahead);
+/// The rest of it.
+template <bool entering>
+[[gnu::always_inline]] inline void end_step(const MarchTask& task, const Group& g, const Cell& cell,
+                                            Mask moving, Moved& moved, State& s, GroupSums& sums) {
+  const Pack zero = 0.0, one = 1.0;
+  const Pack bound = entering ? select(moving, Pack(cell.bound), zero) : Pack(cell.bound);  // zero: no part
+  Pack ex = moved.turn.ex, ey = moved.turn.ey;
   moved.size = bound;
-  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + whole_y * ey));
+  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + moved.whole_y * ey));
   if constexpr (entering) moved.lambda = onset_part(moved.share) * moved.lambda;
   s.stuck = moved.any_sticks;
   if (moved.any_sticks) {
-    s.size = moved.size = select(moved.stick, root(trial2), bound);
+    s.size = moved.size = select(moved.stick, root(moved.trial2), bound);
     const Mask turns = moved.stick & (moved.size > 1e-150);
     moved.inverse_trial = one / select(turns, moved.size, one);
-    ex = select(turns, trial_x * moved.inverse_trial, ex);
-    ey = select(turns, trial_y * moved.inverse_trial, ey);
+    ex = select(turns, moved.trial_x * moved.inverse_trial, ex);
+    ey = select(turns, moved.trial_y * moved.inverse_trial, ey);
     moved.lambda = select(moved.stick, zero, moved.lambda);
     sums.unslid += select(moved.stick, entering ? onset_part(moved.share) : one, zero);
   }
   s.ex = entering ? select(moving, ex, s.ex) : ex;
   s.ey = entering ? select(moving, ey, s.ey) : ey;
-  s.ahead = entering ? select(moving, ahead, s.ahead) : ahead;
+  s.ahead = entering ? select(moving, moved.turn.ahead, s.ahead) : moved.turn.ahead;
   add_cell(moved.size * ex, moved.size * ey, sums.force);
   sums.power += (moved.lambda * bound) * (task.l22 + (task.l11 - task.l22) * (ex * ex));
-  return moved;
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
@@ -349,15 +356,14 @@ struct Marching {
   Pack slip_x, slip_y;  ///< slip [-] over the excess of growth and the direction of the traction; for fields
 };
 
-/// A cell of a group that moves: the step, its derivatives, the fields.
+/// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, Marching& m,
-                                        GroupDerivative (&derivative)[inputs]) {
+[[gnu::always_inline]] inline void settle(const MarchTask& task, const Cell& cell, Mask moving, Moved& moved,
+                                          Marching& m, GroupDerivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
-  const Mask moving = m.group.stick_cells <= Pack(cell.index);
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
-  const Moved moved = step<entering>(task, m.group, cell, moving, m.state, m.sums);
+  end_step<entering>(task, m.group, cell, moving, moved, m.state, m.sums);
   if constexpr (sensitivities)
     differentiate<entering>(m.group, cell, moving, before, m.state, moved, derivative);
   if constexpr (output != Output::fields) return;
@@ -372,6 +378,29 @@ template <bool entering, Output output>
   }
   store_cell(*task.fields, m.group, cell.index, task.region->count, m.group.bound * px, m.group.bound * py,
              0.0 - excess * s.ex * m.slip_x, 0.0 - excess * s.ey * m.slip_y);
+}
+
+/// A cell of a group that moves.
+template <bool entering, Output output>
+[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, Marching& m,
+                                        GroupDerivative (&derivative)[inputs]) {
+  const Mask moving = m.group.stick_cells <= Pack(cell.index);
+  Moved moved = begin_step<entering>(m.group, cell, moving, m.state);
+  turn(moved.turn);
+  settle<entering, output>(task, cell, moving, moved, m, derivative);
+}
+
+/// A cell of two groups all of whose strips move.
+template <Output output>
+[[gnu::always_inline]] inline void move_both(const MarchTask& task, const Cell& cell,
+                                             Marching (&m)[in_flight],
+                                             GroupDerivative (&derivative)[in_flight][inputs]) {
+  const Mask all = Pack(0.0) <= Pack(0.0);
+  Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
+  Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);
+  turn(first.turn, second.turn);
+  settle<false, output>(task, cell, all, first, m[0], derivative[0]);
+  settle<false, output>(task, cell, all, second, m[1], derivative[1]);
 }
 
 /// The fields of the cells that lie in the first stick zones of all strips of a group.
@@ -392,17 +421,17 @@ void march_kernel(const MarchTask& task, Sums& total) {
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const std::int32_t strips = task.region->count;
   const double* mean = task.shape->mean;
-  constexpr std::int32_t side_by_side =
-      sensitivities ? 1 : in_flight;  // derivatives are enough to do meanwhile
-  for (std::int32_t first = 0; first < strips; first += side_by_side * lanes) {
-    Marching marching[side_by_side];
-    GroupDerivative derivative[sensitivities ? side_by_side : 1][inputs];
+  for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
+    Marching marching[in_flight];
+    GroupDerivative derivative[in_flight][inputs];  // not touched without sensitivities
     std::int32_t groups = 0;
     std::int32_t start = task.cells;  // no strip slips before
-    for (std::int32_t at = first; at < strips && groups < side_by_side; at += lanes, ++groups) {
+    std::int32_t both_move = 0;       // cells from this one on are those of move_both()
+    for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
       Marching& m = marching[groups];
       prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state, m.sums);
       start = m.group.all_stick < start ? m.group.all_stick : start;
+      both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
       if constexpr (output == Output::fields) {
         m.slip_x = per_h * task.l11 * m.group.stiffness;
         m.slip_y = per_h * task.l22 * m.group.stiffness;
@@ -414,9 +443,13 @@ void march_kernel(const MarchTask& task, Sums& total) {
     }
     for (std::int32_t i = start; i < task.cells; ++i) {
       const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
+      if (groups == in_flight && i >= both_move) {
+        move_both<output>(task, cell, marching, derivative);
+        continue;
+      }
       for (std::int32_t k = 0; k < groups; ++k) {
         Marching& m = marching[k];
-        GroupDerivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        GroupDerivative(&d)[inputs] = derivative[k];
         if (i >= m.group.all_move) {
           move<false, output>(task, cell, m, d);
         } else if (i >= m.group.all_stick) {

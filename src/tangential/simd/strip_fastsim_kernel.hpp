@@ -163,62 +163,89 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
   g.end_bound = g.slip_end * (2.0 - g.slip_end);
 }
 
-/// Change of the angle of -(x, y).
-inline Pack angle_of(Pack x, Pack y, Pack dx, Pack dy) {
-  const Pack square = x * x + y * y;
-  const Mask turns = square > 1e-280;
-  return select(turns, (x * dy - y * dx) / select(turns, square, 1.0), 0.0);
-}
+/// A vector and what a change of it amounts to in its angle: (turn_x dx + turn_y dy).
+struct Angle {
+  Pack turn_x, turn_y;
 
-/// Derivatives of what prepare() sets, for input k.
-inline void differentiate(const StripFastsimTask& task, std::int32_t k, const Group& g, Derivative& d) {
-  const Pack zero = 0.0;
-  d = {};
-  d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
-  d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.centre) * g.scale;
-  d.curvature = 0.5 * task.gy_by_x.d[k] * g.half_length * g.scale;
-  if (k == 0) d.wx = 1.0;
-  if (k == 1) d.wy = 1.0;
-  if (k == 2) {
-    d.wx = -g.y;
-    d.wy = g.centre;
-    d.spin = g.half_length;
+  Angle() = default;
+  Angle(Pack x, Pack y) {
+    const Pack square = x * x + y * y;
+    const Mask turns = square > 1e-280;
+    const Pack inverse = select(turns, 1.0 / select(turns, square, 1.0), 0.0);
+    turn_x = -(y * inverse);
+    turn_y = x * inverse;
   }
-  d.wy += task.torsion.d[k];
-  d.turning = task.turning.d[k] / task.turning.value;
-  const Pack lead = g.gy + 2.0 * g.curvature, d_lead = d.gy + 2.0 * d.curvature;
-  const Pack d_near = select(g.near_edge < 1.0, 0.5 * (g.gx * d.gx + lead * d_lead), zero);
-  d.form = 4.0 * (g.near_edge * g.near_edge * g.near_edge) * d_near;
+  Pack change(Pack dx, Pack dy) const { return turn_x * dx + turn_y * dy; }
+};
+
+/// Derivatives of what prepare() sets. What costs a root or a divide is the same for all inputs.
+inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
+  constexpr int substitutions = 3;  // as in prepare()
+  const Pack zero = 0.0, one = 1.0;
+  const Pack lead = g.gy + 2.0 * g.curvature;
+  const Pack near = select(g.near_edge < one, g.near_edge, zero);
+  const Pack form_by_near = 4.0 * (near * near * near);
 
   // u_s: gx^2 + c^2 = u^2, c = gy + curvature u
   const Pack u = g.slip_end, c = g.gy + g.curvature * u;
   const Pack by_u = u - c * g.curvature;
   const Mask inside = (u > zero) & (u < 2.0) & (magnitude(by_u) > 1e-280);
-  const Pack c_input = d.gy + d.curvature * u;
-  d.slip_end = select(inside, (g.gx * d.gx + c * c_input) / select(inside, by_u, 1.0), zero);
-  const Pack c_change = c_input + g.curvature * d.slip_end;
-  const Pack per_end = 1.0 / (u + 1e-14);
-  d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
-  d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
-  d.psi = -d.curvature;
+  const Pack per_by_u = select(inside, one / select(inside, by_u, one), zero);
+  const Pack per_end = one / (u + 1e-14);
+  const Angle at_end(g.gx, c);
 
-  d.angle = angle_of(g.gx, c, d.gx, c_change);
+  // the direction of a strip that slips from its leading edge on, and those before the substitutions
   const Mask at_edge = u >= 2.0;
-  if (any(at_edge)) {
-    Pack wx = g.wx, wy = g.wy + g.spin, dwx = d.wx, dwy = d.wy + d.spin, angle = zero;
-    for (int n = 0; n < 3; ++n) {
-      angle = angle_of(wx, wy, dwx, dwy);
-      const Pack inverse = 1.0 / (root(wx * wx + wy * wy) + 1e-100);
-      const Pack ex = -(wx * inverse), ey = -(wy * inverse);
-      wx = g.wx + g.elastic * ex;
-      wy = g.wy + g.spin - g.elastic * ey;
-      dwx = d.wx - g.elastic * ey * angle;
-      dwy = d.wy + d.spin - g.elastic * ex * angle;
+  const bool any_at_edge = any(at_edge);
+  Angle angles[substitutions];
+  Pack elastic_x[substitutions], elastic_y[substitutions];  // slip by the angle before
+  if (any_at_edge) {
+    Pack wx = g.wx, wy = g.wy + g.spin;
+    for (int n = 0; n < substitutions; ++n) {
+      angles[n] = Angle(wx, wy);
+      const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
+      elastic_x[n] = g.elastic * (wx * inverse);
+      elastic_y[n] = g.elastic * (wy * inverse);
+      wx = g.wx - elastic_x[n];
+      wy = g.wy + g.spin + elastic_y[n];
     }
-    d.angle = select(at_edge, angle, d.angle);
   }
-  d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
-  d.over_cell = advance_over(d, zero, 2.0 / task.cells);
+
+  for (std::int32_t k = 0; k < inputs; ++k) {
+    Derivative& d = derivative[k];
+    d = {};
+    d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
+    d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.centre) * g.scale;
+    d.curvature = 0.5 * task.gy_by_x.d[k] * g.half_length * g.scale;
+    if (k == 0) d.wx = 1.0;
+    if (k == 1) d.wy = 1.0;
+    if (k == 2) {
+      d.wx = -g.y;
+      d.wy = g.centre;
+      d.spin = g.half_length;
+    }
+    d.wy += task.torsion.d[k];
+    d.turning = task.turning.d[k] / task.turning.value;
+    d.form = form_by_near * (0.5 * (g.gx * d.gx + lead * (d.gy + 2.0 * d.curvature)));
+
+    const Pack c_input = d.gy + d.curvature * u;
+    d.slip_end = (g.gx * d.gx + c * c_input) * per_by_u;
+    const Pack c_change = c_input + g.curvature * d.slip_end;
+    d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
+    d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
+    d.psi = -d.curvature;
+
+    d.angle = at_end.change(d.gx, c_change);
+    if (any_at_edge) {
+      const Pack dwy = d.wy + d.spin;
+      Pack angle = angles[0].change(d.wx, dwy);
+      for (int n = 1; n < substitutions; ++n)
+        angle = angles[n].change(d.wx + elastic_y[n - 1] * angle, dwy + elastic_x[n - 1] * angle);
+      d.angle = select(at_edge, angle, d.angle);
+    }
+    d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
+    d.over_cell = advance_over(d, zero, 2.0 / task.cells);
+  }
 }
 
 /// Traction over bound.
@@ -288,22 +315,23 @@ template <bool sensitivities>
   return {share * x, share * y};
 }
 
-/// What a step did, for fields and derivatives.
+/// A step on its way, and what it did, for fields and derivatives.
 struct Moved {
   Mask stick, slips;
   bool any_sticks;
-  Pack dv, part;      ///< length of the step; of a cell that has slid since the last cell
-  Advance advance;    ///< over it
-  Pack rho_x, rho_y;  ///< traction over bound before
+  Pack dv, part;                  ///< length of the step; of a cell that has slid since the last cell
+  Advance advance;                ///< over it
+  Pack rho_x, rho_y;              ///< traction over bound before
+  Pack trial_x, trial_y, trial2;  ///< traction of the march if the cell sticks, and its square
   Pack bound_before, flexibility;
   Pack inverse_trial;  ///< one over the traction of lanes that stick
   Turn turn;
 };
 
-/// One march step of a group through slip; see march_kernel.hpp.
+/// One march step of a group through slip, up to the turn of its direction; see march_kernel.hpp.
 template <bool entering>
-[[gnu::always_inline]] inline Moved step(const Group& g, const Cell& cell, Mask moving, State& s,
-                                         Sums& sums) {
+[[gnu::always_inline]] inline Moved begin_step(const Group& g, const Cell& cell, Mask moving,
+                                               const State& s) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
   moved.rho_x = s.x();
@@ -317,10 +345,10 @@ template <bool entering>
     moved.bound_before = select(Pack(cell.index - 0.5) < g.stick_cells, g.end_bound, moved.bound_before);
   }
   const Advance& a = moved.advance;
-  const Pack trial_x = moved.bound_before * moved.rho_x - a.gx;
-  const Pack trial_y = moved.bound_before * moved.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
-  const Pack trial2 = trial_x * trial_x + trial_y * trial_y;
-  moved.stick = trial2 <= cell.shape * cell.shape;
+  moved.trial_x = moved.bound_before * moved.rho_x - a.gx;
+  moved.trial_y = moved.bound_before * moved.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
+  moved.trial2 = moved.trial_x * moved.trial_x + moved.trial_y * moved.trial_y;
+  moved.stick = moved.trial2 <= cell.shape * cell.shape;
   if constexpr (entering) moved.stick = moved.stick & moving;
   moved.any_sticks = any(moved.stick);
 
@@ -328,9 +356,16 @@ template <bool entering>
   const Pack elastic = a.elastic * cell.x;
   const Pack Vx = a.wx + elastic * moved.rho_x;
   const Pack Vy = (a.wy + a.spin * cell.x) - elastic * moved.rho_y + a.bend * s.ahead;
-  Pack ex = s.ex, ey = s.ey, ahead = s.ahead;
-  moved.turn = turn(Vx, Vy, (moved.bound_before + cell.shape) * moved.flexibility, ex, ey, ahead);
+  moved.turn = begin_turn(Vx, Vy, (moved.bound_before + cell.shape) * moved.flexibility, s.ex, s.ey);
+  return moved;
+}
 
+/// The rest of it.
+template <bool entering>
+[[gnu::always_inline]] inline void end_step(const Cell& cell, Mask moving, Moved& moved, State& s,
+                                            Sums& sums) {
+  const Pack zero = 0.0, one = 1.0;
+  Pack ex = moved.turn.ex, ey = moved.turn.ey, ahead = moved.turn.ahead;
   moved.part = one;
   moved.slips = !moved.stick;
   if constexpr (entering) {
@@ -343,13 +378,13 @@ template <bool entering>
   }
   s.stuck = moved.any_sticks;
   if (moved.any_sticks) {
-    const Pack size = root(trial2), per_shape = 1.0 / cell.shape;
+    const Pack size = root(moved.trial2), per_shape = 1.0 / cell.shape;
     const Mask turns = moved.stick & (size > 1e-150);
     moved.inverse_trial = one / select(turns, size, one);
-    ex = select(turns, trial_x * moved.inverse_trial, ex);
-    ey = select(turns, trial_y * moved.inverse_trial, ey);
-    s.rho_x = select(moved.stick, trial_x * per_shape, ex);
-    s.rho_y = select(moved.stick, trial_y * per_shape, ey);
+    ex = select(turns, moved.trial_x * moved.inverse_trial, ex);
+    ey = select(turns, moved.trial_y * moved.inverse_trial, ey);
+    s.rho_x = select(moved.stick, moved.trial_x * per_shape, ex);
+    s.rho_y = select(moved.stick, moved.trial_y * per_shape, ey);
     sums.unslid += select(moved.stick, moved.part, zero);
   }
   s.ex = ex;
@@ -357,7 +392,6 @@ template <bool entering>
   s.ahead = ahead;
   const Pack mean = entering ? select(moving, Pack(cell.mean), zero) : Pack(cell.mean);
   add_cell(mean * s.x(), mean * s.y(), sums.force);
-  return moved;
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
@@ -511,6 +545,30 @@ struct Marching {
   SlipShape slip;  ///< for fields
 };
 
+/// A cell's tractions over the bound and its slip, for the fields.
+struct CellFields {
+  Pack rho_x, rho_y, slip;
+};
+
+/// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
+template <bool entering, Output output>
+[[gnu::always_inline]] inline CellFields settle(const Cell& cell, Mask moves, Moved& moved, Marching& m,
+                                                Derivative (&derivative)[inputs]) {
+  constexpr bool sensitivities = output == Output::sensitivities;
+  [[maybe_unused]] State before;
+  if constexpr (sensitivities) before = m.state;
+  end_step<entering>(cell, moves, moved, m.state, m.sums);
+  if constexpr (sensitivities)
+    differentiate<entering>(m.group, cell, moves, before, m.state, moved, derivative);
+  if constexpr (output != Output::fields) return {};
+  const Pack rho_x = m.state.x(), rho_y = m.state.y();
+  if ((cell.index & 1) == 0 || cell.index == m.group.all_stick) enter_pair(cell, m.slip);
+  Pack slip = slip_size(m.group, m.slip, cell, rho_x, rho_y);
+  if constexpr (entering) slip = moved.part * slip;
+  if (entering || moved.any_sticks) slip = select(moved.slips, slip, 0.0);
+  return {rho_x, rho_y, slip};
+}
+
 /// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
 template <bool sticking, bool moving, Output output>
 [[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
@@ -518,29 +576,42 @@ template <bool sticking, bool moving, Output output>
   constexpr bool fields = output == Output::fields, sensitivities = output == Output::sensitivities;
   const Group& g = m.group;
   const Mask moves = g.stick_cells <= Pack(cell.index);
-  Pack rho_x = 0.0, rho_y = 0.0, size = 0.0;
+  CellFields of_cell{0.0, 0.0, 0.0};
   if constexpr (moving) {
-    [[maybe_unused]] State before;
-    if constexpr (sensitivities) before = m.state;
-    const Moved moved = step<sticking>(g, cell, moves, m.state, m.sums);
-    if constexpr (sensitivities) differentiate<sticking>(g, cell, moves, before, m.state, moved, derivative);
-    if constexpr (fields) {
-      rho_x = m.state.x();
-      rho_y = m.state.y();
-      if ((cell.index & 1) == 0 || cell.index == g.all_stick) enter_pair(cell, m.slip);
-      size = slip_size(g, m.slip, cell, rho_x, rho_y);
-      if constexpr (sticking) size = moved.part * size;
-      if (sticking || moved.any_sticks) size = select(moved.slips, size, 0.0);
-    }
+    Moved moved = begin_step<sticking>(g, cell, moves, m.state);
+    turn(moved.turn);
+    of_cell = settle<sticking, output>(cell, moves, moved, m, derivative);
   }
   if constexpr (sticking) {
     const StickCell stuck = stick<sensitivities>(g, cell, fields, m.stick, m.sums, derivative);
     if constexpr (fields) {
-      rho_x = select(moves, rho_x, stuck.x);
-      rho_y = select(moves, rho_y, stuck.y);
+      of_cell.rho_x = select(moves, of_cell.rho_x, stuck.x);
+      of_cell.rho_y = select(moves, of_cell.rho_y, stuck.y);
     }
   }
-  if constexpr (fields) store_cell(task, g, cell, rho_x, rho_y, size, m.sums);
+  if constexpr (fields) store_cell(task, g, cell, of_cell.rho_x, of_cell.rho_y, of_cell.slip, m.sums);
+}
+
+/// What follows the turn in a cell of a group all of whose strips move.
+template <Output output>
+[[gnu::always_inline]] inline void finish(const StripFastsimTask& task, const Cell& cell, Mask all,
+                                          Moved& moved, Marching& m, Derivative (&derivative)[inputs]) {
+  const CellFields of_cell = settle<false, output>(cell, all, moved, m, derivative);
+  if constexpr (output == Output::fields)
+    store_cell(task, m.group, cell, of_cell.rho_x, of_cell.rho_y, of_cell.slip, m.sums);
+}
+
+/// A cell of two groups all of whose strips move.
+template <Output output>
+[[gnu::always_inline]] inline void move_both(const StripFastsimTask& task, const Cell& cell,
+                                             Marching (&m)[in_flight],
+                                             Derivative (&derivative)[in_flight][inputs]) {
+  const Mask all = Pack(0.0) <= Pack(0.0);
+  Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
+  Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);
+  turn(first.turn, second.turn);
+  finish<output>(task, cell, all, first, m[0], derivative[0]);
+  finish<output>(task, cell, all, second, m[1], derivative[1]);
 }
 
 }  // namespace strip
@@ -578,8 +649,9 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
   std::int32_t slips = task.cells;  // no cell before it
   for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
     strip::Marching marching[in_flight];
-    strip::Derivative derivative[sensitivities ? in_flight : 1][inputs];
+    strip::Derivative derivative[in_flight][inputs];  // not touched without sensitivities
     std::int32_t groups = 0;
+    std::int32_t both_move = 0;  // cells from this one on are those of move_both()
     for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
       strip::Marching& m = marching[groups];
       strip::prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state);
@@ -587,13 +659,11 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
       m.sums = {};
       if constexpr (output == Output::fields) m.slip = strip::slip_shape(task, m.group);
       slips = m.group.all_stick < slips ? m.group.all_stick : slips;
+      both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
       const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
       m.stick.root_near = root(near);
       m.stick.power_near = near * m.stick.root_near;
-      if constexpr (sensitivities) {
-        for (std::int32_t k = 0; k < inputs; ++k)
-          strip::differentiate(task, k, m.group, derivative[groups][k]);
-      }
+      if constexpr (sensitivities) strip::differentiate(task, m.group, derivative[groups]);
     }
     for (std::int32_t i = 0; i < task.cells; ++i) {
       const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
@@ -601,9 +671,13 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
           (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
       const strip::Cell cell{i, t,     1.0 - t, t_before * (2.0 - t_before), shape, mean[i],
                              h, per_h, behind,  task.inverse_weight[i]};
+      if (groups == in_flight && i >= both_move) {
+        strip::move_both<output>(task, cell, marching, derivative);
+        continue;
+      }
       for (std::int32_t k = 0; k < groups; ++k) {
         strip::Marching& m = marching[k];
-        strip::Derivative(&d)[inputs] = derivative[sensitivities ? k : 0];
+        strip::Derivative(&d)[inputs] = derivative[k];
         if (i >= m.group.all_move)
           strip::move<false, true, output>(task, cell, m, d);
         else if (i >= m.group.all_stick)

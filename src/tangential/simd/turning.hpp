@@ -10,8 +10,9 @@
 ///
 /// w changes over the step, its y part by -rate per length. It is taken where a direction that decays like
 /// 1 / q would see it, 1 / (2 + z) of the step ahead of the cell: mid-step for small z, the cell itself for
-/// large z. z is that of the step before, so that a step takes one root, and one divide for this z too; its
-/// change from step to step alters the answer in third order.
+/// large z. z is that of the step before, so that a step takes one root; its change from step to step alters
+/// the answer in third order. The divides for z and for e' wait for nothing of each other: one divide for
+/// both takes more multiplications than it saves.
 #pragma once
 
 #include "simd/pack.hpp"
@@ -23,36 +24,85 @@ namespace {
 /// Where slip sets in z is small, or e is along the slip already.
 constexpr double first_ahead = 0.5;
 
-/// What a step computes on its way, for its derivatives.
-struct Turn {
-  Pack Vx, Vy, r;     ///< slip times dv, where it is seen, and the size of that
-  Pack d, s, cx, cy;  ///< d resists turning, s = d + r; c points half-way
-  Pack per_c, per_s;  ///< 1 / c.c, 1 / s
-};
+/// The packs of two groups of strips. The processor looks some hundred operations ahead, which is no more
+/// than one group's step, each operation waiting for the one before: only where those of two groups alternate
+/// does one group compute while the other waits for its root or divide.
+struct TwoPacks {
+  Pack first, second;
 
-/// Turns (ex, ey) against the slip V over a step; d: what resists. `ahead` becomes the next step's 1/(2 + z).
-[[gnu::always_inline]] inline Turn turn(Pack Vx, Pack Vy, Pack d, Pack& ex, Pack& ey, Pack& ahead) {
+  TwoPacks() = default;
+  TwoPacks(Pack a, Pack b) : first(a), second(b) {}
+  TwoPacks(double everywhere) : first(everywhere), second(everywhere) {}  // NOLINT: as Pack
+
+  friend TwoPacks operator+(TwoPacks x, TwoPacks y) { return {x.first + y.first, x.second + y.second}; }
+  friend TwoPacks operator-(TwoPacks x, TwoPacks y) { return {x.first - y.first, x.second - y.second}; }
+  friend TwoPacks operator*(TwoPacks x, TwoPacks y) { return {x.first * y.first, x.second * y.second}; }
+  friend TwoPacks operator/(TwoPacks x, TwoPacks y) { return {x.first / y.first, x.second / y.second}; }
+};
+inline TwoPacks root(TwoPacks x) { return {root(x.first), root(x.second)}; }
+inline TwoPacks larger(TwoPacks x, TwoPacks y) {
+  return {larger(x.first, y.first), larger(x.second, y.second)};
+}
+
+/// A step, and what it computes on its way for its derivatives. P: packs of one group or of two.
+template <class P>
+struct TurnOf {
+  P Vx, Vy;         ///< slip times dv, where it is seen
+  P d;              ///< resists turning
+  P ex, ey;         ///< direction before the turn, and after
+  P r, s, cx, cy;   ///< r = |V|, s = d + r; c points half-way
+  P ahead;          ///< 1 / (2 + z) = d / 2s, of the next step
+  P per_rs, per_c;  ///< 1 / r s, 1 / c.c: for the derivatives only
+};
+using Turn = TurnOf<Pack>;
+
+/// A step to be turned: slip times dv, what resists, direction.
+[[gnu::always_inline]] inline Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
   Turn t;
   t.Vx = Vx;
   t.Vy = Vy;
   t.d = d;
-  t.r = root(Vx * Vx + Vy * Vy);
-  t.s = d + t.r;
-  const Pack keep = d * d + t.r * t.s;
-  t.cx = keep * ex - t.s * Vx;
-  t.cy = keep * ey - t.s * Vy;
-  const Pack square = t.cx * t.cx + t.cy * t.cy;
+  t.ex = ex;
+  t.ey = ey;
+  return t;
+}
+
+/// Turns (ex, ey) against the slip V over a step.
+template <class P>
+[[gnu::always_inline]] inline void turn(TurnOf<P>& t) {
+  t.r = root(t.Vx * t.Vx + t.Vy * t.Vy);
+  t.s = larger(t.d + t.r, 1e-150);
+  t.ahead = (0.5 * t.d) / t.s;
+  const P keep = t.d * t.d + t.r * t.s;
+  t.cx = keep * t.ex - t.s * t.Vx;
+  t.cy = keep * t.ey - t.s * t.Vy;
   // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
   // be
-  const Pack inverse = 1.0 / larger(square * t.s, 1e-280);
-  t.per_c = t.s * inverse;
-  t.per_s = square * inverse;
-  const Pack along = ex * t.cx + ey * t.cy;
-  const Pack twice = (along + along) * t.per_c;
-  ex = twice * t.cx - ex;
-  ey = twice * t.cy - ey;
-  ahead = (0.5 * d) * t.per_s;
-  return t;
+  const P square = larger(t.cx * t.cx + t.cy * t.cy, 1e-280);
+  const P along = t.ex * t.cx + t.ey * t.cy;
+  const P twice = (along + along) / square;
+  t.ex = twice * t.cx - t.ex;
+  t.ey = twice * t.cy - t.ey;
+
+  t.per_rs = 1.0 / larger(t.r * t.s, 1e-280);
+  t.per_c = 1.0 / square;
+}
+
+/// The same for two groups at once.
+[[gnu::always_inline]] inline void turn(Turn& a, Turn& b) {
+  TurnOf<TwoPacks> t;
+  t.Vx = {a.Vx, b.Vx};
+  t.Vy = {a.Vy, b.Vy};
+  t.d = {a.d, b.d};
+  t.ex = {a.ex, b.ex};
+  t.ey = {a.ey, b.ey};
+  turn(t);
+  const auto part = [&](Pack TwoPacks::*of) -> Turn {
+    return {t.Vx.*of, t.Vy.*of, t.d.*of,  t.ex.*of,    t.ey.*of,     t.r.*of,
+            t.s.*of,  t.cx.*of, t.cy.*of, t.ahead.*of, t.per_rs.*of, t.per_c.*of};
+  };
+  a = part(&TwoPacks::first);
+  b = part(&TwoPacks::second);
 }
 
 /// How the angle of e after a step changes with its angle before, with V and with d; how `ahead` does.
@@ -65,19 +115,17 @@ struct TurnSlopes {
 /// (ex, ey): the direction before the step.
 [[gnu::always_inline]] inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   TurnSlopes s;
-  const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d;
+  const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d, rs = t.r * t.s;
   const Pack across = twice * (ex * t.Vy - ey * t.Vx);
-  s.kept = d2 * (d2 + 2.0 * (t.s * t.r)) * t.per_c;
-  const Pack by_r = across * (t.s + t.d);  // times r
-  s.by_x = twice * (t.s * t.cy) + by_r * t.Vx;
-  s.by_y = by_r * t.Vy - twice * (t.s * t.cx);
+  s.kept = d2 * (d2 + (rs + rs)) * t.per_c;
+  const Pack along = twice * t.s, by_r = across * (t.s + t.d);  // by_r: times r
+  s.by_x = along * t.cy + by_r * t.Vx;
+  s.by_y = by_r * t.Vy - along * t.cx;
   s.by_d = across * (t.d * (t.s + t.r));
-  const Mask slips = t.r > 1e-150;
-  const Pack half = 0.5 * (t.per_s * t.per_s);
-  const Pack ahead_by_r = select(slips, half * t.d / select(slips, t.r, 1.0), 0.0);  // over r, less than zero
+  const Pack ahead_by_r = t.ahead * t.per_rs;  // over r, less than zero
   s.ahead_by_x = -(ahead_by_r * t.Vx);
   s.ahead_by_y = -(ahead_by_r * t.Vy);
-  s.ahead_by_d = half * t.r;
+  s.ahead_by_d = (0.5 - t.ahead) * (t.r * t.per_rs);  // r / (2 s^2)
   return s;
 }
 
