@@ -233,8 +233,7 @@ struct Moved {
 /// first stick zone or just leave it; the others are `moving`. No lane's numbers depend on what the others
 /// do.
 template <bool entering>
-[[gnu::always_inline]] inline Moved begin_step(const Group& g, const Cell& cell, Mask moving,
-                                               const State& s) {
+WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
   Moved moved;
   Pack x = g.over_cell.x, bound_before = cell.bound_before;
   moved.whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
@@ -262,8 +261,8 @@ template <bool entering>
 
 /// The rest of it.
 template <bool entering>
-[[gnu::always_inline]] inline void end_step(const MarchTask& task, const Group& g, const Cell& cell,
-                                            Mask moving, Moved& moved, State& s, GroupSums& sums) {
+WRC_IN_LOOP void end_step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving, Moved& moved,
+                          State& s, GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   const Pack bound = entering ? select(moving, Pack(cell.bound), zero) : Pack(cell.bound);  // zero: no part
   Pack ex = moved.turn.ex, ey = moved.turn.ey;
@@ -289,9 +288,9 @@ template <bool entering>
 
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
-[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
-                                                 const State& before, const State& after, const Moved& moved,
-                                                 GroupDerivative (&derivative)[inputs]) {
+WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
+                               const State& after, const Moved& moved,
+                               GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
   const Pack px = moved.size * after.ex, py = moved.size * after.ey;
@@ -358,8 +357,8 @@ struct Marching {
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-[[gnu::always_inline]] inline void settle(const MarchTask& task, const Cell& cell, Mask moving, Moved& moved,
-                                          Marching& m, GroupDerivative (&derivative)[inputs]) {
+WRC_IN_LOOP void settle(const MarchTask& task, const Cell& cell, Mask moving, Moved& moved, Marching& m,
+                        GroupDerivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
@@ -382,8 +381,8 @@ template <bool entering, Output output>
 
 /// A cell of a group that moves.
 template <bool entering, Output output>
-[[gnu::always_inline]] inline void move(const MarchTask& task, const Cell& cell, Marching& m,
-                                        GroupDerivative (&derivative)[inputs]) {
+WRC_IN_LOOP void move(const MarchTask& task, const Cell& cell, Marching& m,
+                      GroupDerivative (&derivative)[inputs]) {
   const Mask moving = m.group.stick_cells <= Pack(cell.index);
   Moved moved = begin_step<entering>(m.group, cell, moving, m.state);
   turn(moved.turn);
@@ -392,9 +391,8 @@ template <bool entering, Output output>
 
 /// A cell of two groups all of whose strips move.
 template <Output output>
-[[gnu::always_inline]] inline void move_both(const MarchTask& task, const Cell& cell,
-                                             Marching (&m)[in_flight],
-                                             GroupDerivative (&derivative)[in_flight][inputs]) {
+WRC_IN_LOOP void move_both(const MarchTask& task, const Cell& cell, Marching (&m)[in_flight],
+                           GroupDerivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
   Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
   Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);

@@ -256,8 +256,8 @@ struct StickCell {
 /// Adds a cell of the first stick zone; returns the traction if it is wanted. At most one, which |psi| > 1
 /// could exceed.
 template <bool sensitivities>
-[[gnu::always_inline]] inline StickCell stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums,
-                                              Sums& strong, Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums, Sums& strong,
+                            Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0, one = 1.0;
   const Pack form = g.form;
   // The mean of sqrt(1 - t_s) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
@@ -330,8 +330,7 @@ struct Moved {
 
 /// One march step of a group through slip, up to the turn of its direction; see march_kernel.hpp.
 template <bool entering>
-[[gnu::always_inline]] inline Moved begin_step(const Group& g, const Cell& cell, Mask moving,
-                                               const State& s) {
+WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
   const Pack zero = 0.0, one = 1.0;
   Moved moved;
   moved.rho_x = s.x();
@@ -362,8 +361,7 @@ template <bool entering>
 
 /// The rest of it.
 template <bool entering>
-[[gnu::always_inline]] inline void end_step(const Cell& cell, Mask moving, Moved& moved, State& s,
-                                            Sums& sums) {
+WRC_IN_LOOP void end_step(const Cell& cell, Mask moving, Moved& moved, State& s, Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Pack ex = moved.turn.ex, ey = moved.turn.ey, ahead = moved.turn.ahead;
   moved.part = one;
@@ -396,9 +394,8 @@ template <bool entering>
 
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
-[[gnu::always_inline]] inline void differentiate(const Group& g, const Cell& cell, Mask moving,
-                                                 const State& before, const State& after, const Moved& moved,
-                                                 Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
+                               const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
   // A change of rho changes the elastic slip and the flexibility.
@@ -552,8 +549,8 @@ struct CellFields {
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-[[gnu::always_inline]] inline CellFields settle(const Cell& cell, Mask moves, Moved& moved, Marching& m,
-                                                Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP CellFields settle(const Cell& cell, Mask moves, Moved& moved, Marching& m,
+                              Derivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
@@ -571,8 +568,8 @@ template <bool entering, Output output>
 
 /// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
 template <bool sticking, bool moving, Output output>
-[[gnu::always_inline]] inline void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
-                                        Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
+                      Derivative (&derivative)[inputs]) {
   constexpr bool fields = output == Output::fields, sensitivities = output == Output::sensitivities;
   const Group& g = m.group;
   const Mask moves = g.stick_cells <= Pack(cell.index);
@@ -594,8 +591,8 @@ template <bool sticking, bool moving, Output output>
 
 /// What follows the turn in a cell of a group all of whose strips move.
 template <Output output>
-[[gnu::always_inline]] inline void finish(const StripFastsimTask& task, const Cell& cell, Mask all,
-                                          Moved& moved, Marching& m, Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP void finish(const StripFastsimTask& task, const Cell& cell, Mask all, Moved& moved, Marching& m,
+                        Derivative (&derivative)[inputs]) {
   const CellFields of_cell = settle<false, output>(cell, all, moved, m, derivative);
   if constexpr (output == Output::fields)
     store_cell(task, m.group, cell, of_cell.rho_x, of_cell.rho_y, of_cell.slip, m.sums);
@@ -603,9 +600,8 @@ template <Output output>
 
 /// A cell of two groups all of whose strips move.
 template <Output output>
-[[gnu::always_inline]] inline void move_both(const StripFastsimTask& task, const Cell& cell,
-                                             Marching (&m)[in_flight],
-                                             Derivative (&derivative)[in_flight][inputs]) {
+WRC_IN_LOOP void move_both(const StripFastsimTask& task, const Cell& cell, Marching (&m)[in_flight],
+                           Derivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
   Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
   Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);

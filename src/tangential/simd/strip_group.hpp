@@ -115,9 +115,8 @@ inline bool all_wanted(const TangentialFields& fields) {
 }
 
 /// Tractions [Pa] and slip [-] of a cell of a group; strips: of all groups.
-[[gnu::always_inline]] inline void store_cell(const TangentialFields& fields, const StripGroup& g,
-                                              std::int32_t cell, std::int32_t strips, Pack traction_x,
-                                              Pack traction_y, Pack slip_x, Pack slip_y) {
+WRC_IN_LOOP void store_cell(const TangentialFields& fields, const StripGroup& g, std::int32_t cell,
+                            std::int32_t strips, Pack traction_x, Pack traction_y, Pack slip_x, Pack slip_y) {
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) * strips + g.first;
   if (g.count == lanes && all_wanted(fields)) {  // of most groups: nothing more to ask, field by field
     store_pack(fields.traction_x + at, traction_x);

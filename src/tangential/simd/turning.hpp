@@ -57,7 +57,7 @@ struct TurnOf {
 using Turn = TurnOf<Pack>;
 
 /// A step to be turned: slip times dv, what resists, direction.
-[[gnu::always_inline]] inline Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
+WRC_IN_LOOP Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
   Turn t;
   t.Vx = Vx;
   t.Vy = Vy;
@@ -69,7 +69,7 @@ using Turn = TurnOf<Pack>;
 
 /// Turns (ex, ey) against the slip V over a step.
 template <class P>
-[[gnu::always_inline]] inline void turn(TurnOf<P>& t) {
+WRC_IN_LOOP void turn(TurnOf<P>& t) {
   t.r = root(t.Vx * t.Vx + t.Vy * t.Vy);
   t.s = larger(t.d + t.r, 1e-150);
   t.ahead = (0.5 * t.d) / t.s;
@@ -89,7 +89,7 @@ template <class P>
 }
 
 /// The same for two groups at once.
-[[gnu::always_inline]] inline void turn(Turn& a, Turn& b) {
+WRC_IN_LOOP void turn(Turn& a, Turn& b) {
   TurnOf<TwoPacks> t;
   t.Vx = {a.Vx, b.Vx};
   t.Vy = {a.Vy, b.Vy};
@@ -113,7 +113,7 @@ struct TurnSlopes {
 };
 
 /// (ex, ey): the direction before the step.
-[[gnu::always_inline]] inline TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
+WRC_IN_LOOP TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   TurnSlopes s;
   const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d, rs = t.r * t.s;
   const Pack across = twice * (ex * t.Vy - ey * t.Vx);
