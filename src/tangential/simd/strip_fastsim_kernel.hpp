@@ -79,7 +79,7 @@ struct Derivative {
   Pack gx, gy, curvature, slip_end, kappa, lambda, psi, wx, wy, spin;
   Advance over_cell;
   double turning;  ///< relative
-  Pack form, end_bound;
+  Pack form;
   Pack angle, ratio, ahead;  ///< of the state; ratio = |rho|
   ForceSums force;
 };
@@ -243,7 +243,6 @@ inline void differentiate(const StripFastsimTask& task, const Group& g, Derivati
         angle = angles[n].change(d.wx + elastic_y[n - 1] * angle, dwy + elastic_x[n - 1] * angle);
       d.angle = select(at_edge, angle, d.angle);
     }
-    d.end_bound = 2.0 * (1.0 - u) * d.slip_end;
     d.over_cell = advance_over(d, zero, 2.0 / task.cells);
   }
 }
@@ -412,34 +411,46 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
   const Pack kept = slope.kept + by_rho(-moved.rho_y, moved.rho_x);
   const Pack ahead_by_angle = ahead_by_rho(-moved.rho_y, moved.rho_x);
   const Pack by_turning = slope.by_d * moved.turn.d, ahead_by_turning = slope.ahead_by_d * moved.turn.d;
-  const Pack rho_x = cell.mean * after.x(), rho_y = cell.mean * after.y();
+
+  // Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
+  // changes with the onset of slip, as does the bound there.
+  Pack by_x = slope.by_x, by_y = slope.by_y, ahead_by_x = slope.ahead_by_x, ahead_by_y = slope.ahead_by_y;
+  Pack bend = g.over_cell.bend, ahead_before = before.ahead, mean = cell.mean;
+  [[maybe_unused]] Pack share, by_onset, ahead_by_onset, bound_by_onset;
+  [[maybe_unused]] Mask partial;
+  if constexpr (entering) {
+    const Pack wx = g.wx + (g.elastic * cell.x) * moved.rho_x;
+    const Pack wy = g.wy + g.spin * cell.x - (g.elastic * cell.x) * moved.rho_y +
+                    (2.0 * moved.advance.spin) * before.ahead;
+    partial = (moved.dv > zero) & (moved.dv < cell.h);
+    bound_by_onset = select(Pack(cell.index - 0.5) < g.stick_cells, 2.0 * (1.0 - g.slip_end), zero);
+    const Pack d_by_onset = bound_by_onset * moved.flexibility;
+    by_onset = select(partial, by_x * wx + by_y * wy, zero) + slope.by_d * d_by_onset;
+    ahead_by_onset = select(partial, ahead_by_x * wx + ahead_by_y * wy, zero) + slope.ahead_by_d * d_by_onset;
+    share = moved.dv * cell.per_h;
+    by_x = share * by_x;
+    by_y = share * by_y;
+    ahead_by_x = share * ahead_by_x;
+    ahead_by_y = share * ahead_by_y;
+    bend = share * bend;
+    ahead_before = share * ahead_before;
+    mean = select(moving, mean, zero);
+  }
+  const Pack rho_x = mean * after.x(), rho_y = mean * after.y();
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
-    Advance a = d.over_cell;
-    Pack bound = zero;
-    if constexpr (entering) {
-      const Pack dv = select((moved.dv > zero) & (moved.dv < cell.h), d.slip_end, zero);
-      a = advance_over(d, zero, moved.dv);
-      a.gx += g.gx * dv;
-      a.gy += g.gy * dv + moved.advance.curvature * dv;
-      a.curvature += g.curvature * dv;
-      a.wx += (g.wx + g.elastic * cell.x * moved.rho_x) * dv;
-      a.wy += (g.wy - g.elastic * cell.x * moved.rho_y) * dv;
-      a.spin += g.spin * dv;
-      a.bend += 2.0 * moved.advance.spin * dv;
-      bound = select(Pack(cell.index - 0.5) < g.stick_cells, d.end_bound, zero);
-    }
-    Pack wy = a.wy + moved.advance.bend * d.ahead;
-    if (entering || k == 2) wy += a.spin * cell.x + a.bend * before.ahead;  // only spin turns the slip
-    Pack angle = kept * d.angle + slope.by_y * wy + by_turning * d.turning;
-    Pack ahead = ahead_by_angle * d.angle + slope.ahead_by_y * wy + ahead_by_turning * d.turning;
-    if (entering || k != 1) {  // the lateral creepage has no part in the slip along x
-      angle += slope.by_x * a.wx;
-      ahead += slope.ahead_by_x * a.wx;
+    const Advance& a = d.over_cell;
+    Pack wy = a.wy + bend * d.ahead;
+    if (k == 2) wy += a.spin * cell.x + a.bend * ahead_before;  // only spin turns the slip
+    Pack angle = kept * d.angle + by_y * wy + by_turning * d.turning;
+    Pack ahead = ahead_by_angle * d.angle + ahead_by_y * wy + ahead_by_turning * d.turning;
+    if (k != 1) {  // the lateral creepage has no part in the slip along x
+      angle += by_x * a.wx;
+      ahead += ahead_by_x * a.wx;
     }
     if constexpr (entering) {
-      angle += slope.by_d * (bound * moved.flexibility);
-      ahead += slope.ahead_by_d * (bound * moved.flexibility);
+      angle += by_onset * d.slip_end;
+      ahead += ahead_by_onset * d.slip_end;
     }
     if (before.stuck) {
       angle += by_rho(before.ex, before.ey) * d.ratio;
@@ -448,22 +459,30 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
     Pack ratio = zero;
     if (moved.any_sticks) {
       const Pack middle = 2.0 * cell.x + moved.dv;
+      Pack gx = a.gx, gy = a.gy, curvature = a.curvature, bound = zero;
+      if constexpr (entering) {
+        const Pack dv = select(partial, d.slip_end, zero);
+        gx = share * gx + g.gx * dv;
+        curvature = share * curvature + g.curvature * dv;
+        gy = share * gy + (g.gy + moved.advance.curvature) * dv;
+        bound = bound_by_onset * d.slip_end;
+      }
       const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
       const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
-      const Pack x = dx * moved.bound_before + moved.rho_x * bound - a.gx;
-      const Pack y = dy * moved.bound_before + moved.rho_y * bound - (a.gy + a.curvature * middle);
+      const Pack x = dx * moved.bound_before + moved.rho_x * bound - gx;
+      const Pack y = dy * moved.bound_before + moved.rho_y * bound - (gy + curvature * middle);
       ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
       angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
     }
     Pack x = -(rho_y * angle), y = rho_x * angle;
     if (moved.any_sticks) {
-      x += cell.mean * ratio * after.ex;
-      y += cell.mean * ratio * after.ey;
+      x += mean * ratio * after.ex;
+      y += mean * ratio * after.ey;
     }
     d.angle = entering ? select(moving, angle, d.angle) : angle;
     d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
     if (before.stuck || moved.any_sticks) d.ratio = ratio;
-    add_cell(entering ? select(moving, x, zero) : x, entering ? select(moving, y, zero) : y, d.force);
+    add_cell(x, y, d.force);
   }
 }
 
