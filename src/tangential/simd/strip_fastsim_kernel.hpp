@@ -397,19 +397,21 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
                                const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
-  // A change of rho changes the elastic slip and the flexibility.
+  // A change of rho changes the elastic slip and the flexibility: where it turns, and where it grows.
   const Pack elastic = moved.advance.elastic * cell.x;
-  const Pack bounds = -2.0 * (moved.bound_before + cell.shape);
-  const Pack d_by_x = bounds * g.t11 * moved.rho_x, d_by_y = bounds * g.t22 * moved.rho_y;
-  const auto by_rho = [&](Pack x, Pack y) {
-    return slope.by_x * (elastic * x) - slope.by_y * (elastic * y) + slope.by_d * (d_by_x * x + d_by_y * y);
-  };
-  const auto ahead_by_rho = [&](Pack x, Pack y) {
-    return slope.ahead_by_x * (elastic * x) - slope.ahead_by_y * (elastic * y) +
-           slope.ahead_by_d * (d_by_x * x + d_by_y * y);
-  };
-  const Pack kept = slope.kept + by_rho(-moved.rho_y, moved.rho_x);
-  const Pack ahead_by_angle = ahead_by_rho(-moved.rho_y, moved.rho_x);
+  const Pack elastic_x = elastic * moved.rho_x, elastic_y = elastic * moved.rho_y;
+  const Pack bounds = 2.0 * (moved.bound_before + cell.shape);
+  const Pack d_by_angle = bounds * ((g.t11 - g.t22) * (moved.rho_x * moved.rho_y));
+  const Pack kept = slope.kept - (slope.by_x * elastic_y + slope.by_y * elastic_x) + slope.by_d * d_by_angle;
+  const Pack ahead_by_angle =
+      slope.ahead_by_d * d_by_angle - (slope.ahead_by_x * elastic_y + slope.ahead_by_y * elastic_x);
+  [[maybe_unused]] Pack by_ratio, ahead_by_ratio;
+  if (before.stuck) {
+    const Pack x = elastic * before.ex, y = elastic * before.ey;
+    const Pack d = bounds * (g.t11 * (moved.rho_x * before.ex) + g.t22 * (moved.rho_y * before.ey));
+    by_ratio = slope.by_x * x - slope.by_y * y - slope.by_d * d;
+    ahead_by_ratio = slope.ahead_by_x * x - slope.ahead_by_y * y - slope.ahead_by_d * d;
+  }
   const Pack by_turning = slope.by_d * moved.turn.d, ahead_by_turning = slope.ahead_by_d * moved.turn.d;
 
   // Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
@@ -453,8 +455,8 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       ahead += ahead_by_onset * d.slip_end;
     }
     if (before.stuck) {
-      angle += by_rho(before.ex, before.ey) * d.ratio;
-      ahead += ahead_by_rho(before.ex, before.ey) * d.ratio;
+      angle += by_ratio * d.ratio;
+      ahead += ahead_by_ratio * d.ratio;
     }
     Pack ratio = zero;
     if (moved.any_sticks) {
