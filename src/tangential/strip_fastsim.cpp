@@ -179,6 +179,21 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   return task;
 }
 
+/// Where derivatives are found: here, or where creepages are so small that the forces' differences drown in
+/// rounding, or none, as far from rest as makes 1e-8 of what friction allows. Forces are linear up to there.
+Creepage away_from_rest(const RollingContact& contact) {
+  constexpr double least = 1e-8;
+  Creepage c = contact.creepage;
+  const double ab = contact.a * contact.b;
+  const double level = contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
+  const double size =
+      std::sqrt(c.longitudinal * c.longitudinal + c.lateral * c.lateral + ab * c.spin * c.spin);
+  if (size >= least * level) return c;
+  if (!(size > 0.0)) return {least * level, 0.0, 0.0};
+  const double scale = least * level / size;
+  return {scale * c.longitudinal, scale * c.lateral, scale * c.spin};
+}
+
 }  // namespace
 
 double neutral_line(double u, double poisson, double shape_number) {
@@ -194,17 +209,26 @@ TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFi
 TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const TangentialFields& fields,
                                           Fault& fault, TangentialSensitivities* sensitivities,
                                           const StripCalibration& calibration) {
-  const Creepage& c = contact.creepage;
+  const Kernels& kernels = *contact.grid->kernels;
+  const auto forces = [&](simd::Sums& sums) {
+    const Creepage& c = contact.creepage;
+    const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
+    (fields.any() ? kernels.strip_fastsim_fields : kernels.strip_fastsim)(task_of(contact, m, fields), sums);
+  };
   simd::Sums sums;
   if (sensitivities) {
-    const Model<Number> m = model<Number>(contact, calibration, Number::input(c.longitudinal, 0),
+    RollingContact moved = contact;
+    moved.creepage = away_from_rest(contact);
+    const Creepage& c = moved.creepage;
+    const Model<Number> m = model<Number>(moved, calibration, Number::input(c.longitudinal, 0),
                                           Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
-    contact.grid->kernels->strip_fastsim_sensitivities(task_of(contact, m, fields), sums);
+    kernels.strip_fastsim_sensitivities(task_of(moved, m, fields), sums);
     *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
+    const Creepage& asked = contact.creepage;
+    if (c.longitudinal != asked.longitudinal || c.lateral != asked.lateral || c.spin != asked.spin)
+      forces(sums);
   } else {
-    const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
-    const Kernels& kernels = *contact.grid->kernels;
-    (fields.any() ? kernels.strip_fastsim_fields : kernels.strip_fastsim)(task_of(contact, m, fields), sums);
+    forces(sums);
   }
   return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
           sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};

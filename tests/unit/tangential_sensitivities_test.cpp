@@ -89,5 +89,93 @@ TEST(Sensitivities, OfFastsimEqe) { compare(fastsim_eqe, true, TractionBound::pa
 TEST(Sensitivities, OfFastsim) { compare(fastsim, true, TractionBound::elliptic); }
 TEST(Sensitivities, OfStripFastsim) { compare(strip_fastsim, false, TractionBound::elliptic); }
 
+/// Forces from a tenth of a random case's creepages to twice them against the integral of their derivatives:
+/// a jump wherever the border of the stick zone passes a cell would be missing from it, however small. Spin
+/// is a quarter of the case's: strips that stick a second time do jump, cell by cell.
+void integrate(Method& method, bool on_ellipse, TractionBound bound, double tolerance) {
+  std::mt19937 random(23);
+  const OwnedGrid grid(32);
+  constexpr int steps = 1500;
+  double worst = 0.0;
+  for (int n = 0; n < 20; ++n) {
+    const RandomCase c = test::random_case(random);
+    const OwnedStrips strips =
+        test::sdec_strips(c.a, c.b, on_ellipse ? 0.0 : c.psi, c.normal_force, n < 4 ? 1 : 24);
+    const SdecTable table(c.poisson);
+    double integral[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, last[2] = {0.0, 0.0};
+    for (int i = 0; i <= steps; ++i) {
+      const double t = 0.1 + 1.9 * i / steps;
+      const Creepage whole{c.creepage.longitudinal, c.creepage.lateral, 0.25 * c.creepage.spin};
+      const RollingContact contact{
+          strips.get(),    c.a,    c.b,         c.psi,
+          c.shear_modulus, &table, &grid.get(), {t * whole.longitudinal, t * whole.lateral, t * whole.spin},
+          c.friction,      bound};
+      Fault fault;
+      TangentialSensitivities s;
+      const TangentialForces f = method(contact, {}, fault, &s);
+      const double force[2] = {f.fx, f.fy};
+      for (int r = 0; r < 2; ++r) {
+        const double slope =
+            s.d[r][0] * whole.longitudinal + s.d[r][1] * whole.lateral + s.d[r][2] * whole.spin;
+        integral[r] += (i == 0 || i == steps ? 0.5 : 1.0) * slope * 1.9 / steps;
+        if (i == 0) first[r] = force[r];
+        last[r] = force[r];
+      }
+    }
+    for (int r = 0; r < 2; ++r) {
+      const double missing = std::fabs(last[r] - first[r] - integral[r]) / (c.friction * c.normal_force);
+      worst = std::max(worst, missing);
+      EXPECT_LT(missing, tolerance) << "case " << n << " force " << r;
+    }
+  }
+  std::printf("largest part of a force's change that its derivatives miss: %.1e mu N\n", worst);
+}
+
+/// Where nothing creeps forces vanish, not their derivatives: those of linear theory, of which an implicit
+/// integrator's first step is made.
+TEST(Sensitivities, AtRestAreThoseOfLinearTheory) {
+  std::mt19937 random(31);
+  const OwnedGrid grid(32);
+  for (Method* method : {&fastsim_sdec, &strip_fastsim}) {
+    for (int n = 0; n < 10; ++n) {
+      const RandomCase c = test::random_case(random);
+      const OwnedStrips strips = test::sdec_strips(c.a, c.b, c.psi, c.normal_force, 24);
+      const SdecTable table(c.poisson);
+      RollingContact contact{strips.get(), c.a,         c.b, c.psi,      c.shear_modulus,
+                             &table,       &grid.get(), {},  c.friction, TractionBound::parabolic};
+      const double unit = c.friction * c.normal_force, level = unit / (c.shear_modulus * c.a * c.b);
+      const double size = std::sqrt(c.a * c.b), scale[3] = {level, level, level / size};
+      const double of_force[3] = {unit, unit, unit * size};
+      Fault fault;
+      for (const double rest : {0.0, 1e-30, 1e-17, 1e-12}) {
+        TangentialSensitivities s;
+        contact.creepage = {rest * level, 0.0, rest * scale[2]};
+        const TangentialForces f = method(contact, {}, fault, &s);
+        EXPECT_EQ(f.fx, method(contact, {}, fault, nullptr).fx);
+        for (int k = 0; k < 3; ++k) {
+          const auto at = [&](double offset) {
+            contact.creepage = {};
+            (k == 0   ? contact.creepage.longitudinal
+             : k == 1 ? contact.creepage.lateral
+                      : contact.creepage.spin) = offset * scale[k];
+            return method(contact, {}, fault, nullptr);
+          };
+          const TangentialForces more = at(1e-6), less = at(-1e-6);
+          const double differences[3] = {more.fx - less.fx, more.fy - less.fy, more.mz - less.mz};
+          for (int r = 0; r < 3; ++r)
+            EXPECT_NEAR(s.d[r][k] * scale[k] / of_force[r], differences[r] / 2e-6 / of_force[r], 2e-5)
+                << "case " << n << " at " << rest << " input " << k << " force " << r;
+        }
+      }
+    }
+  }
+}
+
+TEST(Sensitivities, IntegrateToTheForces) {
+  integrate(fastsim_sdec, false, TractionBound::parabolic, 1e-3);
+  integrate(fastsim_sdec, false, TractionBound::elliptic, 1e-3);
+  integrate(strip_fastsim, false, TractionBound::elliptic, 3e-3);
+}
+
 }  // namespace
 }  // namespace wrc

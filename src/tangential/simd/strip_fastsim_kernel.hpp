@@ -247,68 +247,89 @@ inline void differentiate(const StripFastsimTask& task, const Group& g, Derivati
   }
 }
 
-/// Traction over bound.
-struct StickCell {
-  Pack x, y;
+/// What the first stick zone makes of a cell: tractions over the bound are (1 - s) times the direction in
+/// which slip sets in, and s (0, psi). Beyond its end s is zero; the cell in which it ends has its part.
+struct StickShape {
+  Pack s, by_end, by_form;  ///< slopes of s by u_s and by the form, for derivatives
 };
 
-/// Adds a cell of the first stick zone; returns the traction if it is wanted. At most one, which |psi| > 1
-/// could exceed.
 template <bool sensitivities>
-WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, bool wanted, StickSums& sums, Sums& strong,
-                            Derivative (&derivative)[inputs]) {
-  const Pack zero = 0.0, one = 1.0;
-  const Pack form = g.form;
+WRC_IN_LOOP StickShape stick_shape(const Group& g, const Cell& cell, StickSums& sums) {
+  const Pack zero = 0.0, form = g.form;
   // The mean of sqrt(1 - t_s) = sqrt((u - u_s) / u) over the cell, weighted by the bound's sqrt(u): small
   // creepages leave a traction 1 / sqrt(u) at the trailing edge, of which the middle of a cell sees too
   // little.
   const Pack far = larger(zero, cell.behind - g.slip_end * cell.per_h);
   const Pack root_far = root(far), power_far = far * root_far;
   const Pack whole = (sums.power_near - power_far) * cell.inverse_weight;
-  const Pack s = whole * (1.0 - form + form * whole);
-  const Mask here = Pack(cell.index + 0.5) < g.stick_cells;
-  sums.mean += select(here, Pack(cell.mean), zero);
-  sums.t_mean += select(here, Pack(cell.t * cell.mean), zero);
-  const Pack straight = select(here, cell.mean * s, zero);
+  StickShape shape;
+  shape.s = whole * (1.0 - form + form * whole);
+  if constexpr (sensitivities) {
+    shape.by_end = -1.5 * cell.per_h * cell.inverse_weight * (sums.root_near - root_far) *
+                   (1.0 - form + 2.0 * form * whole);
+    shape.by_form = whole * whole - whole;
+    sums.root_near = root_far;
+  }
+  sums.power_near = power_far;
+  return shape;
+}
+
+/// What keeps tractions at the bound, which |psi| > 1 could exceed.
+inline Pack share_within_bound(const Group& g, Pack s, Pack x, Pack y) {
+  return select(g.strong & (s > 0.0), 1.0 / root(larger(1.0, x * x + y * y)), 1.0);
+}
+
+/// The derivative (dx, dy) of a traction over the bound that is cut to (x, y): it may turn, not grow.
+inline void cut_derivative(const Group& g, Pack share, Pack x, Pack y, Pack& dx, Pack& dy) {
+  const Mask cut = g.strong & (share < 1.0);
+  const Pack along = x * dx + y * dy;
+  dx = select(cut, share * (dx - x * along), dx);
+  dy = select(cut, share * (dy - y * along), dy);
+}
+
+/// Traction over bound.
+struct StickCell {
+  Pack x, y;
+};
+
+/// Adds a cell of the first stick zone; returns the traction if it is wanted. With `entering`, only some
+/// strips are still in it.
+template <bool entering, bool sensitivities>
+WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const StickShape& shape,
+                            bool wanted, StickSums& sums, Sums& strong, Derivative (&derivative)[inputs]) {
+  const Pack one = 1.0, zero = 0.0;
+  const Pack s = shape.s, mean = entering ? select(moving, zero, Pack(cell.mean)) : Pack(cell.mean);
+  const Pack straight = mean * s;
+  sums.mean += mean;
+  sums.t_mean += cell.t * mean;
   sums.straight += straight;
   sums.t_straight += cell.t * straight;
-  [[maybe_unused]] Pack by_end, by_form;
   if constexpr (sensitivities) {
-    by_end = -1.5 * cell.per_h * cell.inverse_weight * (sums.root_near - root_far) *
-             (1.0 - form + 2.0 * form * whole);
-    by_form = whole * whole - whole;
-    const Pack slope = select(here, cell.mean * by_end, zero),
-               of_form = select(here, cell.mean * by_form, zero);
+    const Pack slope = mean * shape.by_end, of_form = mean * shape.by_form;
     sums.slope += slope;
     sums.t_slope += cell.t * slope;
     sums.form += of_form;
     sums.t_form += cell.t * of_form;
-    sums.root_near = root_far;
   }
-  sums.power_near = power_far;
   if (!wanted && !g.any_strong) return {};
 
   const Pack x = g.kappa * (one - s), y = g.lambda * (one - s) + g.psi * s;
   if (!g.any_strong) return {x, y};
-  const Pack size = root(larger(one, x * x + y * y));
-  const Pack share = select(g.strong, one / size, one);
-  const Pack less = select(here, cell.mean * (share - one), zero);
+  const Pack share = share_within_bound(g, s, x, y), less = mean * (share - one);
   strong.force.stick_px += less * x;
   strong.force.stick_py += less * y;
   strong.force.stick_t_py += cell.t * (less * y);
   if constexpr (sensitivities) {
-    const Mask cut = here & g.strong & (size > one);
     for (std::int32_t k = 0; k < inputs; ++k) {
       Derivative& d = derivative[k];
-      const Pack ds = by_end * d.slip_end + by_form * d.form;
+      const Pack ds = shape.by_end * d.slip_end + shape.by_form * d.form;
       const Pack dx = d.kappa * (one - s) - g.kappa * ds;
       const Pack dy = d.lambda * (one - s) + d.psi * s + (g.psi - g.lambda) * ds;
-      const Pack along = (x * dx + y * dy) * share * share;
-      const Pack more_x = select(cut, cell.mean * (share * (dx - x * along) - dx), zero);
-      const Pack more_y = select(cut, cell.mean * (share * (dy - y * along) - dy), zero);
-      d.force.stick_px += more_x;
-      d.force.stick_py += more_y;
-      d.force.stick_t_py += cell.t * more_y;
+      Pack cut_x = dx, cut_y = dy;
+      cut_derivative(g, share, share * x, share * y, cut_x, cut_y);
+      d.force.stick_px += mean * (cut_x - dx);
+      d.force.stick_py += mean * (cut_y - dy);
+      d.force.stick_t_py += cell.t * (mean * (cut_y - dy));
     }
   }
   return {share * x, share * y};
@@ -324,6 +345,9 @@ struct Moved {
   Pack trial_x, trial_y, trial2;  ///< traction of the march if the cell sticks, and its square
   Pack bound_before, flexibility;
   Pack inverse_trial;  ///< one over the traction of lanes that stick
+  StickShape shape;    ///< of a cell where strips enter slip
+  Pack x, y;           ///< traction over bound after it
+  Pack share;          ///< of it that is within the bound, where strips enter slip
   Turn turn;
 };
 
@@ -360,7 +384,7 @@ WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, cons
 
 /// The rest of it.
 template <bool entering>
-WRC_IN_LOOP void end_step(const Cell& cell, Mask moving, Moved& moved, State& s, Sums& sums) {
+WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, Moved& moved, State& s, Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Pack ex = moved.turn.ex, ey = moved.turn.ey, ahead = moved.turn.ahead;
   moved.part = one;
@@ -387,8 +411,21 @@ WRC_IN_LOOP void end_step(const Cell& cell, Mask moving, Moved& moved, State& s,
   s.ex = ex;
   s.ey = ey;
   s.ahead = ahead;
+  moved.x = s.x();
+  moved.y = s.y();
+  if constexpr (entering) {  // strips still in their first stick zone have the direction in which slip sets
+                             // in
+    const Pack near = one - moved.shape.s;
+    moved.x = near * moved.x;
+    moved.y = near * moved.y + g.psi * moved.shape.s;
+    if (g.any_strong) {
+      moved.share = share_within_bound(g, moved.shape.s, moved.x, moved.y);
+      moved.x = moved.share * moved.x;
+      moved.y = moved.share * moved.y;
+    }
+  }
   const Pack mean = entering ? select(moving, Pack(cell.mean), zero) : Pack(cell.mean);
-  add_cell(mean * s.x(), mean * s.y(), sums.force);
+  add_cell(mean * moved.x, mean * moved.y, sums.force);
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
@@ -417,7 +454,7 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
   // Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
   // changes with the onset of slip, as does the bound there.
   Pack by_x = slope.by_x, by_y = slope.by_y, ahead_by_x = slope.ahead_by_x, ahead_by_y = slope.ahead_by_y;
-  Pack bend = g.over_cell.bend, ahead_before = before.ahead, mean = cell.mean;
+  Pack bend = g.over_cell.bend, ahead_before = before.ahead;
   [[maybe_unused]] Pack share, by_onset, ahead_by_onset, bound_by_onset;
   [[maybe_unused]] Mask partial;
   if constexpr (entering) {
@@ -429,14 +466,22 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
     const Pack d_by_onset = bound_by_onset * moved.flexibility;
     by_onset = select(partial, by_x * wx + by_y * wy, zero) + slope.by_d * d_by_onset;
     ahead_by_onset = select(partial, ahead_by_x * wx + ahead_by_y * wy, zero) + slope.ahead_by_d * d_by_onset;
-    share = moved.dv * cell.per_h;
+    share = select(moved.dv < cell.h, moved.dv * cell.per_h, 1.0);
     by_x = share * by_x;
     by_y = share * by_y;
     ahead_by_x = share * ahead_by_x;
     ahead_by_y = share * ahead_by_y;
     bend = share * bend;
     ahead_before = share * ahead_before;
+  }
+  Pack mean = cell.mean;  // of the bound, as far as tractions have the march's direction
+  [[maybe_unused]] Pack x_by_s, y_by_s, y_by_psi;
+  if constexpr (entering) {
     mean = select(moving, mean, zero);
+    x_by_s = zero - mean * after.x();
+    y_by_s = mean * (g.psi - after.y());
+    y_by_psi = mean * moved.shape.s;
+    mean = mean * (1.0 - moved.shape.s);
   }
   const Pack rho_x = mean * after.x(), rho_y = mean * after.y();
   for (std::int32_t k = 0; k < inputs; ++k) {
@@ -476,14 +521,20 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
       angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
     }
-    Pack x = -(rho_y * angle), y = rho_x * angle;
+    if (before.stuck || moved.any_sticks) d.ratio = ratio;
+    d.angle = entering ? select(moving, angle, d.angle) : angle;
+    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+    Pack x = -(rho_y * d.angle), y = rho_x * d.angle;
     if (moved.any_sticks) {
       x += mean * ratio * after.ex;
       y += mean * ratio * after.ey;
     }
-    d.angle = entering ? select(moving, angle, d.angle) : angle;
-    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
-    if (before.stuck || moved.any_sticks) d.ratio = ratio;
+    if constexpr (entering) {
+      const Pack ds = moved.shape.by_end * d.slip_end + moved.shape.by_form * d.form;
+      x += x_by_s * ds;
+      y += y_by_s * ds + y_by_psi * d.psi;
+      if (g.any_strong) cut_derivative(g, moved.share, moved.x, moved.y, x, y);
+    }
     add_cell(x, y, d.force);
   }
 }
@@ -545,13 +596,18 @@ inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
   d.force.stick_t_py += d.lambda * t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
 }
 
-/// Tractions of a cell, and the slip not yet scaled; adds to the power it stands for.
-inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, Pack rho_x, Pack rho_y,
-                       Pack slip, Sums& sums) {
-  const Pack zero = 0.0, bound = cell.mean * g.bound;
-  sums.power += slip * bound;
-  simd::store_cell(*task.fields, g, cell.index, task.region->count, bound * rho_x, bound * rho_y,
-                   zero - slip * rho_x, zero - slip * rho_y);
+/// A cell's tractions over the bound and its slip, not yet scaled, for the fields; `power` is their product.
+struct CellFields {
+  Pack rho_x, rho_y, slip_x, slip_y, power;
+};
+
+/// Stores them and adds to the power of the slip.
+inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, const CellFields& f,
+                       Sums& sums) {
+  const Pack bound = cell.mean * g.bound;
+  sums.power += f.power * bound;
+  simd::store_cell(*task.fields, g, cell.index, task.region->count, bound * f.rho_x, bound * f.rho_y,
+                   f.slip_x, f.slip_y);
 }
 
 /// One group of strips on its way.
@@ -563,60 +619,57 @@ struct Marching {
   SlipShape slip;  ///< for fields
 };
 
-/// A cell's tractions over the bound and its slip, for the fields.
-struct CellFields {
-  Pack rho_x, rho_y, slip;
-};
-
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-WRC_IN_LOOP CellFields settle(const Cell& cell, Mask moves, Moved& moved, Marching& m,
-                              Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP void settle(const StripFastsimTask& task, const Cell& cell, Mask moves, Moved& moved, Marching& m,
+                        Derivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
-  end_step<entering>(cell, moves, moved, m.state, m.sums);
+  if constexpr (entering) moved.shape = stick_shape<sensitivities>(m.group, cell, m.stick);
+  end_step<entering>(m.group, cell, moves, moved, m.state, m.sums);
   if constexpr (sensitivities)
     differentiate<entering>(m.group, cell, moves, before, m.state, moved, derivative);
-  if constexpr (output != Output::fields) return {};
-  const Pack rho_x = m.state.x(), rho_y = m.state.y();
-  if ((cell.index & 1) == 0 || cell.index == m.group.all_stick) enter_pair(cell, m.slip);
-  Pack slip = slip_size(m.group, m.slip, cell, rho_x, rho_y);
-  if constexpr (entering) slip = moved.part * slip;
-  if (entering || moved.any_sticks) slip = select(moved.slips, slip, 0.0);
-  return {rho_x, rho_y, slip};
+  [[maybe_unused]] StickCell stuck;
+  if constexpr (entering)
+    stuck = stick<true, sensitivities>(m.group, cell, moves, moved.shape, output == Output::fields, m.stick,
+                                       m.sums, derivative);
+  if constexpr (output == Output::fields) {
+    const Pack x = m.state.x(), y = m.state.y();
+    if ((cell.index & 1) == 0 || cell.index == m.group.all_stick) enter_pair(cell, m.slip);
+    Pack slip = slip_size(m.group, m.slip, cell, x, y);
+    if constexpr (entering) slip = moved.part * slip;
+    if (entering || moved.any_sticks) slip = select(moved.slips, slip, 0.0);
+    CellFields f{moved.x, moved.y, 0.0 - slip * x, 0.0 - slip * y, slip};
+    if constexpr (entering) {
+      f.power = select(moved.shape.s > 0.0, slip * (moved.x * x + moved.y * y), slip);
+      f.rho_x = select(moves, moved.x, stuck.x);
+      f.rho_y = select(moves, moved.y, stuck.y);
+    }
+    store_cell(task, m.group, cell, f, m.sums);
+  }
 }
 
-/// A cell of a group: its part in the first stick zone, the step of lanes that move, derivatives, fields.
-template <bool sticking, bool moving, Output output>
-WRC_IN_LOOP void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
+/// A cell in the first stick zones of all strips of a group.
+template <Output output>
+WRC_IN_LOOP void stay(const StripFastsimTask& task, const Cell& cell, Marching& m,
                       Derivative (&derivative)[inputs]) {
   constexpr bool fields = output == Output::fields, sensitivities = output == Output::sensitivities;
-  const Group& g = m.group;
-  const Mask moves = g.stick_cells <= Pack(cell.index);
-  CellFields of_cell{0.0, 0.0, 0.0};
-  if constexpr (moving) {
-    Moved moved = begin_step<sticking>(g, cell, moves, m.state);
-    turn(moved.turn);
-    of_cell = settle<sticking, output>(cell, moves, moved, m, derivative);
-  }
-  if constexpr (sticking) {
-    const StickCell stuck = stick<sensitivities>(g, cell, fields, m.stick, m.sums, derivative);
-    if constexpr (fields) {
-      of_cell.rho_x = select(moves, of_cell.rho_x, stuck.x);
-      of_cell.rho_y = select(moves, of_cell.rho_y, stuck.y);
-    }
-  }
-  if constexpr (fields) store_cell(task, g, cell, of_cell.rho_x, of_cell.rho_y, of_cell.slip, m.sums);
+  const Mask none = Pack(0.0) < Pack(0.0);
+  const StickShape shape = stick_shape<sensitivities>(m.group, cell, m.stick);
+  const StickCell stuck =
+      stick<false, sensitivities>(m.group, cell, none, shape, fields, m.stick, m.sums, derivative);
+  if constexpr (fields) store_cell(task, m.group, cell, {stuck.x, stuck.y, 0.0, 0.0, 0.0}, m.sums);
 }
 
-/// What follows the turn in a cell of a group all of whose strips move.
-template <Output output>
-WRC_IN_LOOP void finish(const StripFastsimTask& task, const Cell& cell, Mask all, Moved& moved, Marching& m,
-                        Derivative (&derivative)[inputs]) {
-  const CellFields of_cell = settle<false, output>(cell, all, moved, m, derivative);
-  if constexpr (output == Output::fields)
-    store_cell(task, m.group, cell, of_cell.rho_x, of_cell.rho_y, of_cell.slip, m.sums);
+/// A cell of a group in which strips move.
+template <bool entering, Output output>
+WRC_IN_LOOP void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
+                      Derivative (&derivative)[inputs]) {
+  const Mask moves = m.group.stick_cells <= Pack(cell.index);
+  Moved moved = begin_step<entering>(m.group, cell, moves, m.state);
+  turn(moved.turn);
+  settle<entering, output>(task, cell, moves, moved, m, derivative);
 }
 
 /// A cell of two groups all of whose strips move.
@@ -627,8 +680,8 @@ WRC_IN_LOOP void move_both(const StripFastsimTask& task, const Cell& cell, March
   Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
   Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);
   turn(first.turn, second.turn);
-  finish<output>(task, cell, all, first, m[0], derivative[0]);
-  finish<output>(task, cell, all, second, m[1], derivative[1]);
+  settle<false, output>(task, cell, all, first, m[0], derivative[0]);
+  settle<false, output>(task, cell, all, second, m[1], derivative[1]);
 }
 
 }  // namespace strip
@@ -696,11 +749,11 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
         strip::Marching& m = marching[k];
         strip::Derivative(&d)[inputs] = derivative[k];
         if (i >= m.group.all_move)
-          strip::move<false, true, output>(task, cell, m, d);
+          strip::move<false, output>(task, cell, m, d);
         else if (i >= m.group.all_stick)
-          strip::move<true, true, output>(task, cell, m, d);
+          strip::move<true, output>(task, cell, m, d);
         else
-          strip::move<true, false, output>(task, cell, m, d);
+          strip::stay<output>(task, cell, m, d);
       }
     }
     for (std::int32_t k = 0; k < groups; ++k) {
