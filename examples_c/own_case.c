@@ -38,7 +38,13 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
               path, number_of_line);
       exit(EXIT_FAILURE);
     }
-    if (found != 2) continue; /* a heading or a comment */
+    const char first = line[strspn(line, " \r\n")];
+    const int comment = first == '\0' || strchr("#%!/", first) != NULL;
+    if (found == 1 || (found <= 0 && count > 0 && !comment)) {
+      fprintf(stderr, "%s, line %u: not a point; give y and z, comments behind #\n", path, number_of_line);
+      exit(EXIT_FAILURE);
+    }
+    if (found != 2) continue; /* a heading above the points, a comment, an empty line */
     if (count == MOST_POINTS) {
       fprintf(stderr, "%s has more than %d points\n", path, MOST_POINTS);
       exit(EXIT_FAILURE);

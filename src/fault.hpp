@@ -16,7 +16,7 @@ struct Fault {
   const char* field = nullptr;   ///< what is wrong, by the name the caller knows ("load.normal_force")
   double value = 0.0;            ///< its value, in `unit`
   const char* unit = nullptr;    ///< nullptr: the fault is not about a number
-  double low = 0.0, high = 0.0;  ///< allowed range; low >= high: there is none to name
+  double low = 0.0, high = 0.0;  ///< allowed range, or the one allowed value; 0, 0: none to name
   const char* cause = nullptr;   ///< likely cause or remedy, a short clause ("did you pass kN?")
 
   bool failed() const { return status < 0; }

@@ -373,8 +373,8 @@ typedef struct wrc_patch {
   double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
   double normal_force;  /**< compressive positive, damping included [N] */
   double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
-  double stiffness;     /**< d normal_force / d approach [N/m]; d normal_force / d approach_velocity is
-                             3/2 load.damping * (normal_force - damping_force) [N s/m] */
+  double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %;
+                             d normal_force / d approach_velocity is 3/2 load.damping * (normal_force - damping_force) [N s/m] */
   double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
@@ -739,8 +739,8 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param creepage at the origin of the contact frame
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction
- * zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces are
+ * usable); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
@@ -763,7 +763,8 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
 /** Derivatives of the forces of the last wrc_tangential (or wrc_step) with respect to creepages, load and friction, for
  * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
  * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and slip;
- * there it is the derivative from one side. FaStrip, modified FASTSIM, WRC_TANGENTIAL_COARSE_HALFSPACE and _TABLE, single
+ * there it is the derivative from one side. Where strips stick a second time, which takes large spin, it jumps there by
+ * up to 0.5 % of friction x load of one strip. FaStrip, modified FASTSIM, WRC_TANGENTIAL_COARSE_HALFSPACE and _TABLE, single
  * and blended flexibilities, and friction that falls with speed have central differences instead, with steps of a
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact

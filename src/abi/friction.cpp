@@ -71,9 +71,8 @@ Fault read_friction(const wrc_friction* theirs, Friction& friction) {
       check(ours.kinetic_ratio, "friction.kinetic_ratio", "", 0.0, 1.0, nullptr,
             "it is a share of the coefficient at rest"),
       check(ours.fall_rate, "friction.fall_rate", "s/m", 0.0, 1e3, "friction falls with positive rates"),
-      ours.kind == WRC_FRICTION_STATIC_KINETIC
-          ? check(ours.half_speed, "friction.half_speed", "m/s", 1e-6, 1e2)
-          : Fault{},
+      check(ours.half_speed, "friction.half_speed", "m/s",
+            ours.kind == WRC_FRICTION_STATIC_KINETIC ? 1e-6 : 0.0, 1e2),
       check(ours.slope_reduction, "friction.slope_reduction", "", 1e-2, 1.0, "clean bodies have 1",
             "clean bodies have 1; did you pass per cent?"),
       check(ours.slope_limit, "friction.slope_limit", "", 0.0, 1.0),

@@ -91,7 +91,11 @@ void write_sentence(const Fault& fault, char* text, std::size_t size) {
       out.add(fault.value);
       out.add_unit(fault.unit);
     }
-    if (fault.low < fault.high) {
+    if (fault.low == fault.high && fault.high > 0.0) {
+      out.add(" is not ");
+      out.add(fault.high);
+      out.add_unit(fault.unit);
+    } else if (fault.low < fault.high) {
       out.add(" is outside ");
       out.add(fault.low);
       out.add(" .. ");

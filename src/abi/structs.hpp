@@ -75,7 +75,7 @@ Fault check_size(const Struct& theirs) {
       .value = static_cast<double>(theirs.struct_size),
       .unit = "bytes",
       .low = static_cast<double>(Version<Struct>::first),
-      .high = static_cast<double>(sizeof(Struct)) + 0.5,  // the only allowed size is a range too
+      .high = static_cast<double>(sizeof(Struct)),
       .cause = "set struct_size = sizeof the struct before its init; is the library older than the header?"};
 }
 

@@ -165,7 +165,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
               .unit = "m",
               .low = 0.0,
               .high = ceiling,
-              .cause = "the gap given is too narrow"};
+              .cause = "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
     settle(problem.approach);
     return {};
   }
@@ -173,6 +173,13 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   const Fault capped = {.status = WRC_FLAG_ITERATION_CAP,
                         .field = "max_iterations",
                         .value = static_cast<double>(problem.max_iterations)};
+  const Fault leaps = {.status = WRC_FLAG_ITERATION_CAP,
+                       .field = "load.normal_force",
+                       .value = problem.normal_force,
+                       .unit = "N",
+                       .cause =
+                           "no approach carries it: this method's load leaps as the patch grows; the patch "
+                           "beyond is scaled to it, and more iterations do not help"};
   const double target = problem.normal_force;
   const double x_target = straightened(target);
   const auto scale_to_target = [&](double from) {
@@ -206,7 +213,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
                 .unit = "N",
                 .low = 0.0,
                 .high = trial.normal_force,
-                .cause = "the gap given is too narrow to carry it"};
+                .cause = "the gap given, or the profiles, are too narrow to carry it"};
       low = trial;
     } else {
       high = trial;
@@ -237,7 +244,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
         solution.stiffness = run > probe * high.approach && rise > 0.0 ? rise / run : chord;
         if (!join_gradually({before.span, before.normal_force}, target, strips)) {
           scale_to_target(after.normal_force);
-          return capped;
+          return leaps;
         }
         solution.normal_force = target;
         return {};

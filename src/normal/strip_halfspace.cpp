@@ -215,7 +215,8 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
             .field = load ? "normal_force" : "approach",
             .value = load ? problem.normal_force : problem.approach,
             .unit = load ? "N" : "m",
-            .cause = "the gap given is too narrow"};
+            .cause = load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
+                          : "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
 
   remember(s, start);
   solution.normal_force = hand_out(s, problem.strips, strips);
