@@ -159,9 +159,10 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
   }
   const double width = y[count - 1] - y[0];
   if (width < profile_width_least || width > profile_width_most) {
-    Fault fault =
-        unusable(name.points, width,
-                 width < profile_width_least ? "the profile is too short; are its points in the unit expected?" : "did you pass millimetres?");
+    Fault fault = unusable(name.points, width,
+                           width < profile_width_least
+                               ? "the profile is too short; are its points in the unit expected?"
+                               : "did you pass millimetres?");
     fault.low = profile_width_least;
     fault.high = profile_width_most;
     return fault;
