@@ -442,7 +442,7 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
   const Pack kept = slope.kept - (slope.by_x * elastic_y + slope.by_y * elastic_x) + slope.by_d * d_by_angle;
   const Pack ahead_by_angle =
       slope.ahead_by_d * d_by_angle - (slope.ahead_by_x * elastic_y + slope.ahead_by_y * elastic_x);
-  [[maybe_unused]] Pack by_ratio, ahead_by_ratio;
+  Pack by_ratio = zero, ahead_by_ratio = zero;
   if (before.stuck) {
     const Pack x = elastic * before.ex, y = elastic * before.ey;
     const Pack d = bounds * (g.t11 * (moved.rho_x * before.ex) + g.t22 * (moved.rho_y * before.ey));
