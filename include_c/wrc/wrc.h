@@ -374,7 +374,8 @@ typedef struct wrc_patch {
   double normal_force;  /**< compressive positive, damping included [N] */
   double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
   double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %;
-                             d normal_force / d approach_velocity is 3/2 load.damping * (normal_force - damping_force) [N s/m] */
+                             d normal_force / d approach_velocity is 3/2 load.damping * (normal_force -
+                             damping_force) [N s/m] */
   double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
@@ -718,8 +719,8 @@ WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wr
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES,
- * _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
+ * _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
  * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
@@ -739,8 +740,9 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param creepage at the origin of the contact frame
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces are
- * usable); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
+ * are usable); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
+ * wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
@@ -769,13 +771,14 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential).
- * @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (as wrc_tangential()); WRC_ERROR_NULL, _STRUCT_SIZE,
+ * _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
 WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
  * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
- * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held. Nothing in the contact changes, fields included.
+ * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held. Nothing
+ * in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
  * @return WRC_OK; the flags of wrc_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential, or on strips or a

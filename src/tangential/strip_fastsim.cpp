@@ -183,7 +183,7 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
 /// rounding, or none, as far from rest as makes 1e-8 of what friction allows. Forces are linear up to there.
 Creepage away_from_rest(const RollingContact& contact) {
   constexpr double least = 1e-8;
-  Creepage c = contact.creepage;
+  const Creepage& c = contact.creepage;
   const double ab = contact.a * contact.b;
   const double level = contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
   const double size =

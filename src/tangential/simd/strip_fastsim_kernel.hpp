@@ -413,8 +413,7 @@ WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, Moved& 
   s.ahead = ahead;
   moved.x = s.x();
   moved.y = s.y();
-  if constexpr (entering) {  // strips still in their first stick zone have the direction in which slip sets
-                             // in
+  if constexpr (entering) {  // the first stick zone's part of the cell in which it ends
     const Pack near = one - moved.shape.s;
     moved.x = near * moved.x;
     moved.y = near * moved.y + g.psi * moved.shape.s;
@@ -683,10 +682,6 @@ WRC_IN_LOOP void move_both(const StripFastsimTask& task, const Cell& cell, March
   settle<false, output>(task, cell, all, first, m[0], derivative[0]);
   settle<false, output>(task, cell, all, second, m[1], derivative[1]);
 }
-
-}  // namespace strip
-
-namespace strip {
 
 /// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi) [N].
 inline double balance_of_power(const StripFastsimTask& task, const simd::Sums& total) {
