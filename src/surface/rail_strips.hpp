@@ -1,0 +1,35 @@
+/// The cross section of a rail cut into strips, once: their places never depend on a pose, so nothing about them
+/// can jump.
+#pragma once
+
+#include <cstdint>
+
+#include "surface/curve.hpp"
+
+namespace wrc {
+
+/// Strips by increasing arc length, touching each other. Rail axes: origin of the rail's profile, y to the field
+/// side, z down.
+struct RailStrips {
+  std::int32_t count = 0;
+  const double* s = nullptr;      ///< arc length at the middle [m]
+  const double* width = nullptr;  ///< along the arc [m]
+  const double *y = nullptr, *z = nullptr;    ///< the middle [m]
+  const double *ty = nullptr, *tz = nullptr;  ///< unit tangent, by increasing arc length; the normal into the rail is
+                                              ///< (-tz, ty)
+  std::int32_t reach = 0;            ///< strips to each side that count in a smoothed level
+  const double* smoothing = nullptr;  ///< reach weights behind and before each strip: [j * (2 reach + 1) + reach + k]
+};
+
+/// Strip width where a rail's surface is so curved, and for how finely contact is wanted [m].
+struct StripWidths {
+  double widest = 0.4e-3, narrowest = 0.2e-3;
+};
+
+std::int32_t most_rail_strips(const Curve& rail, const StripWidths& widths);
+std::int64_t rail_strip_doubles(std::int32_t strips);
+
+/// Cuts the whole curve, in `memory` of rail_strip_doubles(most_rail_strips()) doubles.
+Fault cut_rail(const Curve& rail, const StripWidths& widths, double* memory, RailStrips& strips);
+
+}  // namespace wrc

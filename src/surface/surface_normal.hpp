@@ -1,0 +1,56 @@
+/// Normal contact on the curved surface: strips of semi-elliptic pressure in half-space equilibrium.
+///
+/// Strip j carries p_j(x) = lambda_j sqrt(L_j - (x - c_j)^2), L_j = l_j^2 >= 0 its squared half length, lambda_j its
+/// level, and the load N_j = pi/2 w_j lambda_j L_j along its own normal n_j.
+///
+///   contact   u_i = sum_j C w_j lambda_j l_j J(|s_i - s_j| / l_j, (c_i - c_j) / l_j) cos(a_i - a_j) = depth_i where L_i > 0
+///             u_i >= depth_i where L_i = 0
+///   edges     over the half length the displacement falls by kappa_i/2 l_i^2; the level that makes it so is smoothed
+///             over the strips beside, weighted by their loads: a strip that enters has weight zero
+///
+/// Unknowns enter at L = 0 and leave there, on strips that never move, so the solution is a continuous function of the
+/// depths: of the pose. Distances are arc lengths; the cosine between two strips' directions is all that turning does
+/// to equal materials.
+#pragma once
+
+#include <cstdint>
+
+#include "normal/strip_kernel.hpp"
+#include "surface/overlap.hpp"
+
+namespace wrc {
+
+/// A solution over the strips of the rail, from which the next solve may start.
+struct SurfaceStart {
+  double* length_squared = nullptr;  ///< for every strip of the rail [m^2]
+  double* shift = nullptr;           ///< c_j less the overlap's centre [m]
+  bool set = false;
+};
+
+struct SurfaceNormalOptions {
+  std::int32_t max_sweeps = 60;
+  double tolerance = 1e-8;  ///< part of the area still to be moved at which sweeps end
+};
+
+/// Arrays over the candidates (Overlaps), in the caller's memory.
+struct SurfacePressure {
+  double* length_squared = nullptr;  ///< L [m^2]; 0: not in contact
+  double* level = nullptr;           ///< lambda [Pa/m]
+  double* centre = nullptr;          ///< c [m]
+  double* strength = nullptr;        ///< q = lambda L [Pa m]; N = pi/2 w q
+};
+
+std::int64_t surface_normal_doubles(std::int32_t most_strips);
+
+struct SurfaceNormalResult {
+  std::int32_t sweeps = 0;
+  bool converged = false;
+};
+
+/// Solves at the depths given. `start` is read where it is set, and left with the solution. `workspace` has
+/// surface_normal_doubles() doubles.
+SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& overlaps, const StripKernel& kernel,
+                                         double compliance, const SurfaceNormalOptions& options, double* workspace,
+                                         SurfaceStart& start, const SurfacePressure& pressure) noexcept;
+
+}  // namespace wrc
