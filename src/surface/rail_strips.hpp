@@ -21,15 +21,16 @@ struct RailStrips {
   const double* smoothing = nullptr;  ///< reach weights behind and before each strip: [j * (2 reach + 1) + reach + k]
 };
 
-/// Strip width where a rail's surface is so curved, and for how finely contact is wanted [m].
+/// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is nearly flat [m].
 struct StripWidths {
-  double widest = 0.4e-3, narrowest = 0.2e-3;
+  double narrowest = 0.2e-3, widest = 0.4e-3;
+  double sharp = 0.020, flat = 0.060;  ///< radii of curvature up to and from which they hold [m]
 };
 
-std::int32_t most_rail_strips(const Curve& rail, const StripWidths& widths);
+/// Doubles of memory for so many strips.
 std::int64_t rail_strip_doubles(std::int32_t strips);
 
-/// Cuts the whole curve, in `memory` of rail_strip_doubles(most_rail_strips()) doubles.
-Fault cut_rail(const Curve& rail, const StripWidths& widths, double* memory, RailStrips& strips);
+/// Cuts the whole curve into at most `most` strips, in `memory` of rail_strip_doubles(most) doubles.
+Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory, RailStrips& strips);
 
 }  // namespace wrc

@@ -96,7 +96,8 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
   constexpr std::int32_t most_active = 1024;
   std::int32_t active[most_active];
   bool in[most_active];
-  std::int32_t kept = 0;
+  std::int32_t kept = 0, since = 0, slow = 0;
+  double moved_before = 1e300;
   for (std::int32_t i = 0; i < n; ++i) in[i] = p.length_squared[i] > 0.0;
 
   for (std::int32_t sweep = 0; sweep < options.max_sweeps; ++sweep) {
@@ -232,6 +233,10 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
     }
     // Anderson
     const std::int32_t depth = getenv("ANDERSON") ? atoi(getenv("ANDERSON")) : memory_of_sweeps;
+    // where acceleration does not pay it starts anew
+    if (moved > 0.7 * moved_before) slow += 1; else slow = 0;
+    if (slow >= 2) { since = 0; slow = 0; }
+    moved_before = moved;
     const std::int32_t slot = sweep % (memory_of_sweeps + 1), both = skewed ? 2 * n : n;
     double* const x = w.history_x[slot];
     double* const f = w.history_f[slot];
@@ -244,7 +249,8 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
       f[n + i] = w.shift_residual[i];
     }
     for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + f[i];
-    const std::int32_t used = std::min({sweep, depth, memory_of_sweeps});
+    const std::int32_t used = std::min({since, depth, memory_of_sweeps});
+    ++since;
     if (used > 0) {
       double G[memory_of_sweeps * memory_of_sweeps], g[memory_of_sweeps];
       const auto product = [&](const double* fa, const double* fb) {

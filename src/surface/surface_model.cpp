@@ -1,0 +1,63 @@
+#include "surface/surface_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "elementary.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr std::size_t whole_lines(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+}  // namespace
+
+std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes) {
+  const auto doubles = static_cast<std::size_t>(curve_doubles(wheel_nodes) + curve_doubles(rail_nodes) +
+                                                rail_strip_doubles(most_strips_of_a_rail) +
+                                                2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)));
+  return whole_lines(sizeof(SurfaceModel)) + sizeof(double) * doubles;
+}
+
+std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
+
+Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& made) {
+  auto* const model = new (memory) SurfaceModel;
+  auto* doubles = reinterpret_cast<double*>(static_cast<char*>(memory) + whole_lines(sizeof(SurfaceModel)));
+  double* const wheel = doubles;
+  double* const rail = wheel + curve_doubles(bodies.wheel.count);
+  double* const strips = rail + curve_doubles(bodies.rail.count);
+  double* const y = strips + rail_strip_doubles(most_strips_of_a_rail);
+  double* const z = y + std::max(bodies.wheel.count, bodies.rail.count);
+
+  for (std::int32_t i = 0; i < bodies.wheel.count; ++i) z[i] = bodies.nominal_radius + bodies.wheel.z[i];
+  Fault fault = make_curve(bodies.wheel.count, bodies.wheel.y, z, wheel, model->wheel.curve);
+  if (fault.failed()) return fault;
+  const double c = 1.0 / std::sqrt(1.0 + bodies.rail_inclination * bodies.rail_inclination);
+  const double s = bodies.rail_inclination * c;
+  for (std::int32_t i = 0; i < bodies.rail.count; ++i) {
+    y[i] = c * bodies.rail.y[i] + s * bodies.rail.z[i];
+    z[i] = c * bodies.rail.z[i] - s * bodies.rail.y[i];
+  }
+  fault = make_curve(bodies.rail.count, y, z, rail, model->rail_curve);
+  if (fault.failed()) return fault;
+  fault = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, strips, model->rail);
+  if (fault.failed()) return fault;
+  model->rail_origin_y = bodies.rail_origin_y;
+  model->rail_origin_z = bodies.rail_origin_z;
+  model->material = bodies.material;
+  model->kernel = bodies.kernel;
+  model->coefficients = bodies.coefficients;
+  model->grid = bodies.grid;
+  made = model;
+  return {};
+}
+
+double strip_angle(const SurfaceModel& model, std::int32_t strip) {
+  // the half angle's tangent: right for faces beyond the vertical too
+  const double ty = model.rail.ty[strip], tz = model.rail.tz[strip];
+  return 2.0 * arctangent(tz / (1.0 + ty + 1e-300));
+}
+
+}  // namespace wrc
