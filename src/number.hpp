@@ -5,6 +5,7 @@
 namespace wrc {
 
 inline double root(double a) { return __builtin_sqrt(a); }  // the instruction: with every set the same bits
+inline double magnitude(double a) { return a < 0.0 ? -a : a; }
 inline double larger(double a, double b) { return a > b ? a : b; }
 inline double smaller(double a, double b) { return a < b ? a : b; }
 inline double select(bool which, double yes, double no) { return which ? yes : no; }

@@ -3,15 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
-
 namespace wrc {
 namespace {
-
-/// The level is smoothed over arc length by a Gaussian of this half width [m], cut off `reach` of it away; the tail
-/// leads a lone strip to what is next to it.
-constexpr double smoothing_length = 0.3e-3, tail_length = 2e-3, tail = 1e-7, smoothing_reach = 6.0;
-constexpr std::int32_t most_reach = 10;  // strips
 
 /// Curvature is looked at over this length to both sides: roughness of measured points must not show in the widths.
 constexpr double looked_over = 3e-3;
@@ -40,13 +33,13 @@ double width_at(const Curve& rail, const StripWidths& widths, double s) {
 }  // namespace
 
 std::int64_t rail_strip_doubles(std::int32_t strips) {
-  return static_cast<std::int64_t>(strips) * (6 + 2 * most_reach + 1);
+  return 6 * static_cast<std::int64_t>(strips);
 }
 
 Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory, RailStrips& strips) {
   strips = {};
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
-                *const ty = z + most, *const tz = ty + most, *const smoothing = tz + most;
+                *const ty = z + most, *const tz = ty + most;
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   // The widths wanted, added up along the curve: so many strips as that gives, all scaled alike to end where it ends.
   const auto count_from = [&](double scale) {
@@ -77,21 +70,7 @@ Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, 
     at += w;
     ++n;
   }
-  double narrowest = width[0];
-  for (std::int32_t j = 1; j < n; ++j) narrowest = std::min(narrowest, width[j]);
-  const std::int32_t reach =
-      std::min(most_reach, static_cast<std::int32_t>(smoothing_reach * smoothing_length / narrowest) + 1);
-  for (std::int32_t j = 0; j < n; ++j)
-    for (std::int32_t k = -reach; k <= reach; ++k) {
-      double weight = 0.0;
-      if (j + k >= 0 && j + k < n) {
-        const double apart = std::abs(s[j + k] - s[j]);
-        const double q = apart / smoothing_length;
-        weight = width[j + k] * (natural_exp(-0.5 * q * q) + tail * natural_exp(-apart / tail_length));
-      }
-      smoothing[j * (2 * reach + 1) + reach + k] = weight;
-    }
-  strips = {n, s, width, y, z, ty, tz, reach, smoothing};
+  strips = {n, s, width, y, z, ty, tz};
   return {};
 }
 

@@ -17,8 +17,6 @@ struct RailStrips {
   const double *y = nullptr, *z = nullptr;    ///< the middle [m]
   const double *ty = nullptr, *tz = nullptr;  ///< unit tangent, by increasing arc length; the normal into the rail is
                                               ///< (-tz, ty)
-  std::int32_t reach = 0;            ///< strips to each side that count in a smoothed level
-  const double* smoothing = nullptr;  ///< reach weights behind and before each strip: [j * (2 reach + 1) + reach + k]
 };
 
 /// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is nearly flat [m].

@@ -2,294 +2,403 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "elementary.hpp"
+#include "number.hpp"
 
 namespace wrc {
 namespace {
 
 /// Half lengths below this part of a strip's width count as it: a strip that enters has a place and no length.
 constexpr double least_half_length = 0.02;
-constexpr std::int32_t memory_of_sweeps = 5;  // of Anderson's acceleration
 
-/// Dense equations of n unknowns by elimination without pivoting, rows of `stride`.
-void eliminate(std::int32_t n, std::int64_t stride, double* a, double* b) {
-  for (std::int32_t k = 0; k < n; ++k) {
-    const double inverse = 1.0 / a[k * stride + k];
-    for (std::int32_t i = k + 1; i < n; ++i) {
-      const double f = a[i * stride + k] * inverse;
-      if (f == 0.0) continue;
-      for (std::int32_t c = k + 1; c < n; ++c) a[i * stride + c] -= f * a[k * stride + c];
-      b[i] -= f * b[k];
-    }
-  }
-  for (std::int32_t k = n - 1; k >= 0; --k) {
-    double sum = b[k];
-    for (std::int32_t c = k + 1; c < n; ++c) sum -= a[k * stride + c] * b[c];
-    b[k] = sum / a[k * stride + k];
-  }
-}
+/// Levels are smoothed by (1 - t^2)^3, t the distance over this length [m] or over so many widths, whichever is more.
+constexpr double smoothing_length = 0.75e-3, smoothing_widths = 1.9;
 
-struct Workspace {
-  double *B, *A, *b, *u, *l, *target, *trailing, *leading, *level_wanted, *shift_wanted, *residual, *shift, *shift_residual, *next;
-  double* history_x[memory_of_sweeps + 1];
-  double* history_f[memory_of_sweeps + 1];
+constexpr std::int32_t history = 5;         ///< earlier sweeps the acceleration looks at
+constexpr std::int32_t most_rounds = 20;    ///< of strips entering and leaving within a sweep
+constexpr double longest_shift = 10e-3;     ///< [m]
+constexpr double coarse_tolerance = 1e-2;   ///< of the start on pairs of strips
+constexpr std::int32_t fewest_pairs = 12;
+
+/// Strips a solve works on: candidates, or pairs of them.
+struct Strips {
+  std::int32_t count = 0;
+  double *place, *width, *depth, *curvature, *middle, *ny, *nz;  ///< given; middle: x of the largest overlap
+  double *L, *shift, *level, *q;                                 ///< solution; the centre is middle + shift
 };
 
-}  // namespace
+struct Scratch {
+  Strips fine, coarse;
+  double *matrix, *r, *s;  ///< the elimination's
+  double *place, *centre, *inverse_length, *half_width, *factor, *strength, *ny, *nz;  ///< sources
+  double *row, *l, *wanted_level, *wanted_shift, *residual;  ///< residual: of L, then of the shifts
+  double *x[history + 1], *f[history + 1], *next;
+  std::int32_t* active;
+  std::int32_t* in;
+};
 
-std::int64_t surface_normal_doubles(std::int32_t most) {
-  return 2 * static_cast<std::int64_t>(most) * most + (16 + 4 * (memory_of_sweeps + 1)) * static_cast<std::int64_t>(most) + 64;
+std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
+  double* at = memory;
+  const std::int64_t padded = simd::whole_packs(most) + simd::most_lanes;
+  const auto take = [&at](std::int64_t n) {
+    double* const here = at;
+    at += n;
+    return here;
+  };
+  for (Strips* s : {&w.fine, &w.coarse})
+    for (double** a : {&s->place, &s->width, &s->depth, &s->curvature, &s->middle, &s->ny, &s->nz, &s->L, &s->shift,
+                       &s->level, &s->q})
+      *a = take(padded);
+  const std::int64_t stride = simd::elimination_stride((most + 3) / 4 * 4) + simd::most_lanes;
+  w.matrix = take(stride * ((most + 3) / 4 * 4));
+  w.r = take(stride);
+  w.s = take(stride);
+  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.strength, &w.ny, &w.nz,
+                     &w.row, &w.l, &w.wanted_level, &w.wanted_shift})
+    *a = take(padded);
+  w.residual = take(2 * padded);
+  for (double*& a : w.x) a = take(2 * padded);
+  for (double*& a : w.f) a = take(2 * padded);
+  w.next = take(2 * padded);
+  w.active = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
+  w.in = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
+  return at - memory;
 }
 
-SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o, const StripKernel& kernel,
-                                         double compliance, const SurfaceNormalOptions& options, double* memory,
-                                         SurfaceStart& start, const SurfacePressure& p) noexcept {
-  const std::int32_t n = o.count;
-  SurfaceNormalResult result;
-  if (n == 0) {
-    result.converged = true;
-    return result;
-  }
-  Workspace w{};
-  {
-    const std::int64_t m = o.capacity;
-    double* at = memory;
-    const auto take = [&](std::int64_t doubles) { double* const here = at; at += doubles; return here; };
-    w.B = take(m * m);
-    w.A = take(m * m);
-    w.b = take(m);
-    w.u = take(m);
-    w.l = take(m);
-    w.target = take(m);
-    w.trailing = take(m);
-    w.leading = take(m);
-    w.level_wanted = take(m);
-    w.shift_wanted = take(m);
-    w.residual = take(m);
-    w.shift = take(m);
-    w.shift_residual = take(m);
-    w.next = take(2 * m);
-    for (double*& h : w.history_x) h = take(2 * m);
-    for (double*& h : w.history_f) h = take(2 * m);
-  }
-  double first_centre = o.centre[0];
-  bool skewed = false;
-  for (std::int32_t i = 0; i < n; ++i) skewed = skewed || o.centre[i] != first_centre;
+/// What a solve needs to know throughout.
+struct Problem {
+  const SurfaceKernels& kernels;
+  const NormalKernels& eliminate;
+  simd::SurfaceTables tables;
+  double compliance;
+};
 
-  const auto least = [&](std::int32_t i) {
-    const double l = least_half_length * rail.width[o.strip[i]];
-    return l * l;
-  };
-  bool any = false;
-  if (start.set)
-    for (std::int32_t i = 0; i < n; ++i) any = any || start.length_squared[o.strip[i]] > 0.0;
-  for (std::int32_t i = 0; i < n; ++i) {
-    const std::int32_t j = o.strip[i];
-    p.length_squared[i] = any ? start.length_squared[j] : std::max(o.depth[i], 0.0) / o.curvature[i];
-    w.shift[i] = any ? start.shift[j] : 0.0;
-    p.level[i] = 0.0;
-    p.strength[i] = 0.0;
+/// Least squares a sweep of `history` columns leads to: symmetric, positive, small.
+void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[history]) {
+  for (std::int32_t k = 0; k < n; ++k)
+    for (std::int32_t i = k + 1; i < n; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (std::int32_t c = k; c < n; ++c) a[i][c] -= f * a[k][c];
+      b[i] -= f * b[k];
+    }
+  for (std::int32_t k = n - 1; k >= 0; --k) {
+    for (std::int32_t c = k + 1; c < n; ++c) b[k] -= a[k][c] * b[c];
+    b[k] /= a[k][k];
   }
-  // active set as flags in w.target's stead: strips with L > 0
-  constexpr std::int32_t most_active = 1024;
-  std::int32_t active[most_active];
-  bool in[most_active];
+}
+
+/// The active strips as sources of unit q.
+simd::SurfaceSources list_sources(const Problem& problem, const Strips& s, std::int32_t kept, Scratch& w) {
+  for (std::int32_t a = 0; a < kept; ++a) {
+    const std::int32_t i = w.active[a];
+    const double inverse = 1.0 / w.l[i];
+    w.place[a] = s.place[i];
+    w.centre[a] = s.middle[i] + s.shift[i];
+    w.inverse_length[a] = inverse;
+    w.half_width[a] = 0.5 * s.width[i] * inverse;
+    w.factor[a] = problem.compliance * s.width[i] * inverse;
+    w.ny[a] = s.ny[i];
+    w.nz[a] = s.nz[i];
+  }
+  const std::int64_t end = simd::whole_packs(kept);
+  for (std::int64_t a = kept; a < end; ++a)
+    w.place[a] = w.centre[a] = w.inverse_length[a] = w.half_width[a] = w.factor[a] = w.strength[a] = w.ny[a] = w.nz[a] =
+        0.0;
+  return {kept, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz};
+}
+
+/// Solves the contact condition at the present lengths; strips that would pull leave, strips that would overlap
+/// enter. Returns how many are in contact, whose q stands in w.r.
+std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed, Scratch& w) {
+  std::int32_t kept = 0;
+  for (std::int32_t round = 0; round < most_rounds; ++round) {
+    kept = 0;
+    for (std::int32_t i = 0; i < s.count; ++i)
+      if (w.in[i]) w.active[kept++] = i;
+    if (kept == 0) {
+      std::int32_t deepest = 0;
+      for (std::int32_t i = 1; i < s.count; ++i)
+        if (s.depth[i] > s.depth[deepest]) deepest = i;
+      if (!(s.depth[deepest] > 0.0)) return 0;
+      w.in[deepest] = 1;
+      continue;
+    }
+    const simd::SurfaceSources sources = list_sources(problem, s, kept, w);
+    const std::int32_t size = (kept + 3) / 4 * 4;
+    const std::int64_t stride = simd::elimination_stride(size);
+    for (std::int32_t a = 0; a < size; ++a) {
+      double* const row = w.matrix + a * stride;
+      if (a < kept) {
+        const std::int32_t i = w.active[a];
+        problem.kernels.influence_row(problem.tables, sources, {w.place[a], w.centre[a], w.ny[a], w.nz[a]}, skewed,
+                                      w.row);
+        std::copy_n(w.row, kept, row);
+        for (std::int64_t c = kept; c < stride; ++c) row[c] = 0.0;
+        row[size] = s.depth[i];
+      } else {
+        std::fill_n(row, stride, 0.0);
+        row[a] = 1.0;
+      }
+    }
+    problem.eliminate.eliminate({size, stride, w.matrix, w.r, w.s});
+    bool changed = false;
+    for (std::int32_t i = 0; i < s.count; ++i) {
+      if (w.in[i]) continue;
+      problem.kernels.influence_row(problem.tables, sources,
+                                    {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
+      double u = 0.0;
+      for (std::int32_t a = 0; a < kept; ++a) u += w.row[a] * w.r[a];
+      if (u < s.depth[i] * (1.0 - 1e-12)) {
+        w.in[i] = 1;
+        changed = true;
+      }
+    }
+    for (std::int32_t a = 0; a < kept; ++a)
+      if (w.r[a] < 0.0) {
+        w.in[w.active[a]] = 0;
+        changed = true;
+      }
+    if (!changed) break;
+  }
+  return kept;
+}
+
+/// Levels and centres the edges ask for, smoothed; leaves the residuals of L and of the shifts.
+void look_at_edges(const Problem& problem, const Strips& s, std::int32_t kept, bool skewed, Scratch& w) {
+  std::fill_n(s.q, s.count, 0.0);
+  for (std::int32_t a = 0; a < kept; ++a) s.q[w.active[a]] = w.strength[a] = larger(w.r[a], 0.0);
+  const simd::SurfaceSources unit = list_sources(problem, s, kept, w);
+  for (std::int32_t a = 0; a < kept; ++a) w.factor[a] *= w.strength[a];
+  for (std::int32_t a = 0; a < kept; ++a) {
+    const std::int32_t i = w.active[a];
+    const double l = w.l[i], L = l * l;
+    const auto at = [&](double x) {
+      return problem.kernels.edge_displacement(problem.tables, unit, {w.place[a], x, w.ny[a], w.nz[a]});
+    };
+    const double leading = at(w.centre[a] + l);
+    const double trailing = skewed ? at(w.centre[a] - l) : leading;
+    const double drop = s.depth[i] - 0.5 * (leading + trailing);
+    const double ratio = smaller(larger(drop / (0.5 * s.curvature[i] * L), 0.2), 5.0);
+    w.wanted_level[a] = w.strength[a] / (L * ratio);
+    w.wanted_shift[a] = (trailing - leading) / (2.0 * l * s.curvature[i]);
+  }
+  double* const residual = w.residual;
+  double* const shift_residual = w.residual + s.count;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    residual[i] = -s.L[i];
+    shift_residual[i] = 0.0;
+  }
+  std::int32_t from = 0;
+  for (std::int32_t a = 0; a < kept; ++a) {
+    const std::int32_t i = w.active[a];
+    const double reach = larger(smoothing_length, smoothing_widths * s.width[i]);
+    while (w.place[a] - w.place[from] >= reach) ++from;
+    double weights = 0.0, level = 0.0, shift = 0.0;
+    for (std::int32_t b = from; b < kept; ++b) {
+      const double t = (w.place[b] - w.place[a]) / reach;
+      if (t >= 1.0) break;
+      const double near = 1.0 - t * t;
+      const double weight = near * near * near * s.width[w.active[b]] * w.strength[b];
+      weights += weight;
+      level += weight * w.wanted_level[b];
+      shift += weight * w.wanted_shift[b];
+    }
+    const bool lone = !(weights > 0.0);
+    s.level[i] = lone ? w.wanted_level[a] : level / weights;
+    if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
+    if (skewed) {
+      const double wanted = lone ? w.wanted_shift[a] : shift / weights;
+      shift_residual[i] = smaller(larger(wanted, -longest_shift), longest_shift) - s.shift[i];
+    }
+  }
+}
+
+/// Anderson's acceleration: x + f less what earlier sweeps say about how f changes with x, in w.next.
+void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int32_t sweep, std::int32_t used,
+                Scratch& w) {
+  const auto slot = [sweep](std::int32_t a) { return (sweep - a) % (history + 1); };
+  const double *const x = w.x[slot(0)], *const f = w.f[slot(0)];
+  for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + f[i];
+  if (used == 0) return;
+  double G[history][history], g[history];
+  const auto product = [&](const double* earlier, const double* other) {
+    double lengths = 0.0, shifts = 0.0;
+    for (std::int32_t i = 0; i < n; ++i) lengths += (f[i] - earlier[i]) * other[i];
+    for (std::int32_t i = n; i < both; ++i) shifts += (f[i] - earlier[i]) * other[i];
+    return lengths + shift_weight * shifts;
+  };
+  for (std::int32_t a = 0; a < used; ++a) {
+    const double* const fa = w.f[slot(a + 1)];
+    g[a] = product(fa, f);
+    for (std::int32_t b = 0; b <= a; ++b) G[a][b] = G[b][a] = g[a] - product(fa, w.f[slot(b + 1)]);
+  }
+  for (std::int32_t a = 0; a < used; ++a) G[a][a] = G[a][a] * (1.0 + 1e-10) + 1e-300;
+  solve_small(used, G, g);
+  for (std::int32_t a = 0; a < used; ++a) {
+    const double *const xa = w.x[slot(a + 1)], *const fa = w.f[slot(a + 1)];
+    for (std::int32_t i = 0; i < both; ++i) w.next[i] -= g[a] * ((x[i] - xa[i]) + (f[i] - fa[i]));
+  }
+}
+
+/// Sweeps from the lengths and shifts that stand in `s` to the tolerance.
+SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tolerance, std::int32_t max_sweeps,
+                             Scratch& w) {
+  SurfaceNormalResult result;
+  const std::int32_t n = s.count;
+  bool skewed = false;
+  for (std::int32_t i = 1; i < n; ++i) skewed = skewed || s.middle[i] != s.middle[0];
+  const std::int32_t both = skewed ? 2 * n : n;
+  for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300;
-  for (std::int32_t i = 0; i < n; ++i) in[i] = p.length_squared[i] > 0.0;
-
-  for (std::int32_t sweep = 0; sweep < options.max_sweeps; ++sweep) {
+  for (std::int32_t sweep = 0; sweep < max_sweeps; ++sweep) {
     ++result.sweeps;
     for (std::int32_t i = 0; i < n; ++i) {
-      w.l[i] = std::sqrt(std::max(p.length_squared[i], least(i)));
-      p.centre[i] = o.centre[i] + w.shift[i];
+      const double least = least_half_length * s.width[i];
+      w.l[i] = root(larger(s.L[i], least * least));
     }
-    // influence of all on all, columns of strips that may be active
-    for (std::int32_t i = 0; i < n; ++i) {
-      const std::int32_t a = o.strip[i];
-      for (std::int32_t k = 0; k < n; ++k) {
-        const std::int32_t b = o.strip[k];
-        const double l = w.l[k];
-        double seen;
-        if (i == k) {
-          seen = kernel.own_middle(0.5 * rail.width[b] / l);
-        } else {
-          const double inverse = 1.0 / l;
-          const double tau = std::abs(rail.s[a] - rail.s[b]) * inverse;
-          const double xi = std::abs(p.centre[i] - p.centre[k]) * inverse;
-          seen = xi == 0.0 ? kernel.middle_plane(tau) : kernel.at(tau, xi);
-          const double tau2 = tau * tau;
-          const double to_end = std::sqrt(1.0 + tau2), inverse_cube = 1.0 / (tau2 * to_end);
-          const double half = 0.5 * rail.width[b] * inverse, square = half * half;
-          const double t2 = square * (inverse_cube * to_end);
-          const double flat = std::sqrt(std::max(0.0, 1.0 - xi * xi));
-          if (tau < 10.0 * 2.0 * half) seen += flat * 2.0 * square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 * (1.0 / 42.0)));
-          seen *= o.ny[i] * o.ny[k] + o.nz[i] * o.nz[k];
-        }
-        w.B[i * o.capacity + k] = compliance * rail.width[b] * seen / l;
-      }
-    }
-    // contact
-    for (std::int32_t round = 0; round < 20; ++round) {
-      kept = 0;
-      for (std::int32_t i = 0; i < n; ++i)
-        if (in[i]) active[kept++] = i;
-      if (kept == 0) {
-        std::int32_t deepest = 0;
-        for (std::int32_t i = 1; i < n; ++i)
-          if (o.depth[i] > o.depth[deepest]) deepest = i;
-        if (!(o.depth[deepest] > 0.0)) break;
-        in[deepest] = true;
-        continue;
-      }
-      for (std::int32_t i = 0; i < kept; ++i) {
-        for (std::int32_t k = 0; k < kept; ++k) w.A[i * o.capacity + k] = w.B[active[i] * o.capacity + active[k]];
-        w.b[i] = o.depth[active[i]];
-      }
-      eliminate(kept, o.capacity, w.A, w.b);
-      bool changed = false;
-      for (std::int32_t i = 0; i < n; ++i) {
-        if (in[i]) continue;
-        double u = 0.0;
-        for (std::int32_t k = 0; k < kept; ++k) u += w.B[i * o.capacity + active[k]] * w.b[k];
-        if (u < o.depth[i] - 1e-15) changed = in[i] = true;
-      }
-      for (std::int32_t i = 0; i < kept; ++i)
-        if (w.b[i] < 0.0) {
-          in[active[i]] = false;
-          changed = true;
-        }
-      if (!changed) break;
-    }
+    kept = solve_contact(problem, s, skewed, w);
     if (kept == 0) break;
-    // edges
-    std::fill_n(p.strength, n, 0.0);
-    for (std::int32_t i = 0; i < kept; ++i) p.strength[active[i]] = std::max(w.b[i], 0.0);
-    const auto displacement = [&](std::int32_t i, double x) {
-      double u = 0.0;
-      for (std::int32_t k = 0; k < kept; ++k) {
-        const std::int32_t j = active[k];
-        const double inverse = 1.0 / w.l[j];
-        const double seen =
-            j == i ? kernel.own_edge(0.5 * rail.width[o.strip[j]] * inverse)
-                   : kernel.at(std::abs(rail.s[o.strip[i]] - rail.s[o.strip[j]]) * inverse,
-                               std::abs(x - p.centre[j]) * inverse) *
-                         (o.ny[i] * o.ny[j] + o.nz[i] * o.nz[j]);
-        u += compliance * rail.width[o.strip[j]] * seen * p.strength[j] * inverse;
-      }
-      return u;
-    };
-    for (std::int32_t k = 0; k < kept; ++k) {
-      const std::int32_t i = active[k];
-      const double l = w.l[i], L = l * l;
-      w.leading[i] = displacement(i, p.centre[i] + l);
-      w.trailing[i] = skewed ? displacement(i, p.centre[i] - l) : w.leading[i];
-      const double drop = o.depth[i] - 0.5 * (w.leading[i] + w.trailing[i]);
-      const double ratio = std::clamp(drop / (0.5 * o.curvature[i] * L), 0.2, 5.0);
-      w.level_wanted[i] = (p.strength[i] / L) / ratio;
-      w.shift_wanted[i] = (w.trailing[i] - w.leading[i]) / (2.0 * l * o.curvature[i]);
-    }
+    look_at_edges(problem, s, kept, skewed, w);
     double moved = 0.0, area = 0.0;
+    const double *const f = w.residual, *const shifted = w.residual + n;
     for (std::int32_t i = 0; i < n; ++i) {
-      w.residual[i] = -p.length_squared[i];
-      w.shift_residual[i] = 0.0;
+      moved += s.width[i] * (magnitude(f[i]) + magnitude(shifted[i]) * w.l[i]);
+      area += s.width[i] * (s.L[i] + f[i]);
     }
-    for (std::int32_t k = 0; k < kept; ++k) {
-      const std::int32_t i = active[k], a = o.strip[i];
-      double weight = 0.0, level = 0.0, shift = 0.0;
-      const double* const row = rail.smoothing + a * (2 * rail.reach + 1) + rail.reach;
-      for (std::int32_t q = 0; q < kept; ++q) {
-        const std::int32_t j = active[q], apart = o.strip[j] - a;
-        if (apart < -rail.reach || apart > rail.reach) continue;
-        const double here = row[apart] * p.strength[j];
-        weight += here;
-        level += here * w.level_wanted[j];
-        shift += here * w.shift_wanted[j];
-      }
-      if (!(weight > 0.0)) {
-        level = w.level_wanted[i];
-        shift = w.shift_wanted[i];
-        weight = 1.0;
-      }
-      p.level[i] = level / weight;
-      const double wanted = p.strength[i] / p.level[i];
-      w.residual[i] += wanted;
-      if (skewed) w.shift_residual[i] = std::clamp(shift / weight, -10e-3, 10e-3) - w.shift[i];
-    }
-    for (std::int32_t i = 0; i < n; ++i) {
-      moved += std::abs(w.residual[i]) + std::abs(w.shift_residual[i]) * w.l[i];
-      area += p.length_squared[i] + w.residual[i];
-    }
-    if (getenv("TRACE")) std::printf("   sweep %d kept %d moved %.2e\n", sweep, kept, moved / area);
-    if (moved <= options.tolerance * area) {
+    if (moved <= tolerance * area) {
       for (std::int32_t i = 0; i < n; ++i) {
-        p.length_squared[i] += w.residual[i];
-        w.shift[i] += w.shift_residual[i];
+        s.L[i] += f[i];
+        s.shift[i] += shifted[i];
       }
       result.converged = true;
       break;
     }
-    // Anderson
-    const std::int32_t depth = getenv("ANDERSON") ? atoi(getenv("ANDERSON")) : memory_of_sweeps;
-    // where acceleration does not pay it starts anew
-    if (moved > 0.7 * moved_before) slow += 1; else slow = 0;
-    if (slow >= 2) { since = 0; slow = 0; }
+    // where acceleration does not pay, as while strips enter, it starts anew
+    slow = moved > 0.7 * moved_before ? slow + 1 : 0;
+    if (slow == 2) since = slow = 0;
     moved_before = moved;
-    const std::int32_t slot = sweep % (memory_of_sweeps + 1), both = skewed ? 2 * n : n;
-    double* const x = w.history_x[slot];
-    double* const f = w.history_f[slot];
-    // shifts count like lengths: by the half length they move
-    const double size = std::sqrt(area / n);
-    for (std::int32_t i = 0; i < n; ++i) {
-      x[i] = p.length_squared[i];
-      f[i] = w.residual[i];
-      x[n + i] = w.shift[i];
-      f[n + i] = w.shift_residual[i];
-    }
-    for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + f[i];
-    const std::int32_t used = std::min({since, depth, memory_of_sweeps});
+    const std::int32_t slot = sweep % (history + 1);
+    std::copy_n(s.L, n, w.x[slot]);
+    std::copy_n(s.shift, n, w.x[slot] + n);
+    std::copy_n(w.residual, both, w.f[slot]);
+    double mean = 0.0;
+    for (std::int32_t i = 0; i < n; ++i) mean += s.L[i];
+    accelerate(n, both, mean / n, sweep, std::min(since, history), w);
     ++since;
-    if (used > 0) {
-      double G[memory_of_sweeps * memory_of_sweeps], g[memory_of_sweeps];
-      const auto product = [&](const double* fa, const double* fb) {
-        double sum = 0.0, shifts = 0.0;
-        for (std::int32_t i = 0; i < n; ++i) sum += (f[i] - fa[i]) * fb[i];
-        if (skewed)
-          for (std::int32_t i = n; i < both; ++i) shifts += (f[i] - fa[i]) * fb[i];
-        return sum + size * size * shifts;
-      };
-      const auto earlier = [&](double* const* history, std::int32_t a) { return history[(sweep - 1 - a) % (memory_of_sweeps + 1)]; };
-      for (std::int32_t a = 0; a < used; ++a) {
-        const double* fa = earlier(w.history_f, a);
-        g[a] = product(fa, f);
-        for (std::int32_t b = 0; b <= a; ++b)
-          G[a * memory_of_sweeps + b] = G[b * memory_of_sweeps + a] = g[a] - product(fa, earlier(w.history_f, b));
-      }
-      for (std::int32_t a = 0; a < used; ++a) G[a * memory_of_sweeps + a] *= 1.0 + 1e-10;
-      eliminate(used, memory_of_sweeps, G, g);
-      for (std::int32_t a = 0; a < used; ++a) {
-        const double* fa = earlier(w.history_f, a);
-        const double* xa = earlier(w.history_x, a);
-        for (std::int32_t i = 0; i < both; ++i) w.next[i] -= g[a] * ((x[i] - xa[i]) + (f[i] - fa[i]));
-      }
-    }
     for (std::int32_t i = 0; i < n; ++i) {
-      const double plain = p.length_squared[i] + w.residual[i], old = p.length_squared[i];
-      double next = w.next[i];
-      if (plain == 0.0) next = 0.0;
-      else next = std::clamp(next, 0.1 * std::max(plain, 0.0), 10.0 * plain);
-      if (old > 0.0 && plain > 0.0 && sweep < 6) next = std::clamp(next, 0.1 * old, 10.0 * old);
-      p.length_squared[i] = next;
-      if (skewed) w.shift[i] = std::clamp(w.next[n + i], -10e-3, 10e-3);
+      const double plain = s.L[i] + f[i], old = s.L[i];
+      double next = plain > 0.0 ? smaller(larger(w.next[i], 0.1 * plain), 10.0 * plain) : 0.0;
+      if (old > 0.0 && next > 0.0 && sweep < 6) next = smaller(larger(next, 0.1 * old), 10.0 * old);
+      s.L[i] = next;
+      if (skewed) s.shift[i] = smaller(larger(w.next[n + i], -longest_shift), longest_shift);
     }
   }
+  for (std::int32_t i = 0; i < n; ++i)
+    if (!w.in[i] || !(s.L[i] > 0.0)) s.L[i] = s.q[i] = 0.0;
+  if (kept == 0) {
+    std::fill_n(s.L, n, 0.0);
+    std::fill_n(s.q, n, 0.0);
+    result.converged = true;
+  }
+  return result;
+}
+
+/// Pairs of neighbouring strips, a lone one where its neighbour is missing; returns for each strip its pair in w.active.
+void pair_up(const Strips& s, std::int32_t* pair_of, const std::int32_t* number, Strips& c) {
+  c.count = 0;
+  for (std::int32_t i = 0; i < s.count;) {
+    const bool two = i + 1 < s.count && number[i + 1] == number[i] + 1;
+    const std::int32_t j = two ? i + 1 : i, k = c.count++;
+    const double a = s.width[i], b = two ? s.width[j] : 0.0, per = 1.0 / (a + b);
+    const auto mean = [&](const double* v) { return (a * v[i] + b * v[j]) * per; };
+    c.place[k] = mean(s.place);
+    c.width[k] = a + b;
+    c.depth[k] = mean(s.depth);
+    c.curvature[k] = mean(s.curvature);
+    c.middle[k] = mean(s.middle);
+    c.ny[k] = mean(s.ny);
+    c.nz[k] = mean(s.nz);
+    c.L[k] = mean(s.L);
+    c.shift[k] = mean(s.shift);
+    pair_of[i] = pair_of[j] = k;
+    i = j + 1;
+  }
+}
+
+}  // namespace
+
+std::int64_t surface_normal_doubles(std::int32_t most) {
+  Scratch w;
+  double nothing = 0.0;
+  return cut(&nothing, most, w) + 2 * most;
+}
+
+SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o, const StripKernel& kernel,
+                                         const SurfaceKernels& kernels, double compliance,
+                                         const SurfaceNormalOptions& options, double* memory, SurfaceStart& start,
+                                         const SurfacePressure& p) noexcept {
+  SurfaceNormalResult result;
+  Scratch w;
+  auto* const pair_of = reinterpret_cast<std::int32_t*>(memory + cut(memory, o.capacity, w));
+  Strips& s = w.fine;
+  s.count = o.count;
+  bool started = false;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const std::int32_t j = o.strip[i];
+    s.place[i] = rail.s[j];
+    s.width[i] = rail.width[j];
+    s.depth[i] = o.depth[i];
+    s.curvature[i] = o.curvature[i];
+    s.middle[i] = o.centre[i];
+    s.ny[i] = o.ny[i];
+    s.nz[i] = o.nz[i];
+    s.L[i] = start.set ? start.length_squared[j] : 0.0;
+    s.shift[i] = start.set ? start.shift[j] : 0.0;
+    started = started || s.L[i] > 0.0;
+  }
+  const Problem problem{kernels, *kernel.kernels, {kernel.tables(), kernel.mean_under.data()}, compliance};
+  if (o.count == 0) {
+    result.converged = true;
+  } else {
+    if (!started) {
+      for (std::int32_t i = 0; i < s.count; ++i) {
+        s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
+        s.shift[i] = 0.0;
+      }
+      if (s.count >= 2 * fewest_pairs) {
+        Strips& c = w.coarse;
+        pair_up(s, pair_of, o.strip, c);
+        result = sweep_to(problem, c, coarse_tolerance, options.max_sweeps, w);
+        for (std::int32_t i = 0; i < s.count; ++i) {
+          // along the line through this pair and the next one on the strip's side, where both are in contact
+          const std::int32_t k = pair_of[i];
+          const double off = s.place[i] - c.place[k];
+          const std::int32_t other = off > 0.0 ? k + 1 : k - 1;
+          s.L[i] = c.L[k];
+          s.shift[i] = c.shift[k];
+          if (off == 0.0 || other < 0 || other >= c.count) continue;
+          const double apart = c.place[other] - c.place[k];
+          if (magnitude(apart) > 1.5 * c.width[k]) continue;
+          const double t = off / apart;
+          s.L[i] = larger(c.L[k] + t * (c.L[other] - c.L[k]), 0.0);
+          s.shift[i] = c.shift[k] + t * (c.shift[other] - c.shift[k]);
+        }
+      }
+    }
+    const std::int32_t earlier = result.sweeps;
+    result = sweep_to(problem, s, options.tolerance, options.max_sweeps, w);
+    result.sweeps += earlier;
+  }
   for (std::int32_t j = 0; j < rail.count; ++j) start.length_squared[j] = start.shift[j] = 0.0;
-  for (std::int32_t i = 0; i < n; ++i) {
-    start.length_squared[o.strip[i]] = in[i] ? p.length_squared[i] : 0.0;
-    start.shift[o.strip[i]] = w.shift[i];
-    if (!in[i]) p.strength[i] = p.length_squared[i] = 0.0;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    start.length_squared[o.strip[i]] = s.L[i];
+    start.shift[o.strip[i]] = s.shift[i];
+    p.length_squared[i] = s.L[i];
+    p.level[i] = s.level[i];
+    p.centre[i] = s.middle[i] + s.shift[i];
+    p.strength[i] = s.q[i];
   }
   start.set = true;
   return result;

@@ -209,9 +209,9 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     for (double& c : r.point) c /= region_weight;
     for (double& c : r.creepage) c /= region_weight;
     r.normal_force = std::sqrt(region_n[0] * region_n[0] + region_n[1] * region_n[1]);
-    double normal[3] = {0.0, region_n[0], region_n[1]};
-    into_track(seen, normal);
-    r.angle = 2.0 * arctangent(-normal[1] / (normal[2] + r.normal_force + 1e-300));
+    double direction[3] = {0.0, region_n[0], region_n[1]};
+    into_track(seen, direction);
+    r.angle = 2.0 * arctangent(-direction[1] / (direction[2] + r.normal_force + 1e-300));
     out.normal_force += r.normal_force;
     for (int c = 0; c < 3; ++c) {
       out.force[c] += r.force[c];

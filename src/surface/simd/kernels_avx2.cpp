@@ -1,0 +1,8 @@
+#include "surface/simd/influence_kernel.hpp"
+
+namespace wrc::simd {
+
+extern const SurfaceKernels avx2_surface_kernels;
+constexpr SurfaceKernels avx2_surface_kernels = {InstructionSet::avx2, surface_influence_row, surface_edge_displacement};
+
+}  // namespace wrc::simd
