@@ -154,6 +154,11 @@ template <class T>
 simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
                                const TangentialFields& fields) {
   simd::StripFastsimTask task{};
+  task.strips = contact.region.count;
+  task.cells = contact.grid->cells;
+  task.shape = &contact.grid->elliptic;
+  task.inverse_weight = contact.grid->inverse_weight;
+  task.fields = &fields;
   task.region = &contact.region;
   task.nu_x = contact.creepage.longitudinal;
   task.nu_y = contact.creepage.lateral;
@@ -172,10 +177,6 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.torsion = coefficient(m.torsion);
   task.B = m.B;
   task.elastic = m.elastic;
-  task.shape = &contact.grid->elliptic;
-  task.inverse_weight = contact.grid->inverse_weight;
-  task.cells = contact.grid->cells;
-  task.fields = &fields;
   return task;
 }
 

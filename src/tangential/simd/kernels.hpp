@@ -47,10 +47,18 @@ struct MarchTask {
   const TangentialFields* fields;
 };
 
+/// What every march of strip FASTSIM needs, whatever its strips are told.
+struct StripFastsimMarch {
+  std::int32_t strips, cells;
+  const BoundShape* shape;
+  const double* inverse_weight;  ///< of the cells of the first stick zone (march_grid.hpp)
+  const TangentialFields* fields;
+};
+
 /// Strip FASTSIM (strip_fastsim.hpp): what the patch, its load and the creepages make of the model. Tractions
 /// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
 /// L x, with the flexibilities l11, l22; that part of it which differs between x and y, by 2 elastic x.
-struct StripFastsimTask {
+struct StripFastsimTask : StripFastsimMarch {
   const Strips* region;
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   double nu_x, nu_y, phi, friction;
@@ -60,10 +68,23 @@ struct StripFastsimTask {
   Coefficient turning;  ///< factor on them
   Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
   double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
-  const BoundShape* shape;
-  const double* inverse_weight;  ///< of the cells of the first stick zone (march_grid.hpp)
-  std::int32_t cells;
-  const TangentialFields* fields;
+};
+
+/// Strip FASTSIM where every strip is told its own numbers, about its own middle
+/// (surface/surface_rolling.hpp). One element per strip; lengths relative to the half length, growth of
+/// adhesion tractions to the parabolic bound at the strip's middle over the half length.
+struct SurfaceStripsTask : StripFastsimMarch {
+  const double *width, *half_length;  ///< [m]
+  const double* bound;                ///< traction bound at the strip's middle [Pa]
+  const double *growth_x, *growth_y;  ///< of adhesion tractions at the strip's middle
+  const double* curvature;            ///< their growth along y changes by 2 curvature per half length
+  const double *slip_x, *slip_y;      ///< rigid slip at the strip's middle [-], torsion included
+  const double* spin;                 ///< [1/m]
+  const double* elastic;              ///< elastic slip at the leading edge, what differs between x and y [-]
+  const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
+  const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
+  double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
+  const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
 
 }  // namespace simd
@@ -78,6 +99,9 @@ struct Kernels {
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_fields)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  /// Sums hold power and areas only: forces of strips with axes of their own do not add.
+  void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
+  void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
   void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 };

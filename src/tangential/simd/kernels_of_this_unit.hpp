@@ -13,9 +13,11 @@ constexpr Kernels kernels_of(InstructionSet set) {
           march_kernel<Output::forces>,
           march_kernel<Output::fields>,
           march_kernel<Output::sensitivities>,
-          strip_fastsim_kernel<Output::forces>,
-          strip_fastsim_kernel<Output::fields>,
-          strip_fastsim_kernel<Output::sensitivities>,
+          strip_fastsim_kernel<Output::forces, StripFastsimTask>,
+          strip_fastsim_kernel<Output::fields, StripFastsimTask>,
+          strip_fastsim_kernel<Output::sensitivities, StripFastsimTask>,
+          strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
+          strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
           place_cells_kernel};
 }
 

@@ -100,11 +100,10 @@ inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
   return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
 }
 
-inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g,
-                    State& state) {
+/// Sets what a group's strips are told of the model; returns the bound of the march at their middle [Pa].
+inline Pack tell(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
   const Strips& strips = *task.region;
-  const double h = 2.0 / task.cells;
-  const Pack zero = 0.0, one = 1.0;
+  const Pack one = 1.0;
   place(strips, task.cells, first, count, g);
   g.centre = load(strips.centre, first, count, 0.0);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : one;
@@ -119,9 +118,39 @@ inline void prepare(const StripFastsimTask& task, std::int32_t first, std::int32
   g.wy = task.nu_y + task.phi * g.centre + task.torsion.value;
   g.spin = task.phi * g.half_length;
   g.elastic = task.elastic * share * g.half_length;
-  g.over_cell = advance_over(g, g.elastic, h);
   g.t11 = task.turning.value * task.t11 / g.scale;
   g.t22 = task.turning.value * task.t22 / g.scale;
+  return middle;
+}
+
+/// The same of strips with numbers of their own, each about its own middle.
+inline Pack tell(const SurfaceStripsTask& task, std::int32_t first, std::int32_t count, Group& g) {
+  const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
+  g.first = first;
+  g.count = count;
+  g.half_length = load(task.half_length, first, count, 1.0);
+  g.lead = g.half_length;
+  g.y = 0.0;
+  g.cell = g.half_length * (2.0 / task.cells) * of(task.width);
+  g.bound = of(task.bound);
+  g.gx = of(task.growth_x);
+  g.gy = of(task.growth_y);
+  g.curvature = of(task.curvature);
+  g.wx = of(task.slip_x);
+  g.wy = of(task.slip_y);
+  g.spin = of(task.spin) * g.half_length;
+  g.elastic = of(task.elastic);
+  g.t11 = of(task.turn_x);
+  g.t22 = of(task.turn_y);
+  return g.bound + tiny_stress;
+}
+
+template <class Task>
+inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state) {
+  const double h = 2.0 / task.cells;
+  const Pack zero = 0.0, one = 1.0;
+  const Pack middle = tell(task, first, count, g);
+  g.over_cell = advance_over(g, g.elastic, h);
 
   // A strip about to slip at the leading edge may, with |psi| > 1, have sticking material behind it, to which
   // the march gives FASTSIM's form: the closed form must arrive there too, or forces jump strip by strip.
@@ -546,12 +575,21 @@ struct SlipShape {
   Pack per_even, per_odd;     ///< 2 / (v + u_s - u) in a pair of cells, the first of even index
 };
 
-inline SlipShape slip_shape(const StripFastsimTask& task, const Group& g) {
+inline void set_elastic(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
+  shape.elastic_x = (2.0 * task.l11) * g.slope;
+  shape.elastic_y = (2.0 * task.l22) * g.slope;
+}
+inline void set_elastic(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
+  shape.elastic_x = load(task.edge_x, g.first, g.count, 0.0);
+  shape.elastic_y = load(task.edge_y, g.first, g.count, 0.0);
+}
+
+template <class Task>
+inline SlipShape slip_shape(const Task& task, const Group& g) {
   SlipShape shape;
   shape.stick = 2.0 - g.slip_end;
   shape.two = select(g.bound > 0.0, 2.0, 0.0);
-  shape.elastic_x = (2.0 * task.l11) * g.slope;
-  shape.elastic_y = (2.0 * task.l22) * g.slope;
+  set_elastic(task, g, shape);
   return shape;
 }
 
@@ -601,12 +639,12 @@ struct CellFields {
 };
 
 /// Stores them and adds to the power of the slip.
-inline void store_cell(const StripFastsimTask& task, const Group& g, const Cell& cell, const CellFields& f,
+inline void store_cell(const StripFastsimMarch& task, const Group& g, const Cell& cell, const CellFields& f,
                        Sums& sums) {
   const Pack bound = cell.mean * g.bound;
   sums.power += f.power * bound;
-  simd::store_cell(*task.fields, g, cell.index, task.region->count, bound * f.rho_x, bound * f.rho_y,
-                   f.slip_x, f.slip_y);
+  simd::store_cell(*task.fields, g, cell.index, task.strips, bound * f.rho_x, bound * f.rho_y, f.slip_x,
+                   f.slip_y);
 }
 
 /// One group of strips on its way.
@@ -620,8 +658,8 @@ struct Marching {
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-WRC_IN_LOOP void settle(const StripFastsimTask& task, const Cell& cell, Mask moves, Moved& moved, Marching& m,
-                        Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask moves, Moved& moved,
+                        Marching& m, Derivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
@@ -651,7 +689,7 @@ WRC_IN_LOOP void settle(const StripFastsimTask& task, const Cell& cell, Mask mov
 
 /// A cell in the first stick zones of all strips of a group.
 template <Output output>
-WRC_IN_LOOP void stay(const StripFastsimTask& task, const Cell& cell, Marching& m,
+WRC_IN_LOOP void stay(const StripFastsimMarch& task, const Cell& cell, Marching& m,
                       Derivative (&derivative)[inputs]) {
   constexpr bool fields = output == Output::fields, sensitivities = output == Output::sensitivities;
   const Mask none = Pack(0.0) < Pack(0.0);
@@ -663,7 +701,7 @@ WRC_IN_LOOP void stay(const StripFastsimTask& task, const Cell& cell, Marching& 
 
 /// A cell of a group in which strips move.
 template <bool entering, Output output>
-WRC_IN_LOOP void move(const StripFastsimTask& task, const Cell& cell, Marching& m,
+WRC_IN_LOOP void move(const StripFastsimMarch& task, const Cell& cell, Marching& m,
                       Derivative (&derivative)[inputs]) {
   const Mask moves = m.group.stick_cells <= Pack(cell.index);
   Moved moved = begin_step<entering>(m.group, cell, moves, m.state);
@@ -673,7 +711,7 @@ WRC_IN_LOOP void move(const StripFastsimTask& task, const Cell& cell, Marching& 
 
 /// A cell of two groups all of whose strips move.
 template <Output output>
-WRC_IN_LOOP void move_both(const StripFastsimTask& task, const Cell& cell, Marching (&m)[in_flight],
+WRC_IN_LOOP void move_both(const StripFastsimMarch& task, const Cell& cell, Marching (&m)[in_flight],
                            Derivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
   Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
@@ -689,13 +727,45 @@ inline double balance_of_power(const StripFastsimTask& task, const simd::Sums& t
   return balance > 0.0 ? balance : 0.0;
 }
 
+/// Adds a group's strips to the sums.
+inline void finish(const StripFastsimTask& task, const Marching& m, simd::Sums& total) {
+  add_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, total);
+}
+
+/// The same where strips have axes of their own: their forces are stored, and the balance of power is summed.
+inline void finish(const SurfaceStripsTask& task, const Marching& m, simd::Sums& total) {
+  const Group& g = m.group;
+  const LaneForces f = lane_forces(g, task.cells, m.sums.force);
+  double of_power[lanes], cell[lanes], slid[lanes];
+  store_pack(of_power, g.cell * m.sums.power);
+  store_pack(cell, g.cell);
+  store_pack(slid, g.cell * ((task.cells - g.stick_cells) - m.sums.unslid));
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    const std::int32_t j = g.first + k;
+    task.fx[j] = f.fx[k];
+    task.fy[j] = f.fy[k];
+    task.mz[j] = f.mz[k];
+    total.power_per_speed += of_power[k];
+    total.area += task.cells * cell[k];
+    total.slid_area += slid[k];
+  }
+}
+
+/// Its balance of power.
+inline double balance_of_power(const SurfaceStripsTask& task, const simd::Sums&) {
+  double balance = 0.0;
+  for (std::int32_t j = 0; j < task.strips; ++j)
+    balance -= task.fx[j] * task.rigid_x[j] + task.fy[j] * task.rigid_y[j] + task.mz[j] * task.spin[j];
+  return balance > 0.0 ? balance : 0.0;
+}
+
 /// The fields of slip, whose power is known as that of their distribution only, are scaled; all cells before
 /// the cell `first` stick.
-inline void scale_slip(const StripFastsimTask& task, std::int32_t first, double scale) {
-  const std::int32_t cells = task.region->count * task.cells;
+inline void scale_slip(const StripFastsimMarch& task, std::int32_t first, double scale) {
+  const std::int32_t cells = task.strips * task.cells;
   double* const fields[] = {task.fields->slip_x, task.fields->slip_y};
   for (double* field : fields) {
-    for (std::int32_t at = first * task.region->count; field != nullptr && at < cells; at += lanes) {
+    for (std::int32_t at = first * task.strips; field != nullptr && at < cells; at += lanes) {
       const std::int32_t count = cells - at < lanes ? cells - at : lanes;
       store(scale * load(field, at, count, 0.0), field + at, count);
     }
@@ -704,12 +774,12 @@ inline void scale_slip(const StripFastsimTask& task, std::int32_t first, double 
 
 }  // namespace strip
 
-template <Output output>
-void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
+template <Output output, class Task>
+void strip_fastsim_kernel(const Task& task, Sums& total) {
   constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
-  const std::int32_t strips = task.region->count;
+  const std::int32_t strips = task.strips;
   const double* mean = task.shape->mean;
   std::int32_t slips = task.cells;  // no cell before it
   for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
@@ -754,7 +824,7 @@ void strip_fastsim_kernel(const StripFastsimTask& task, Sums& total) {
     for (std::int32_t k = 0; k < groups; ++k) {
       strip::Marching& m = marching[k];
       strip::add_stick(m.group, m.stick, m.sums);
-      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, total);
+      strip::finish(task, m, total);
       if constexpr (sensitivities) {
         for (std::int32_t n = 0; n < inputs; ++n) {
           strip::add_stick(m.group, m.stick, derivative[k][n]);

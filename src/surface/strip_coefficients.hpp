@@ -1,0 +1,50 @@
+/// Linear theory of a strip on its own: Kalker's coefficients as functions of what the strip itself knows.
+///
+/// In Hertz's contact every strip along x has the same level lambda (peak pressure over half length), and
+///
+///     m = kappa / (pi C lambda),   C = (1 - nu) / (pi G),
+///
+/// kappa the curvature of the undeformed gap along x, depends on a/b alone: 2 for a / b -> 0, pi/2 for a
+/// circle, 0.82 for 5. So m of a strip stands for the a/b of the ellipse whose strips are held by their
+/// neighbours as this one is. Products of the coefficients with m hardly depend on it: adhesion tractions go
+/// with lambda.
+#pragma once
+
+#include <array>
+
+#include "linear_theory/kalker.hpp"
+
+namespace wrc {
+
+/// m of Hertz's ellipse of the axis ratio a/b > 0: 2 Int_0^{pi/2} cos^2 t / sqrt(cos^2 t + (a/b)^2 sin^2 t)
+/// dt.
+double hertz_level(double ratio);
+
+struct StripCoefficients {
+  double c11 = 0.0, c22 = 0.0;  ///< Kalker's C11, C22 [-]
+  double c23 = 0.0;             ///< Kalker's C23 sqrt(b/a) [-]
+  double slenderness = 0.0;     ///< (a - b) / (a + b)
+};
+
+/// The coefficients over m for one Poisson ratio, C1 in m.
+///
+/// Tabulated over m of a/b = 0.05 to 60 (beyond 20 Kalker's asymptotes): products with m, on equal steps. For
+/// larger or smaller m their slope at the table's end fades out: any m > 0 gives finite, positive numbers.
+class StripCoefficientTable {
+ public:
+  StripCoefficientTable() = default;
+  explicit StripCoefficientTable(const KalkerTable& ellipse);
+
+  StripCoefficients at(double m) const;
+  double poisson() const { return poisson_; }
+
+ private:
+  static constexpr int steps = 128, quantities = 4;
+  struct Node {
+    double value, slope;  ///< slope per step
+  };
+  double poisson_ = 0.0, low_ = 0.0, step_ = 1.0;
+  std::array<std::array<Node, quantities>, steps + 1> nodes_{};
+};
+
+}  // namespace wrc

@@ -1,0 +1,72 @@
+/// Strip FASTSIM on the rail's surface: tractions of strips that each have their own rigid slip and their own
+/// linear theory, with no patch between them.
+///
+/// It is the model of tangential/strip_fastsim.hpp with the patch taken out of it, so that nothing jumps when
+/// regions of contact meet, part, appear or vanish:
+///
+///  - Coefficients are the strip's own, by its level peak / half length and its curvature
+///    (strip_coefficients.hpp). All lengths of a patch drop out: adhesion tractions grow by
+///    4 G C11 / (pi^2 mu lambda l) per unit of slip relative to the bound, and likewise along y and for spin.
+///  - The rigid slip of a strip is (slip_x, slip_y + spin (x - centre)), as kinematics gives it: rolling
+///    radius and turning over the width are in slip_x. Neighbours hold back what a strip's slip_x differs by
+///    from theirs less than what they share: that difference counts more than once (`gain`).
+///  - Numbers a patch had - slenderness, saturation, skewness - are means over neighbouring strips that fade
+///    where contact gets thin: the mean A of a quantity a with the weights N (load) solves
+///        N (A - a) = d/ds (beta^2 l^2 N dA/ds),
+///    a diffusion over a few half lengths which stops where l vanishes. Three bands, one elimination for all
+///    means; smooth in all loads and lengths, also through a neck that opens. Strips that enter have no
+///    weight.
+///
+/// Nothing in here depends on which strips exist but through their loads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "surface/strip_coefficients.hpp"
+#include "tangential/march_grid.hpp"
+#include "tangential/problem.hpp"
+#include "tangential/strip_calibration.hpp"
+
+namespace wrc {
+
+/// Strips in contact, by increasing place; one element per strip in arrays of the caller. A strip without
+/// half length or peak carries nothing.
+struct SurfaceRollingInput {
+  std::int32_t count = 0;
+  const double* place = nullptr;        ///< arc length of the strip's middle [m]
+  const double* width = nullptr;        ///< [m]
+  const double* half_length = nullptr;  ///< [m]
+  const double* peak = nullptr;         ///< pressure at the strip's middle [Pa]
+  const double* curvature = nullptr;    ///< of the undeformed gap along x [1/m], > 0
+  const double* slip_x = nullptr;       ///< rigid slip of the wheel over the rail at the strip's middle, over
+  const double* slip_y = nullptr;       ///< the rolling speed, in the strip's own axes [-]
+  const double* spin = nullptr;         ///< rotation about the strip's normal over the rolling speed [1/m]
+  const double* friction = nullptr;     ///< coefficient of every strip [-], >= 0
+  double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
+  double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
+  const StripCoefficientTable* coefficients = nullptr;  ///< of the bodies' Poisson ratio
+  const MarchGrid* grid = nullptr;                      ///< cells along each strip
+  const StripCalibration* calibration = &fitted_calibration;
+};
+
+/// Results, arrays of the caller: forces on the wheel in each strip's axes (x, and y along the surface),
+/// moment about the strip's normal through its middle.
+struct SurfaceRollingForces {
+  double* fx = nullptr;            ///< [N]
+  double* fy = nullptr;            ///< [N]
+  double* mz = nullptr;            ///< [N m]
+  double power_per_speed = 0.0;    ///< frictional power over the rolling speed [N], all strips
+  double adhesion_fraction = 0.0;  ///< area that sticks over the area, all strips
+};
+
+/// Doubles of working memory for `capacity` strips.
+std::size_t surface_rolling_workspace(std::int32_t capacity);
+
+/// Rolls the strips. `fields`: element (cell i, strip j) at i * count + j (tangential/problem.hpp), or null
+/// pointers. Real-time: no memory but `workspace`, work proportional to strips times cells. Finite input
+/// within the stated ranges gives finite results.
+void roll_on_surface(const SurfaceRollingInput& input, double* workspace, const TangentialFields& fields,
+                     SurfaceRollingForces& forces);
+
+}  // namespace wrc
