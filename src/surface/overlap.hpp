@@ -16,10 +16,22 @@
 
 namespace wrc {
 
-/// A wheel's profile: curve.y from the tape circle, curve.z below the axle: the radius [m].
+struct SurfaceKernels;
+
+/// A wheel's profile: curve.y from the tape circle, curve.z below the axle: the radius [m]. Its knots, where pieces
+/// meet, in whole packs.
 struct WheelCurve {
   Curve curve;
+  std::int32_t knots = 0;
+  const double *knot_y = nullptr, *knot_radius = nullptr;  ///< [m]
+  const double* knot_slope = nullptr;                      ///< dr/dy; beyond `steepest` where the face turns back
 };
+
+/// Doubles of memory for the knots of a curve with so many pieces.
+std::int64_t wheel_knot_doubles(std::int32_t pieces);
+
+/// Fills the knots of wheel.curve.
+void find_knots(double* memory, WheelCurve& wheel);
 
 /// A wheel as seen from a rail: rail axes, origin of the rail's profile; x from the wheel's reference point.
 struct RelativePose {
@@ -40,14 +52,17 @@ struct Overlaps {
 
 /// Scratch of a search.
 struct OverlapScratch {
-  double *y, *z;          ///< of the outline at the wheel's knots, rail axes [m]; pieces + 1 of them
+  double *y, *z;          ///< of the outline at the wheel's knots, rail axes [m]; whole packs
+  double* seen;           ///< 1 where it exists
   double* overlap;        ///< first estimate for each strip of the rail [m]
   std::int32_t* piece;    ///< of the wheel's curve, for each strip
   double* part;           ///< of the piece
+  std::int32_t* strip;    ///< strips whose rays are followed, in whole packs
 };
 
 /// Finds all strips with depth > -margin.
-void find_overlaps(const RailStrips& rail, const WheelCurve& wheel, const RelativePose& pose, double margin,
-                   const OverlapScratch& scratch, Overlaps& overlaps) noexcept;
+void find_overlaps(const SurfaceKernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                   const RelativePose& pose, double margin, const OverlapScratch& scratch,
+                   Overlaps& overlaps) noexcept;
 
 }  // namespace wrc

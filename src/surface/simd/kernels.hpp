@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "normal/simd/kernels.hpp"
+#include "surface/outline.hpp"
 
 namespace wrc {
 namespace simd {
@@ -32,6 +33,15 @@ struct SurfacePoint {
   double place, x, ny, nz;
 };
 
+/// A wheel's outline, and the strips whose rays it may cross.
+struct OutlineTask {
+  const RailStrips* rail;
+  const WheelCurve* wheel;
+  const RelativePose* pose;
+  OutlineAttitude attitude;
+  const OverlapScratch* scratch;
+};
+
 }  // namespace simd
 
 /// The kernels of one instruction set for contact on a surface. All sets give the same bits.
@@ -43,6 +53,11 @@ struct SurfaceKernels {
   /// Sum of the same, seen from the edge of a strip.
   double (*edge_displacement)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                               const simd::SurfacePoint& point);
+  /// Fills scratch.y, z and seen at the wheel's knots.
+  void (*outline)(const simd::OutlineTask& task);
+  /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip. Depth -1 where
+  /// the surfaces do not face each other.
+  void (*follow_rays)(const simd::OutlineTask& task, Overlaps& overlaps);
 };
 
 /// The kernels of a set, which the processor must have.

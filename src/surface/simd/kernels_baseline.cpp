@@ -1,8 +1,10 @@
 #include "surface/simd/influence_kernel.hpp"
+#include "surface/simd/outline_kernel.hpp"
 
 namespace wrc::simd {
 
 extern const SurfaceKernels baseline_surface_kernels;
-constexpr SurfaceKernels baseline_surface_kernels = {InstructionSet::baseline, surface_influence_row, surface_edge_displacement};
+constexpr SurfaceKernels baseline_surface_kernels = {InstructionSet::baseline, surface_influence_row, surface_edge_displacement,
+                                                     outline_kernel, follow_rays_kernel};
 
 }  // namespace wrc::simd

@@ -1,0 +1,41 @@
+/// The outline of a posed wheel, seen along the track: one point for each place on its profile (overlap.hpp).
+#pragma once
+
+#include "number.hpp"
+#include "surface/overlap.hpp"
+
+namespace wrc {
+
+/// e = R^T x_track over sqrt(e1^2 + e3^2).
+struct OutlineAttitude {
+  double e1, e2, e3;
+};
+
+/// Steep faces of a yawed wheel have no outline: sin(theta + alpha) would pass one. Faces that turn back have none.
+inline constexpr double steepest_sine = 0.98, least_advance = 1e-3;
+
+/// From the wheel's reference point, rail axes. Number is double, or a pack of them.
+template <class Number>
+struct OutlinePlace {
+  Number x, y, z;  ///< [m]
+  Number sine, cosine, sin_theta, cos_theta;
+};
+
+/// The outline at the profile's point (y, radius) with the slope dr/dy.
+template <class Number>
+OutlinePlace<Number> outline_place(const RelativePose& pose, const OutlineAttitude& a, const Number& y,
+                                   const Number& radius, const Number& slope) {
+  const auto& R = pose.rotation;
+  OutlinePlace<Number> o;
+  o.sine = smaller(larger(a.e2 * slope, Number(-steepest_sine)), Number(steepest_sine));
+  o.cosine = root(1.0 - o.sine * o.sine);
+  o.sin_theta = o.sine * a.e1 - o.cosine * a.e3;
+  o.cos_theta = o.cosine * a.e1 + o.sine * a.e3;
+  const Number px = radius * o.sin_theta, pz = radius * o.cos_theta;
+  o.x = R[0][0] * px + R[0][1] * y + R[0][2] * pz;
+  o.y = R[1][0] * px + R[1][1] * y + R[1][2] * pz;
+  o.z = R[2][0] * px + R[2][1] * y + R[2][2] * pz;
+  return o;
+}
+
+}  // namespace wrc
