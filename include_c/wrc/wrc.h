@@ -173,6 +173,13 @@ enum wrc_zone_frame {
                                     Needs the contact point of a wrc_geometry */
 };
 
+/** Where profiles lie. */
+enum wrc_profile_placement {
+  WRC_PLACEMENT_GAUGE = 0, /**< rails by track_gauge and gauge_depth, their tops at z = 0: of new profiles */
+  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points: it lies at y = rail_origin, z = 0, so that a worn rail
+                                stays where the new one was; their inclination turns them about it */
+};
+
 /** Instruction set of the kernels. Results are the same bits with all of them. */
 enum wrc_instruction_set {
   WRC_INSTRUCTIONS_BEST = 0,     /**< the widest this processor has */
@@ -265,6 +272,10 @@ typedef struct wrc_config {
   int32_t instruction_set;     /**< enum wrc_instruction_set [best]; one this processor lacks is WRC_ERROR_UNSUPPORTED */
   const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE: share/wrc/force_table.bin of
                                   the installed library; read when the model is made, never after [NULL] */
+  int32_t profile_placement;   /**< enum wrc_profile_placement [gauge] */
+  int32_t placement_reserved;  /**< 0 */
+  double rail_origin;          /**< WRC_PLACEMENT_ORIGIN: distance of the rail profile's origin from the track's centre line,
+                                    0.2..1.5 m; 0 with WRC_PLACEMENT_GAUGE [0] */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
@@ -856,6 +867,10 @@ WRC_API int32_t wrc_linear_coefficients(double a_over_b, double psi, double pois
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
 WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
 
+/* ------------------------------------------------------------------------------------------------ wheel on rail */
+
+#include "wrc_wheel.h"
+
 /* ---------------------------------------------------------------------------------------------------- for dlopen */
 
 /** Every function above as a table, so that one dlsym("wrc_get_api") suffices. struct_size grows with the library: a
@@ -919,6 +934,16 @@ typedef struct wrc_api {
   int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
   int32_t (*sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_sensitivities() */
   int32_t (*step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_step_sensitivities() */
+  int32_t (*wheel_state_init)(wrc_wheel_state*); /**< wrc_wheel_state_init() */
+  int32_t (*rail_state_init)(wrc_rail_state*); /**< wrc_rail_state_init() */
+  int32_t (*wheel_input_init)(wrc_wheel_input*); /**< wrc_wheel_input_init() */
+  int32_t (*wrench_init)(wrc_wrench*); /**< wrc_wrench_init() */
+  int32_t (*region_init)(wrc_region*); /**< wrc_region_init() */
+  int32_t (*wheel_step)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*); /**< wrc_wheel_step() */
+  int32_t (*wheel_region)(wrc_contact*, int32_t, wrc_region*); /**< wrc_wheel_region() */
+  int32_t (*wheel_step_batch)(wrc_contact* const*, uint32_t, const wrc_wheel_input*, uint64_t, wrc_wrench*, uint64_t,
+                              int32_t*); /**< wrc_wheel_step_batch() */
+  int32_t (*wheel_step_flat)(wrc_contact*, const double*, double*); /**< wrc_wheel_step_flat() */
 } wrc_api;
 
 /** The function table of this library.

@@ -60,6 +60,15 @@ extern "C" const wrc_api* wrc_get_api(uint32_t abi_version) {
       wrc_step_sensitivity_init,
       wrc_sensitivities,
       wrc_step_sensitivities,
+      wrc_wheel_state_init,
+      wrc_rail_state_init,
+      wrc_wheel_input_init,
+      wrc_wrench_init,
+      wrc_region_init,
+      wrc_wheel_step,
+      wrc_wheel_region,
+      wrc_wheel_step_batch,
+      wrc_wheel_step_flat,
   };
   return abi_version == WRC_ABI_VERSION ? &table : nullptr;
 }

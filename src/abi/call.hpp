@@ -1,6 +1,8 @@
 /// How a stage of a contact is run, whichever file it lies in.
 #pragma once
 
+#include <type_traits>
+
 #include "abi/fp_environment.hpp"
 #include "abi/handles.hpp"
 #include "abi/structs.hpp"
@@ -17,6 +19,13 @@ std::int32_t call(wrc_contact* handle, const Fault& cleared, Work&& work) noexce
   Contact& contact = *handle->contact;
   contact.last = cleared.failed() ? cleared : work(contact);
   return contact.last.status;
+}
+
+/// Element of an array of the caller's, `offset` bytes behind the first; none of no array.
+template <typename Element>
+Element* element(Element* first, std::uint64_t offset) {
+  using Byte = std::conditional_t<std::is_const_v<Element>, const char, char>;
+  return first == nullptr ? nullptr : reinterpret_cast<Element*>(reinterpret_cast<Byte*>(first) + offset);
 }
 
 }  // namespace wrc::abi

@@ -217,6 +217,18 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   fault = read_methods(config, options);
   if (fault.failed()) return fault;
 
+  switch (config.profile_placement) {
+    case WRC_PLACEMENT_GAUGE:
+      options.track.by_origin = false;
+      break;
+    case WRC_PLACEMENT_ORIGIN:
+      options.track.by_origin = true;
+      break;
+    default:
+      return unsupported("config.profile_placement", config.profile_placement,
+                         "see enum wrc_profile_placement");
+  }
+
   const Fault checks[] = {
       check_count(config.strips, "config.strips", 4, 512, "more strips cost time in proportion"),
       check_count(config.cells, "config.cells", 4, 512, "more cells cost time in proportion"),
@@ -236,6 +248,13 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
             "did you pass mm?"),
       check(config.track_gauge, "config.track_gauge", "m", 0.3, 2.5, nullptr, "did you pass mm?"),
       check(config.gauge_depth, "config.gauge_depth", "m", 0.005, 0.04, nullptr, "did you pass mm?"),
+      options.track.by_origin
+          ? check(config.rail_origin, "config.rail_origin", "m", 0.2, 1.5,
+                  "WRC_PLACEMENT_ORIGIN needs the distance from the track's centre line to the rail "
+                  "profile's origin",
+                  "did you pass mm, or the distance from rail to rail?")
+          : check(config.rail_origin, "config.rail_origin", "m", 0.0, 0.0, "a distance is not negative",
+                  "it is used by WRC_PLACEMENT_ORIGIN only: leave it 0"),
       check(config.rail_inclination, "config.rail_inclination", "", -0.2, 0.2, "1:40 is 0.025",
             "1:40 is 0.025, not 40"),
   };
@@ -256,6 +275,7 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   options.track.gauge = config.track_gauge;
   options.track.gauge_depth = config.gauge_depth;
   options.track.rail_inclination = config.rail_inclination;
+  options.track.rail_origin = config.rail_origin;
 
   if (options.tangential_method == TangentialMethod::table) {
     fault = read_table(config, options);

@@ -497,14 +497,10 @@ int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_i
   // An array that is missing is a NULL in every step, so that what there is of outputs gets zeroed.
   const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
   Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
-  const auto element = [](const auto* first, uint64_t offset) {
-    using Element = decltype(first);
-    return first == nullptr ? nullptr
-                            : reinterpret_cast<Element>(reinterpret_cast<const char*>(first) + offset);
-  };
   for (uint32_t i = 0; i < count; ++i) {
-    const int32_t status = abi::step(contacts == nullptr ? nullptr : contacts[i],
-                                     element(inputs, i * input_stride), element(outputs, i * output_stride));
+    const int32_t status =
+        abi::step(contacts == nullptr ? nullptr : contacts[i], abi::element(inputs, i * input_stride),
+                  abi::element(outputs, i * output_stride));
     if (statuses != nullptr) statuses[i] = status;
     worsen(gravest, Fault{.status = status});
   }

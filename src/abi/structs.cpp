@@ -22,6 +22,11 @@ WRC_EMPTY_BY_DEFAULT(wrc_input)
 WRC_EMPTY_BY_DEFAULT(wrc_output)
 WRC_EMPTY_BY_DEFAULT(wrc_view)
 WRC_EMPTY_BY_DEFAULT(wrc_allocator)
+WRC_EMPTY_BY_DEFAULT(wrc_wheel_state)
+WRC_EMPTY_BY_DEFAULT(wrc_rail_state)
+WRC_EMPTY_BY_DEFAULT(wrc_wheel_input)
+WRC_EMPTY_BY_DEFAULT(wrc_wrench)
+WRC_EMPTY_BY_DEFAULT(wrc_region)
 
 template <>
 wrc_creepage defaults<wrc_creepage>() {
@@ -124,4 +129,9 @@ int32_t wrc_input_init(wrc_input* input) { return init(input); }
 int32_t wrc_output_init(wrc_output* output) { return init(output); }
 int32_t wrc_view_init(wrc_view* view) { return init(view); }
 int32_t wrc_allocator_init(wrc_allocator* allocator) { return init(allocator); }
+int32_t wrc_wheel_state_init(wrc_wheel_state* wheel) { return init(wheel); }
+int32_t wrc_rail_state_init(wrc_rail_state* rail) { return init(rail); }
+int32_t wrc_wheel_input_init(wrc_wheel_input* input) { return init(input); }
+int32_t wrc_wrench_init(wrc_wrench* wrench) { return init(wrench); }
+int32_t wrc_region_init(wrc_region* region) { return init(region); }
 }

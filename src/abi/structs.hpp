@@ -46,6 +46,11 @@ WRC_STRUCT(wrc_input, 48)
 WRC_STRUCT(wrc_output, 40)
 WRC_STRUCT(wrc_view, 48)
 WRC_STRUCT(wrc_allocator, 32)
+WRC_STRUCT(wrc_wheel_state, 104)
+WRC_STRUCT(wrc_rail_state, 56)
+WRC_STRUCT(wrc_wheel_input, 48)
+WRC_STRUCT(wrc_wrench, 160)
+WRC_STRUCT(wrc_region, 176)
 
 /// All zero but for struct_size.
 template <typename Struct>

@@ -20,6 +20,7 @@
 #include "patch/sdec.hpp"
 #include "patch/split.hpp"
 #include "patch/strips.hpp"
+#include "surface/wheel_on_rail.hpp"
 #include "tangential/friction.hpp"
 #include "tangential/problem.hpp"
 
@@ -79,6 +80,34 @@ struct StepSensitivities {
       {};  ///< with respect to the lateral shift of the wheelset; zero for a gap of the host
 };
 
+/// A wheel on a rail as a host has them, track axes; what the wheel is displaced from is in wrc_wheel.h.
+struct HostedWheel {
+  Side side = Side::right;
+  bool of_wheelset = true;  ///< the reference point is the middle of the axle; otherwise that of the wheel
+  double y = 0.0, z = 0.0;  ///< displacement of the reference point [m]
+  double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
+  double velocity[3] = {};                                    ///< of the reference point [m/s]
+  double angular_velocity[3] = {};                            ///< [rad/s]
+  RailMotion rail;
+  bool load_prescribed = false;
+  double vertical_load = 0.0;  ///< [N]
+  double friction = 0.0;       ///< 0: frictionless
+  double damping = 0.0;        ///< [s/m]
+};
+
+/// Where the point of a region lies on both bodies, in the coordinates of their profiles [m].
+struct RegionPlace {
+  double y_wheel = 0.0, z_wheel = 0.0, y_rail = 0.0, z_rail = 0.0;
+};
+
+/// What a wheel on a rail came to, track axes of the host.
+struct HostedWrench {
+  Wrench wrench;  ///< about the reference point; height: displacement z of that point
+  double rail_moment[3] = {};
+  double steepest_angle = 0.0;  ///< of a strip in contact [rad]
+  RegionPlace place[most_surface_regions];
+};
+
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
@@ -129,6 +158,10 @@ struct Contact {
   double speed = 0.0;       ///< V [m/s]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
+
+  std::int64_t wheel_solved =
+      0;  ///< 1: the next holds the last solve_wheel(); it and the stages are strangers
+  HostedWrench wheel;
 };
 
 // What is saved are the bytes of a contact: with padding, where anything may lie, equal states could differ
@@ -144,7 +177,12 @@ static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) +
                                      sizeof(ContactPoint) + sizeof(Load) + sizeof(NormalSolution) +
                                      sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
                                      sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
-                                     sizeof(TangentialForces) + sizeof(DamageNumbers));
+                                     sizeof(TangentialForces) + sizeof(DamageNumbers) + sizeof(std::int64_t) +
+                                     sizeof(HostedWrench));
+static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
+static_assert(sizeof(HostedWrench) ==
+              2 * sizeof(std::int32_t) + 15 * sizeof(double) +
+                  most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and room for a copy of it on which sensitivities are found.
 std::size_t contact_bytes(const Model& model);
@@ -185,6 +223,9 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
 /// Does the tangential method carry exact derivatives with it? Not so FaStrip, modified FASTSIM, mixed
 /// flexibilities, the half-space on coarse grids, the book of tables, and friction that falls with speed.
 bool differentiates(const Contact& contact);
+
+/// A wheel on a rail, from the pose to the wrench in one; the stages above are not touched (wheel.cpp).
+Fault solve_wheel(Contact& contact, const HostedWheel& hosted);
 
 /// The friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);

@@ -15,6 +15,8 @@ std::size_t length(Array which, const ArraySizes& sizes) {
   if (which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
   if (which == Array::normal_workspace) return doubles(sizes.normal_workspace_bytes);
   if (which == Array::tangential_workspace) return doubles(sizes.tangential_workspace_bytes);
+  if (which == Array::surface_state) return doubles(sizes.surface_state_bytes);
+  if (which == Array::surface_workspace) return doubles(sizes.surface_workspace_bytes);
   if (which <= Array::region_peak || which >= Array::strip_power) return strips;
   return strips * cells;
 }

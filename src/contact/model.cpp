@@ -52,7 +52,7 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
                   Profile& profile, double& deviation) {
   if (!(source.smoothing > 0.0))
     return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
-  const Fault fault = check_points(body, source.count, source.y, source.z);
+  const Fault fault = check_points(body, source.count, source.y, source.z, profile_noise_most);
   if (fault.failed()) return fault;
   const SmoothedPoints smooth =
       smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
@@ -97,6 +97,18 @@ std::size_t table_bytes(const ModelOptions& options) {
   return sizeof(float) * force_table_size(options.force_table_axes);
 }
 
+/// Contact on the rail's surface goes with the strip half-space solver.
+bool has_surface(const ModelOptions& options) {
+  return options.wheel.kind != ProfileSource::Kind::none &&
+         options.normal_method == NormalMethod::strip_halfspace;
+}
+
+std::size_t surface_bytes(const ModelOptions& options) {
+  return has_surface(options)
+             ? stand_in::surface_model_bytes(node_count(options.wheel), node_count(options.rail))
+             : 0;
+}
+
 /// A fault of a profile, under the name the caller knows it by.
 Fault named(Fault fault, const char* name) {
   if (fault.failed() && fault.field == nullptr) fault.field = name;
@@ -106,11 +118,11 @@ Fault named(Fault fault, const char* name) {
 }  // namespace
 
 std::size_t model_bytes(const ModelOptions& options) {
-  // Each profile as given is needed, with some scratch, while it is placed: room for the larger of the two.
-  const std::size_t wheel = doubles(options.wheel), rail = doubles(options.rail);
-  const std::size_t given = std::max(wheel + scratch_size(options.wheel), rail + scratch_size(options.rail));
-  return sizeof(Model) + kernel_bytes(options) + table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + wheel + rail + given);
+  // Besides the placed profiles, room for those given and for scratch while they are read.
+  const std::size_t profiles = doubles(options.wheel) + doubles(options.rail);
+  const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
+  return sizeof(Model) + kernel_bytes(options) + surface_bytes(options) + table_bytes(options) +
+         sizeof(double) * (march_grid_size(options.sizes.cells) + 2 * profiles + scratch);
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -125,6 +137,10 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   if (options.tangential_method == TangentialMethod::coarse_halfspace) {
     model->options.sizes.tangential_workspace_bytes = coarse_halfspace_workspace();
   }
+  if (has_surface(options)) {
+    model->options.sizes.surface_state_bytes = stand_in::surface_state_bytes();
+    model->options.sizes.surface_workspace_bytes = stand_in::surface_workspace_bytes();
+  }
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
 
@@ -135,6 +151,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     model->strip_kernel = kernel;
   }
   behind += kernel_bytes(options);
+  void* const surface = behind;
+  behind += surface_bytes(options);
   if (table_bytes(options) > 0) {
     auto* coefficients = reinterpret_cast<float*>(behind);
     const Fault fault = read_force_table(options.force_table, options.force_table_axes, coefficients);
@@ -153,20 +171,31 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   if (model->has_geometry) {
     const ProfileMemory wheel_memory = cut(arrays, node_count(options.wheel));
     const ProfileMemory rail_memory = cut(arrays, node_count(options.rail));
-    Profile given;
-    double* scratch = arrays;
-    ProfileMemory given_memory = cut(scratch, node_count(options.wheel));
-    Fault fault =
-        load_profile(options.wheel, ProfileBody::wheel, scratch, given_memory, given, model->wheel_deviation);
+    const ProfileMemory given_wheel_memory = cut(arrays, node_count(options.wheel));
+    const ProfileMemory given_rail_memory = cut(arrays, node_count(options.rail));
+    double* const scratch = arrays;
+    Profile given_wheel, given_rail;
+    Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_wheel_memory, given_wheel,
+                               model->wheel_deviation);
     if (!fault.failed())
-      fault = place_wheel(given, options.wheelset, options.side, wheel_memory, model->wheel);
+      fault = place_wheel(given_wheel, options.wheelset, options.side, wheel_memory, model->wheel);
     if (fault.failed()) return named(fault, "config.wheel");
-    scratch = arrays;
-    given_memory = cut(scratch, node_count(options.rail));
-    fault =
-        load_profile(options.rail, ProfileBody::rail, scratch, given_memory, given, model->rail_deviation);
-    if (!fault.failed()) fault = place_rail(given, options.track, options.side, rail_memory, model->rail);
+    fault = load_profile(options.rail, ProfileBody::rail, scratch, given_rail_memory, given_rail,
+                         model->rail_deviation);
+    if (!fault.failed())
+      fault = place_rail(given_rail, options.track, options.side, rail_memory, model->rail);
     if (fault.failed()) return named(fault, "config.rail");
+    if (has_surface(options)) {
+      fault = stand_in::make_surface_model({.wheel = given_wheel,
+                                            .rail = given_rail,
+                                            .rail_inclination = options.track.rail_inclination,
+                                            .rail_origin_y = model->rail.outward * model->rail.origin_y,
+                                            .rail_origin_z = model->rail.origin_z,
+                                            .nominal_radius = options.wheelset.nominal_radius,
+                                            .material = options.material},
+                                           surface, model->surface);
+      if (fault.failed()) return fault;
+    }
   }
   made = model;
   return {};

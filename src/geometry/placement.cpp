@@ -120,13 +120,18 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
   Profile canted;
   const Fault fault = place(profile, Placement{.inclination = track.rail_inclination}, memory, canted);
   if (fault.failed()) return fault;
-  const ProfileTop top = highest_point(canted);
-  const double origin = 0.5 * track.gauge - gauge_face(canted, top.y, top.z + track.gauge_depth);
-  shift(memory, canted, origin, -top.z);
+  double origin = track.rail_origin, depth = 0.0;
+  if (!track.by_origin) {
+    const ProfileTop top = highest_point(canted);
+    origin = 0.5 * track.gauge - gauge_face(canted, top.y, top.z + track.gauge_depth);
+    depth = -top.z;
+  }
+  shift(memory, canted, origin, depth);
   if (side == Side::left) mirror(memory, canted);
   rail.outward = side == Side::left ? -1.0 : 1.0;
   rail.profile = profile_in(memory, canted.count);
   rail.origin_y = rail.outward * origin;
+  rail.origin_z = depth;
   return {};
 }
 

@@ -33,6 +33,8 @@ struct TrackDimensions {
   double gauge = 1.435;           ///< between the gauge faces [m]
   double gauge_depth = 0.014;     ///< the gauge is measured here, below the top of the rail [m]
   double rail_inclination = 0.0;  ///< of the given profile; 0 if its points are canted already [-]
+  bool by_origin = false;    ///< the origin of the profile lies at rail_origin and z = 0, whatever the gauge
+  double rail_origin = 0.0;  ///< distance of that origin from the track's centre line [m]
 };
 
 struct WheelsetDimensions {
@@ -46,7 +48,8 @@ struct Rail {
   Profile profile;  ///< track frame
   double origin_y =
       0.0;  ///< y of the origin of its profile coordinates (after canting) in the track frame [m]
-  double outward = 1.0;  ///< +1 right rail, -1 left: direction of the field side along y
+  double origin_z = 0.0;  ///< z of that origin [m]
+  double outward = 1.0;   ///< +1 right rail, -1 left: direction of the field side along y
 };
 
 /// A wheel in the wheelset frame. Its radius at wheelset y is nominal_radius + profile z.
@@ -57,8 +60,9 @@ struct Wheel {
   double outward = 1.0;         ///< +1 right wheel, -1 left
 };
 
-/// Canted, top at z = 0, gauge face at half the gauge. The gauge face is the innermost point of the profile
-/// that lies no deeper than the gauge depth below the top.
+/// Canted about its origin, then top at z = 0 and gauge face at half the gauge, or the origin where it is
+/// told to lie. The gauge face is the innermost point of the profile that lies no deeper than the gauge depth
+/// below the top.
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 

@@ -112,7 +112,7 @@ void natural_slopes(std::int32_t count, const double* y, const double* z, double
 
 }  // namespace
 
-Fault check_points(ProfileBody body, std::int32_t count, const double* y, const double* z) {
+Fault check_points(ProfileBody body, std::int32_t count, const double* y, const double* z, double noise) {
   const Names name = names_of(body);
   if (count < 4) {
     return {.status = WRC_ERROR_PROFILE,
@@ -146,8 +146,9 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
                     1);
   }
   for (std::int32_t i = 1; i < count; ++i) {
-    if (y[i] == y[i - 1]) return unusable(name.y, y[i], "two neighbouring points have the same y", i);
-    if (y[i] < y[i - 1]) {
+    if (y[i] == y[i - 1] && (noise == 0.0 || z[i] == z[i - 1]))
+      return unusable(name.y, y[i], "two neighbouring points have the same y", i);
+    if (y[i] < y[i - 1] - noise) {
       return unusable(name.y, y[i],
                       "the profile folds back or crosses itself: y must increase from point to point", i);
     }

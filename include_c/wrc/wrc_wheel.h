@@ -1,0 +1,231 @@
+/** @file wrc_wheel.h
+ * A wheel on a rail in one call, for multibody hosts: where both are and how they move in, the wrench between them out.
+ * Part of wrc.h, which includes it; the conventions there (structs, statuses, classes) hold here.
+ *
+ * Nothing here chooses a contact point: every strip of the rail's surface has its own normal, overlap and slip, and the
+ * strips' forces are summed in track axes. The wrench is therefore continuous in the whole pose; tread, gauge corner and
+ * flange are one problem, and two-point contact is nothing special.
+ *
+ * @par Frames, origins, signs (SI: m, N, rad, s)
+ *
+ *        track axes (fixed): x forward, y right, z DOWN; origin on the track centre line, level with the undisplaced rails' tops
+ *
+ *              left wheel     O  axle            right wheel          seen from behind, x into the page
+ *              ____   ________|________________________   ____
+ *             |    |_|        |                        |_|    |       O        nominal place (0, 0, -r0)
+ *             |    | |        +--> y                   | |    |       W        nominal place (0, +-s, -r0), right +, left -
+ *             |  W-+-|--------O------------------------|-+-W  |                s = flange_back_distance / 2 + 0.070
+ *             |    | |        |                        | |    |       r0       config.wheel_radius, at the tape circle
+ *              \__/\_|        v z                      |_/\__/        P        origin of the rail's profile
+ *              --P---                                   ---P--                 (config.profile_placement)
+ *
+ *  - Pose of a wheel: the reference point (O or W, wrc_wheel_state.reference) is displaced from its nominal place by (y, z):
+ *    z > 0 is down, into the rail. Where it is along x does not matter.
+ *  - Orientation: R = Rx(roll) Rz(yaw): first roll about the track's x axis, then yaw about the rolled z axis, right-hand
+ *    rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right. Pitch does not matter. Or any rotation
+ *    matrix of the host with track = R * body and the body's y along the axle, to the right, with or without the pitch in it.
+ *  - Velocity: of the reference point, in track axes. Angular velocity: whole, the turning about the axle included
+ *    (forward rolling: its y component is about -v / r0 < 0), in track axes or in those of R.
+ *  - Pose of a rail: P displaced by (y, z) and the profile turned about P by roll, right-hand rule about x.
+ *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down has
+ *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P.
+ *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; give each wheel its
+ *    own contact.
+ *
+ * @par Recipe
+ * @code
+ *   wrc_profile wheel_profile = {sizeof wheel_profile, WRC_PROFILE_S1002};
+ *   wrc_profile rail_profile = {sizeof rail_profile, WRC_PROFILE_60E1};
+ *   wrc_config config;
+ *   config.struct_size = sizeof config;
+ *   wrc_config_init(&config);
+ *   config.rail_inclination = 1.0 / 40.0;
+ *   config.wheel = &wheel_profile;
+ *   config.rail = &rail_profile;
+ *   wrc_model* model = NULL;
+ *   wrc_contact* contact[2] = {NULL, NULL};
+ *   if (wrc_model_create(&config, NULL, &model) < 0) ...                // wrc_config_check() says why
+ *   for (side = 0; side < 2; ++side) wrc_contact_create(model, NULL, &contact[side]);
+ *
+ *   wrc_wheel_state wheel;
+ *   wheel.struct_size = sizeof wheel;
+ *   wrc_wheel_state_init(&wheel);
+ *   wrc_friction friction = {sizeof friction, 0, 0.3};
+ *   wrc_wheel_input input = {sizeof input, WRC_PRESCRIBE_HEIGHT, &wheel, NULL, &friction};
+ *   wrc_wrench wrench;
+ *   wrench.struct_size = sizeof wrench;
+ *   // in every evaluation of the right-hand side, from here on without allocation:
+ *   wheel.y = y;                       wheel.z = z;                     // of the wheelset's middle; z > 0 down
+ *   wheel.roll = roll;                 wheel.yaw = yaw;
+ *   wheel.velocity[0] = v;             wheel.velocity[1] = dy_dt;             wheel.velocity[2] = dz_dt;
+ *   wheel.angular_velocity[0] = wx;    wheel.angular_velocity[1] = wy;        wheel.angular_velocity[2] = wz;
+ *   for (side = 0; side < 2; ++side) {
+ *     wheel.side = side;                                                // WRC_SIDE_RIGHT, WRC_SIDE_LEFT
+ *     int32_t status = wrc_wheel_step(contact[side], &input, &wrench);  // < 0: wrc_last_error() says why
+ *     for (i = 0; i < 3; ++i) force[i] += wrench.force[i], moment[i] += wrench.moment[i];
+ *   }
+ * @endcode
+ */
+#ifndef WRC_H
+#include "wrc.h" /* which includes this file in its place */
+#elif !defined(WRC_WHEEL_H)
+#define WRC_WHEEL_H
+
+/** Which point of the rotating body the pose, the velocity and the moment refer to. */
+enum wrc_wheel_reference {
+  WRC_REFERENCE_WHEELSET = 0, /**< O, the middle of the axle */
+  WRC_REFERENCE_WHEEL = 1     /**< W, where the plane of the tape circle meets the axle: independent wheels, elastic axles */
+};
+
+/** In which axes an angular velocity is given. */
+enum wrc_axes {
+  WRC_AXES_TRACK = 0, /**< track axes */
+  WRC_AXES_BODY = 1   /**< the body's: those of roll and yaw, which do not turn with the pitch, or of `rotation` */
+};
+
+/** Which of height and load of a wheel is given; the other is a result. */
+enum wrc_wheel_prescribed {
+  WRC_PRESCRIBE_HEIGHT = 0,       /**< wheel.z is given: the choice of a dynamic simulation */
+  WRC_PRESCRIBE_VERTICAL_LOAD = 1 /**< vertical_load is given, z of the reference point is found */
+};
+
+/** Where a wheel or wheelset is and how it moves, against the ground. */
+typedef struct wrc_wheel_state {
+  uint32_t struct_size;       /**< sizeof this struct */
+  int32_t side;               /**< enum wrc_side: which wheel, and which rail it is on [right]; config.side is not read */
+  int32_t reference;          /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment [wheelset] */
+  int32_t angular_axes;       /**< enum wrc_axes: of angular_velocity [track] */
+  double y;                   /**< displacement of the reference point to the right, -0.2..0.2 m [0] */
+  double z;                   /**< the same downwards, -0.5..0.2 m; not read with WRC_PRESCRIBE_VERTICAL_LOAD [0] */
+  double roll;                /**< -0.5..0.5 rad, must be 0 with `rotation` [0] */
+  double yaw;                 /**< -0.5..0.5 rad, must be 0 with `rotation` [0] */
+  const double* rotation;     /**< 9 numbers row by row, track = R * body, orthonormal to 1e-6; the axle within 0.5 rad of
+                                   the track's y axis in both directions; NULL: from roll and yaw [NULL] */
+  double velocity[3];         /**< of the reference point, track axes: forward -200..200, others -50..50 m/s [0] */
+  double angular_velocity[3]; /**< about x and z -200..200, about y (the axle) -2000..2000 rad/s [0] */
+} wrc_wheel_state;
+
+/** Displacement and motion of a rail, track axes. */
+typedef struct wrc_rail_state {
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0] */
+  double z;             /**< the same downwards, -0.2..0.2 m [0] */
+  double roll;          /**< rotation about that origin and the x axis, -0.5..0.5 rad [0] */
+  double y_velocity;    /**< rate of y, -50..50 m/s [0] */
+  double z_velocity;    /**< rate of z, -50..50 m/s [0] */
+  double roll_velocity; /**< rate of roll, -200..200 rad/s [0] */
+} wrc_rail_state;
+
+/** What wrc_wheel_step() reads. Pointers are the caller's and only read during the call. */
+typedef struct wrc_wheel_input {
+  uint32_t struct_size;         /**< sizeof this struct */
+  int32_t prescribed;           /**< enum wrc_wheel_prescribed [height] */
+  const wrc_wheel_state* wheel; /**< required */
+  const wrc_rail_state* rail;   /**< NULL: undisplaced and at rest */
+  const wrc_friction* friction; /**< constant and the same everywhere: kind, zones and slope_reduction must be left as they
+                                     are by default; NULL: frictionless */
+  double vertical_load;         /**< the whole vertical force on the wheel, creep forces included, upwards positive:
+                                     1e2..1e6 N with WRC_PRESCRIBE_VERTICAL_LOAD; must be 0 else [0] */
+  double damping;               /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the
+                                     strip's own overlap grows: 0..10 s/m with WRC_PRESCRIBE_HEIGHT; must be 0 else [0] */
+} wrc_wheel_input;
+
+/** What passes between a wheel and its rail. All zero, but for z, where they do not touch. */
+typedef struct wrc_wrench {
+  uint32_t struct_size;  /**< sizeof this struct */
+  int32_t regions;       /**< separate regions in contact: wrc_wheel_region() */
+  int32_t iterations;    /**< of the normal problem, all of the call */
+  uint32_t reserved;     /**< 0 */
+  double force[3];       /**< on the wheel, track axes [N] */
+  double moment[3];      /**< on the wheel about its reference point, track axes [N m] */
+  double rail_force[3];  /**< on the rail, track axes: -force [N] */
+  double rail_moment[3]; /**< on the rail about the displaced origin of its profile, track axes [N m] */
+  double z;              /**< displacement of the reference point, as given or as found [m] */
+  double normal_force;   /**< sum over the regions of the resultants of their pressures [N] */
+  double area;           /**< [m^2] */
+  double peak_pressure;  /**< [Pa] */
+  double power;          /**< frictional power, >= 0 [W] */
+  double steepest_angle; /**< largest angle between z and the surface normal of a rail's strip in contact, >= 0 [rad] */
+} wrc_wrench;
+
+/** One region of the last wrc_wheel_step(): a run of neighbouring strips in contact. For people and for what comes after;
+ * the wrench does not depend on where regions are divided. */
+typedef struct wrc_region {
+  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t reserved;    /**< 0 */
+  double point[3];      /**< centre of pressure, track axes [m]; x from the wheel's reference point */
+  double y_wheel;       /**< that point in the coordinates of the wheel's profile, flange side negative [m] */
+  double z_wheel;       /**< the same, down from the tape circle [m] */
+  double y_rail;        /**< that point in the coordinates of the rail's profile, field side positive [m] */
+  double z_rail;        /**< the same, down from the profile's origin [m] */
+  double angle;         /**< of the resultant of the pressure: about x from the track's z to the normal into the rail;
+                             < 0 on the gauge side of the right rail, > 0 on that of the left [rad] */
+  double normal_force;  /**< resultant of the pressure [N] */
+  double force[3];      /**< on the wheel, track axes [N] */
+  double moment[3];     /**< on the wheel about `point`, track axes [N m] */
+  double area;          /**< [m^2] */
+  double peak_pressure; /**< [Pa] */
+  double power;         /**< frictional power [W] */
+  double creepage[3];   /**< means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail */
+} wrc_region;
+
+/** @name Defaults
+ * As those of wrc.h.
+ * @rt hard @thread free
+ * @{ */
+WRC_API int32_t wrc_wheel_state_init(wrc_wheel_state* wheel); /**< Defaults of a wheel's state. */
+WRC_API int32_t wrc_rail_state_init(wrc_rail_state* rail);    /**< Defaults of a rail's state. */
+WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults of a wheel's input. */
+WRC_API int32_t wrc_wrench_init(wrc_wrench* wrench);          /**< Defaults of a wrench. */
+WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a region. */
+/** @} */
+
+/** The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the results of the
+ * stages of wrc.h in the same contact, nor they its. Theory manual, section 10.
+ * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
+ * @param input what to solve
+ * @param[out] wrench the result; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _MORE_PATCHES (more regions than can be told apart;
+ * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
+ * other methods, or friction other than constant), _LOAD (the load cannot be carried at this pose).
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_wheel_step(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
+
+/** One region of the last wrc_wheel_step().
+ * @param contact the contact
+ * @param index 0 .. wrc_wrench.regions - 1, from the gauge side to the field side
+ * @param[out] region the region
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_wheel_step), _RANGE (no such region).
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_wheel_region(wrc_contact* contact, int32_t index, wrc_region* region);
+
+/** wrc_wheel_step() for many contacts, in order; as wrc_step_batch().
+ * @param contacts count of them, each once
+ * @param count how many
+ * @param inputs the first input; element i lies i * input_stride bytes behind it
+ * @param input_stride [bytes]; 0: the same input for all
+ * @param[out] wrenches the first result; element i lies i * wrench_stride bytes behind it
+ * @param wrench_stride [bytes]
+ * @param[out] statuses count of them; NULL: not wanted
+ * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
+ * @thread contact, all of them */
+WRC_API int32_t wrc_wheel_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
+                                     uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
+                                     int32_t* statuses);
+
+#define WRC_FLAT_WHEEL_INPUTS 22  /**< numbers wrc_wheel_step_flat() reads */
+#define WRC_FLAT_WHEEL_OUTPUTS 18 /**< numbers wrc_wheel_step_flat() writes */
+
+/** wrc_wheel_step() with plain arrays, for Fortran 77 and S-functions. Numbers that stand for one of an enumeration are
+ * its value.
+ * @param contact as for wrc_wheel_step()
+ * @param in WRC_FLAT_WHEEL_INPUTS numbers: side, reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
+ * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0: none),
+ * prescribed, vertical load [N], damping [s/m]
+ * @param[out] out WRC_FLAT_WHEEL_OUTPUTS numbers: force x, y, z [N], moment x, y, z [N m], on the rail force x, y, z,
+ * moment x, y, z, then z [m], normal force [N], area [m^2], peak pressure [Pa], power [W], regions
+ * @return as wrc_wheel_step(). @rt hard @thread contact */
+WRC_API int32_t wrc_wheel_step_flat(wrc_contact* contact, const double* in, double* out);
+
+#endif /* WRC_WHEEL_H */

@@ -1,0 +1,161 @@
+/// A wheel on a rail: from the axes, sides and reference points of the host to those of src/surface and back.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact.hpp"
+#include "elementary.hpp"
+
+namespace wrc {
+namespace {
+
+/// a + b x c
+void add_cross(double* a, const double* b, const double* c) {
+  a[0] += b[1] * c[2] - b[2] * c[1];
+  a[1] += b[2] * c[0] - b[0] * c[2];
+  a[2] += b[0] * c[1] - b[1] * c[0];
+}
+
+/// Vectors change the sign of y in the mirror image of the track, rotations those of x and z.
+void mirror_vector(double* v) { v[1] = -v[1]; }
+void mirror_turning(double* w) {
+  w[0] = -w[0];
+  w[2] = -w[2];
+}
+
+void mirror_body(WheelOnRail& problem) {
+  WheelMotion& wheel = problem.wheel;
+  RailMotion& rail = problem.rail;
+  mirror_vector(wheel.position);
+  mirror_vector(wheel.velocity);
+  mirror_turning(wheel.angular_velocity);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if ((i == 1) != (k == 1)) wheel.rotation[i][k] = -wheel.rotation[i][k];
+    }
+  }
+  rail.y = -rail.y;
+  rail.velocity_y = -rail.velocity_y;
+  rail.roll = -rail.roll;
+  rail.velocity_roll = -rail.velocity_roll;
+}
+
+void mirror_wrench(Wrench& wrench) {
+  mirror_vector(wrench.force);
+  mirror_turning(wrench.moment);
+  for (std::int32_t i = 0; i < wrench.regions; ++i) {
+    SurfaceRegion& region = wrench.region[i];
+    mirror_vector(region.point);
+    mirror_vector(region.force);
+    mirror_turning(region.moment);
+    region.angle = -region.angle;
+    region.creepage[1] = -region.creepage[1];
+    region.creepage[2] = -region.creepage[2];
+  }
+}
+
+/// Of a region's point on right-hand bodies, wheel at its height.
+RegionPlace place_of(const Model& model, const WheelOnRail& problem, const double* point) {
+  const WheelMotion& wheel = problem.wheel;
+  double from_wheel[3] = {};  // in the wheel's axes
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) from_wheel[k] += wheel.rotation[i][k] * (point[i] - wheel.position[i]);
+  }
+  const auto [sine, cosine] = sine_cosine(problem.rail.roll);
+  const double y = point[1] - std::abs(model.rail.origin_y) - problem.rail.y;
+  const double z = point[2] - model.rail.origin_z - problem.rail.z;
+  return {.y_wheel = from_wheel[1],
+          .z_wheel = std::sqrt(from_wheel[0] * from_wheel[0] + from_wheel[2] * from_wheel[2]) -
+                     model.wheel.nominal_radius,
+          .y_rail = cosine * y + sine * z,
+          .z_rail = cosine * z - sine * y};
+}
+
+/// Largest angle of a rail's strip in contact, the rail's roll included [rad].
+double steepest(const stand_in::SurfaceModel& surface, const Wrench& wrench, double roll) {
+  double largest = 0.0;
+  for (std::int32_t i = 0; i < wrench.regions; ++i) {
+    const SurfaceRegion& region = wrench.region[i];
+    for (std::int32_t j = region.first; j < region.first + region.count; ++j)
+      largest = std::max(largest, std::abs(stand_in::strip_angle(surface, j) + roll));
+  }
+  return largest;
+}
+
+}  // namespace
+
+Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
+  contact.wheel_solved = 0;
+  contact.wheel = {};
+  const Model& model = *contact.model;
+  if (model.surface == nullptr) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "contact",
+            .cause = model.has_geometry ? "wrc_wheel_step needs a model of config.normal_method = "
+                                          "WRC_NORMAL_STRIP_HALFSPACE"
+                                        : "wrc_wheel_step needs a model with profiles: give config.wheel and "
+                                          "config.rail"};
+  }
+  if (model.options.tangential_method != TangentialMethod::strip_fastsim) {
+    return {
+        .status = WRC_ERROR_UNSUPPORTED,
+        .field = "contact",
+        .cause = "wrc_wheel_step needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+  }
+
+  const double outward = hosted.side == Side::left ? -1.0 : 1.0;
+  const double half_base = outward * std::abs(model.wheel.origin_y);
+  double arm[3] = {};  // from the reference point to that of the wheel
+  if (hosted.of_wheelset) {
+    for (int i = 0; i < 3; ++i) arm[i] = hosted.rotation[i][1] * half_base;
+  }
+  const double reference[3] = {0.0, hosted.y + (hosted.of_wheelset ? 0.0 : half_base),
+                               hosted.z - model.wheel.nominal_radius};
+
+  WheelOnRail problem;
+  for (int i = 0; i < 3; ++i) {
+    problem.wheel.position[i] = reference[i] + arm[i];
+    problem.wheel.velocity[i] = hosted.velocity[i];
+    problem.wheel.angular_velocity[i] = hosted.angular_velocity[i];
+    for (int k = 0; k < 3; ++k) problem.wheel.rotation[i][k] = hosted.rotation[i][k];
+  }
+  add_cross(problem.wheel.velocity, hosted.angular_velocity, arm);
+  problem.rail = hosted.rail;
+  problem.load_prescribed = hosted.load_prescribed;
+  problem.vertical_load = hosted.vertical_load;
+  problem.friction = hosted.friction;
+  problem.damping = hosted.damping;
+  const bool left = hosted.side == Side::left;
+  if (left) mirror_body(problem);
+
+  auto& state = *reinterpret_cast<stand_in::SurfaceState*>(array(contact, Array::surface_state));
+  if (!model.options.warm_start) state = {};
+  HostedWrench& result = contact.wheel;
+  Wrench& wrench = result.wrench;
+  const Fault fault = stand_in::solve_wheel_on_rail(*model.surface, problem, state,
+                                                    array(contact, Array::surface_workspace), wrench);
+  if (fault.failed()) {
+    result = {};
+    return fault;
+  }
+  problem.wheel.position[2] = wrench.height;
+  result.steepest_angle = steepest(*model.surface, wrench, problem.rail.roll);
+  for (std::int32_t i = 0; i < wrench.regions; ++i)
+    result.place[i] = place_of(model, problem, wrench.region[i].point);
+  if (left) mirror_wrench(wrench);
+
+  add_cross(wrench.moment, arm, wrench.force);
+  // The axle does not turn about itself in `arm`, so that the wheel's height is the reference's but for a
+  // constant.
+  const double reference_z = wrench.height - arm[2];
+  wrench.height = reference_z + model.wheel.nominal_radius;
+  const double from_rail[3] = {reference[0],
+                               reference[1] - (outward * std::abs(model.rail.origin_y) + hosted.rail.y),
+                               reference_z - (model.rail.origin_z + hosted.rail.z)};
+  double about_rail[3] = {wrench.moment[0], wrench.moment[1], wrench.moment[2]};
+  add_cross(about_rail, from_rail, wrench.force);
+  for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
+  contact.wheel_solved = 1;
+  return fault;
+}
+
+}  // namespace wrc
