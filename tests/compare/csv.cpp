@@ -21,7 +21,7 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-Csv::Csv(const std::string& path) {
+Csv::Csv(const std::string& path) : path_(path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
   std::string line;
@@ -35,20 +35,24 @@ Csv::Csv(const std::string& path) {
       throw std::runtime_error(where + " has " + std::to_string(pieces.size()) + " values, the heading " +
                                std::to_string(names.size()));
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      double value = 0.0;
-      const char* end = pieces[i].data() + pieces[i].size();
-      const auto result = std::from_chars(pieces[i].data(), end, value);
-      if (result.ec != std::errc() || result.ptr != end) {
-        throw std::runtime_error(where + ", column " + names[i] + ": '" + pieces[i] + "' is not a number");
-      }
-      columns_[names[i]].push_back(value);
-    }
+    for (std::size_t i = 0; i < names.size(); ++i) columns_[names[i]].push_back(pieces[i]);
     ++rows_;
   }
 }
 
 double Csv::operator()(std::size_t row, const std::string& column) const {
+  const std::string& written = text(row, column);
+  double value = 0.0;
+  const char* end = written.data() + written.size();
+  const auto result = std::from_chars(written.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) {
+    throw std::runtime_error(path_ + ", line " + std::to_string(row + 2) + ", column " + column + ": '" +
+                             written + "' is not a number");
+  }
+  return value;
+}
+
+const std::string& Csv::text(std::size_t row, const std::string& column) const {
   const auto found = columns_.find(column);
   if (found == columns_.end()) throw std::runtime_error("the file has no column '" + column + "'");
   return found->second.at(row);

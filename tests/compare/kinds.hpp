@@ -1,10 +1,23 @@
 /// The kinds of comparison, one file each.
 #pragma once
 
+#include <algorithm>
+
 #include "csv.hpp"
 #include "report.hpp"
 
 namespace compare {
+
+/// What a kind may be told on the command line besides its file.
+struct Options {
+  std::vector<long> only;   ///< cases to run; empty: all
+  bool list = false;        ///< print each case
+  double smoothing = 5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
+
+  bool wanted(long number) const {
+    return only.empty() || std::find(only.begin(), only.end(), number) != only.end();
+  }
+};
 
 /// Exact double ellipses with prescribed pressure: forces and power of every tangential variant.
 Report compare_sdec(const Csv& file);
@@ -22,5 +35,13 @@ Report compare_halfspace_normal(const Csv& file);
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file);
+
+/// Wheels on rails from the pose to the wrench (wrc_wheel_step): new and worn profiles at given heights;
+/// flange roots under given loads against conformal theory; second differences along lines through pose
+/// space; work round closed paths.
+Report compare_wheelset(const Csv& file, const Options& options);
+Report compare_conformal(const Csv& file, const Options& options);
+Report compare_scan(const Csv& file, const Options& options);
+Report compare_loop(const Csv& file, const Options& options);
 
 }  // namespace compare

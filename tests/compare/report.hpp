@@ -32,17 +32,25 @@ struct Failure {
 struct Report {
   std::string kind;
   std::size_t rows = 0;
+  bool numbered = false;                                        ///< `row` is the case's number in the file
+  std::map<std::string, std::string> units;                     ///< of measures that are no fractions
   std::vector<std::string> measures;                            ///< in the order they are printed
   std::vector<std::string> variants;                            ///< in the order they are printed
   std::map<std::string, std::map<std::string, Errors>> errors;  ///< variant -> measure -> errors
   std::vector<Failure> failed;
   std::string default_variant;
 
-  /// A row that failed counts as error 1 in every measure.
+  /// A row that failed counts as error 1 in every measure, or in those that would have had an error of it.
   void fail(std::size_t row, const std::string& variant, const std::string& reason);
+  void fail(std::size_t row, const std::string& variant, const std::string& reason,
+            const std::vector<std::string>& of_measures);
+
+  /// Empty where there is no such error.
+  Errors sample_of(const std::string& variant, const std::string& measure) const;
 
   void print_table() const;
-  void print_json() const;  ///< one line: {"kind", "rows", "variants": {...}, "default", "failed"}
+  void print_json() const;  ///< one line: {"kind", "rows", "variants": {...}, "default", "failed"}; a measure
+                            ///< without a single row is left out
 };
 
 }  // namespace compare
