@@ -104,9 +104,7 @@ bool has_surface(const ModelOptions& options) {
 }
 
 std::size_t surface_bytes(const ModelOptions& options) {
-  return has_surface(options)
-             ? stand_in::surface_model_bytes(node_count(options.wheel), node_count(options.rail))
-             : 0;
+  return has_surface(options) ? surface_model_bytes(node_count(options.wheel), node_count(options.rail)) : 0;
 }
 
 /// A fault of a profile, under the name the caller knows it by.
@@ -138,8 +136,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     model->options.sizes.tangential_workspace_bytes = coarse_halfspace_workspace();
   }
   if (has_surface(options)) {
-    model->options.sizes.surface_state_bytes = stand_in::surface_state_bytes();
-    model->options.sizes.surface_workspace_bytes = stand_in::surface_workspace_bytes();
+    model->options.sizes.surface_state_bytes = surface_state_bytes();
+    model->options.sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel));
   }
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
@@ -186,14 +184,18 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
       fault = place_rail(given_rail, options.track, options.side, rail_memory, model->rail);
     if (fault.failed()) return named(fault, "config.rail");
     if (has_surface(options)) {
-      fault = stand_in::make_surface_model({.wheel = given_wheel,
-                                            .rail = given_rail,
-                                            .rail_inclination = options.track.rail_inclination,
-                                            .rail_origin_y = model->rail.outward * model->rail.origin_y,
-                                            .rail_origin_z = model->rail.origin_z,
-                                            .nominal_radius = options.wheelset.nominal_radius,
-                                            .material = options.material},
-                                           surface, model->surface);
+      fault = make_surface_model({.wheel = given_wheel,
+                                  .rail = given_rail,
+                                  .rail_inclination = options.track.rail_inclination,
+                                  .rail_origin_y = model->rail.outward * model->rail.origin_y,
+                                  .rail_origin_z = model->rail.origin_z,
+                                  .nominal_radius = options.wheelset.nominal_radius,
+                                  .material = options.material,
+                                  .kernel = model->strip_kernel,
+                                  .kernels = &surface_kernels(options.instruction_set),
+                                  .ellipse = &model->linear_theory.ellipse(),
+                                  .grid = &model->march_grid},
+                                 surface, model->surface);
       if (fault.failed()) return fault;
     }
   }

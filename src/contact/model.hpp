@@ -13,7 +13,7 @@
 #include "normal/strip_halfspace.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
-#include "surface/stub.hpp"
+#include "surface/surface_model.hpp"
 #include "tangential/force_table.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
@@ -86,7 +86,7 @@ struct Model {
   const GeometryKernels* geometry_kernels = nullptr;  ///< of the same instruction set
   const DamageKernels* damage_kernels = nullptr;      ///< of the same instruction set
   ForceTable force_table;                             ///< with TangentialMethod::table
-  const stand_in::SurfaceModel* surface = nullptr;              ///< with profiles and NormalMethod::strip_halfspace
+  const SurfaceModel* surface = nullptr;              ///< with profiles and NormalMethod::strip_halfspace
   ArrayLayout layout;                                 ///< of every contact of this model
 };
 

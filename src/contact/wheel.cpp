@@ -71,12 +71,12 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
 }
 
 /// Largest angle of a rail's strip in contact, the rail's roll included [rad].
-double steepest(const stand_in::SurfaceModel& surface, const Wrench& wrench, double roll) {
+double steepest(const SurfaceModel& surface, const Wrench& wrench, double roll) {
   double largest = 0.0;
   for (std::int32_t i = 0; i < wrench.regions; ++i) {
     const SurfaceRegion& region = wrench.region[i];
     for (std::int32_t j = region.first; j < region.first + region.count; ++j)
-      largest = std::max(largest, std::abs(stand_in::strip_angle(surface, j) + roll));
+      largest = std::max(largest, std::abs(strip_angle(surface, j) + roll));
   }
   return largest;
 }
@@ -127,12 +127,11 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   const bool left = hosted.side == Side::left;
   if (left) mirror_body(problem);
 
-  auto& state = *reinterpret_cast<stand_in::SurfaceState*>(array(contact, Array::surface_state));
-  if (!model.options.warm_start) state = {};
+  auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostedWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
-  const Fault fault = stand_in::solve_wheel_on_rail(*model.surface, problem, state,
-                                                    array(contact, Array::surface_workspace), wrench);
+  const Fault fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
+                                          array(contact, Array::surface_workspace), wrench);
   if (fault.failed()) {
     result = {};
     return fault;

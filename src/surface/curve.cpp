@@ -6,7 +6,7 @@
 namespace wrc {
 namespace {
 
-constexpr double nearest = 50e-6;        // [m] between points
+constexpr double nearest = 50e-6;         // [m] between points
 constexpr double longest_piece = 0.5e-3;  // [m]
 constexpr double longest_curve = 0.6;     // [m]: of a profile's points, by what profiles may be
 
@@ -84,7 +84,7 @@ Fault make_curve(std::int32_t points, const double* y, const double* z, double* 
     for (std::int64_t p = 0; p < parts; ++p, ++k) {
       const double u = h * static_cast<double>(p) / static_cast<double>(parts);
       s[k] = ks[i] + u;
-      const auto move = [u](const double (&b)[4], double* const(&c)[4], std::int32_t to) {
+      const auto move = [u](const double(&b)[4], double* const(&c)[4], std::int32_t to) {
         c[0][to] = b[0] + u * (b[1] + u * (b[2] + u * b[3]));
         c[1][to] = b[1] + u * (2.0 * b[2] + 3.0 * u * b[3]);
         c[2][to] = b[2] + 3.0 * u * b[3];

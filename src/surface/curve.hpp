@@ -43,9 +43,9 @@ std::int32_t piece_of(const Curve& curve, double s);
 std::int32_t most_curve_pieces(std::int32_t points);
 std::int64_t curve_doubles(std::int32_t points);
 
-/// The curve through the points, in `memory` of curve_doubles(points) doubles. Points nearer than 50 um to the one
-/// before are left out; pieces longer than 0.5 mm are divided, which changes nothing but how finely they are
-/// searched. WRC_ERROR_PROFILE if fewer than four points are left.
+/// The curve through the points, in `memory` of curve_doubles(points) doubles. Points nearer than 50 um to
+/// the one before are left out; pieces longer than 0.5 mm are divided, which changes nothing but how finely
+/// they are searched. WRC_ERROR_PROFILE if fewer than four points are left.
 Fault make_curve(std::int32_t points, const double* y, const double* z, double* memory, Curve& curve);
 
 }  // namespace wrc

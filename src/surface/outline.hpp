@@ -11,7 +11,8 @@ struct OutlineAttitude {
   double e1, e2, e3;
 };
 
-/// Steep faces of a yawed wheel have no outline: sin(theta + alpha) would pass one. Faces that turn back have none.
+/// Steep faces of a yawed wheel have no outline: sin(theta + alpha) would pass one. Faces that turn back have
+/// none.
 inline constexpr double steepest_sine = 0.98, least_advance = 1e-3;
 
 /// From the wheel's reference point, rail axes. Number is double, or a pack of them.

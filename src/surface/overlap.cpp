@@ -21,7 +21,8 @@ constexpr double unseen = 1e300;
 /// A chord of the outline between two knots lies at most this far from it [m].
 constexpr double sagitta = 30e-6;
 
-/// Follows the outline from knot to knot: each ray that is crossed gets an estimate; the deepest crossing counts.
+/// Follows the outline from knot to knot: each ray that is crossed gets an estimate; the deepest crossing
+/// counts.
 void cross_rays(const RailStrips& rail, std::int32_t knots, const OverlapScratch& scratch) {
   constexpr double nowhere = -1.0;  // [m]
   std::fill_n(scratch.overlap, rail.count, nowhere);
@@ -37,7 +38,8 @@ void cross_rays(const RailStrips& rail, std::int32_t knots, const OverlapScratch
       const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
       const double from = along(j, y_before, z_before), to = along(j, y, z);
       const double t = from == to ? 0.5 : smaller(larger(from / (from - to), 0.0), 1.0);
-      const double py = y_before + t * (y - y_before) - rail.y[j], pz = z_before + t * (z - z_before) - rail.z[j];
+      const double py = y_before + t * (y - y_before) - rail.y[j],
+                   pz = z_before + t * (z - z_before) - rail.z[j];
       const double overlap = pz * rail.ty[j] - py * rail.tz[j];
       if (overlap <= scratch.overlap[j]) return;
       scratch.overlap[j] = overlap;

@@ -6,7 +6,8 @@
 namespace wrc {
 namespace {
 
-/// Curvature is looked at over this length to both sides: roughness of measured points must not show in the widths.
+/// Curvature is looked at over this length to both sides: roughness of measured points must not show in the
+/// widths.
 constexpr double looked_over = 3e-3;
 
 /// Unit tangent at a length, held at the curve's ends.
@@ -32,16 +33,16 @@ double width_at(const Curve& rail, const StripWidths& widths, double s) {
 
 }  // namespace
 
-std::int64_t rail_strip_doubles(std::int32_t strips) {
-  return 6 * static_cast<std::int64_t>(strips);
-}
+std::int64_t rail_strip_doubles(std::int32_t strips) { return 6 * static_cast<std::int64_t>(strips); }
 
-Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory, RailStrips& strips) {
+Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
+               RailStrips& strips) {
   strips = {};
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
                 *const ty = z + most, *const tz = ty + most;
   const double begin = rail.s[0], end = rail.s[rail.pieces];
-  // The widths wanted, added up along the curve: so many strips as that gives, all scaled alike to end where it ends.
+  // The widths wanted, added up along the curve: so many strips as that gives, all scaled alike to end where
+  // it ends.
   const auto count_from = [&](double scale) {
     double at = begin;
     std::int32_t n = 0;

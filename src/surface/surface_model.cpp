@@ -14,9 +14,10 @@ constexpr std::size_t whole_lines(std::size_t bytes) { return (bytes + 63) / 64 
 }  // namespace
 
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes) {
-  const auto doubles = static_cast<std::size_t>(curve_doubles(wheel_nodes) + curve_doubles(rail_nodes) +
-                                                rail_strip_doubles(most_strips_of_a_rail) +
-                                                2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)));
+  const auto doubles = static_cast<std::size_t>(
+      curve_doubles(wheel_nodes) + curve_doubles(rail_nodes) +
+      wheel_knot_doubles(most_curve_pieces(wheel_nodes)) + rail_strip_doubles(most_strips_of_a_rail) +
+      2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)));
   return whole_lines(sizeof(SurfaceModel)) + sizeof(double) * doubles;
 }
 
@@ -27,13 +28,15 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   auto* doubles = reinterpret_cast<double*>(static_cast<char*>(memory) + whole_lines(sizeof(SurfaceModel)));
   double* const wheel = doubles;
   double* const rail = wheel + curve_doubles(bodies.wheel.count);
-  double* const strips = rail + curve_doubles(bodies.rail.count);
+  double* const knots = rail + curve_doubles(bodies.rail.count);
+  double* const strips = knots + wheel_knot_doubles(most_curve_pieces(bodies.wheel.count));
   double* const y = strips + rail_strip_doubles(most_strips_of_a_rail);
   double* const z = y + std::max(bodies.wheel.count, bodies.rail.count);
 
   for (std::int32_t i = 0; i < bodies.wheel.count; ++i) z[i] = bodies.nominal_radius + bodies.wheel.z[i];
   Fault fault = make_curve(bodies.wheel.count, bodies.wheel.y, z, wheel, model->wheel.curve);
   if (fault.failed()) return fault;
+  find_knots(knots, model->wheel);
   const double c = 1.0 / std::sqrt(1.0 + bodies.rail_inclination * bodies.rail_inclination);
   const double s = bodies.rail_inclination * c;
   for (std::int32_t i = 0; i < bodies.rail.count; ++i) {
@@ -48,7 +51,8 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->rail_origin_z = bodies.rail_origin_z;
   model->material = bodies.material;
   model->kernel = bodies.kernel;
-  model->coefficients = bodies.coefficients;
+  model->kernels = bodies.kernels;
+  model->coefficients = StripCoefficientTable(*bodies.ellipse);
   model->grid = bodies.grid;
   made = model;
   return {};

@@ -1,5 +1,5 @@
-/// What does not change while a wheel rolls on a rail: both cross sections by arc length, the rail's strips, elastic
-/// constants and tables. Immutable after creation; any number of contacts use one.
+/// What does not change while a wheel rolls on a rail: both cross sections by arc length, the rail's strips,
+/// elastic constants and tables. Immutable after creation; any number of contacts use one.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,17 @@ namespace wrc {
 
 /// The bodies, right-hand, as the caller gave them.
 struct SurfaceBodies {
-  Profile wheel;                  ///< from its own origin, z down
-  Profile rail;                   ///< from its own origin, not canted
-  double rail_inclination = 0.0;  ///< tangent of the cant about that origin
+  Profile wheel;                                    ///< from its own origin, z down
+  Profile rail;                                     ///< from its own origin, not canted
+  double rail_inclination = 0.0;                    ///< tangent of the cant about that origin
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< of the right-hand rail, track axes [m]
   double nominal_radius = 0.0;                      ///< of the wheel at its profile's origin [m]
   Material material;
-  const StripKernel* kernel = nullptr;                  ///< outlives the model
-  const StripCoefficientTable* coefficients = nullptr;  ///< of the material's Poisson ratio; outlives the model
-  const MarchGrid* grid = nullptr;                      ///< outlives the model
+  // These outlive the model:
+  const StripKernel* kernel = nullptr;
+  const SurfaceKernels* kernels = nullptr;
+  const KalkerTable* ellipse = nullptr;  ///< of the material's Poisson ratio
+  const MarchGrid* grid = nullptr;
 };
 
 struct SurfaceModel {
@@ -37,14 +39,13 @@ struct SurfaceModel {
   double rail_origin_y = 0.0, rail_origin_z = 0.0;
   Material material;
   const StripKernel* kernel = nullptr;
-  const StripCoefficientTable* coefficients = nullptr;
+  const SurfaceKernels* kernels = nullptr;
+  StripCoefficientTable coefficients;
   const MarchGrid* grid = nullptr;
 };
 
 /// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.
 inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_strips = 256;
-/// Most pieces of a wheel's curve.
-inline constexpr std::int32_t most_wheel_pieces = 22000;
 
 /// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.
 struct SurfaceState {

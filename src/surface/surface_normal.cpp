@@ -9,16 +9,18 @@
 namespace wrc {
 namespace {
 
-/// Half lengths below this part of a strip's width count as it: a strip that enters has a place and no length.
+/// Half lengths below this part of a strip's width count as it: a strip that enters has a place and no
+/// length.
 constexpr double least_half_length = 0.02;
 
-/// Levels are smoothed by (1 - t^2)^3, t the distance over this length [m] or over so many widths, whichever is more.
+/// Levels are smoothed by (1 - t^2)^3, t the distance over this length [m] or over so many widths, whichever
+/// is more.
 constexpr double smoothing_length = 0.75e-3, smoothing_widths = 1.9;
 
-constexpr std::int32_t history = 5;         ///< earlier sweeps the acceleration looks at
-constexpr std::int32_t most_rounds = 20;    ///< of strips entering and leaving within a sweep
-constexpr double longest_shift = 10e-3;     ///< [m]
-constexpr double coarse_tolerance = 1e-2;   ///< of the start on pairs of strips
+constexpr std::int32_t history = 5;        ///< earlier sweeps the acceleration looks at
+constexpr std::int32_t most_rounds = 20;   ///< of strips entering and leaving within a sweep
+constexpr double longest_shift = 10e-3;    ///< [m]
+constexpr double coarse_tolerance = 1e-2;  ///< of the start on pairs of strips
 constexpr std::int32_t fewest_pairs = 12;
 
 /// Strips a solve works on: candidates, or pairs of them.
@@ -30,7 +32,7 @@ struct Strips {
 
 struct Scratch {
   Strips fine, coarse;
-  double *matrix, *r, *s;  ///< the elimination's
+  double *matrix, *r, *s;                                                              ///< the elimination's
   double *place, *centre, *inverse_length, *half_width, *factor, *strength, *ny, *nz;  ///< sources
   double *row, *l, *wanted_level, *wanted_shift, *residual;  ///< residual: of L, then of the shifts
   double *x[history + 1], *f[history + 1], *next;
@@ -47,15 +49,15 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
     return here;
   };
   for (Strips* s : {&w.fine, &w.coarse})
-    for (double** a : {&s->place, &s->width, &s->depth, &s->curvature, &s->middle, &s->ny, &s->nz, &s->L, &s->shift,
-                       &s->level, &s->q})
+    for (double** a : {&s->place, &s->width, &s->depth, &s->curvature, &s->middle, &s->ny, &s->nz, &s->L,
+                       &s->shift, &s->level, &s->q})
       *a = take(padded);
   const std::int64_t stride = simd::elimination_stride((most + 3) / 4 * 4) + simd::most_lanes;
   w.matrix = take(stride * ((most + 3) / 4 * 4));
   w.r = take(stride);
   w.s = take(stride);
-  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.strength, &w.ny, &w.nz,
-                     &w.row, &w.l, &w.wanted_level, &w.wanted_shift})
+  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.strength, &w.ny,
+                     &w.nz, &w.row, &w.l, &w.wanted_level, &w.wanted_shift})
     *a = take(padded);
   w.residual = take(2 * padded);
   for (double*& a : w.x) a = take(2 * padded);
@@ -103,13 +105,13 @@ simd::SurfaceSources list_sources(const Problem& problem, const Strips& s, std::
   }
   const std::int64_t end = simd::whole_packs(kept);
   for (std::int64_t a = kept; a < end; ++a)
-    w.place[a] = w.centre[a] = w.inverse_length[a] = w.half_width[a] = w.factor[a] = w.strength[a] = w.ny[a] = w.nz[a] =
-        0.0;
+    w.place[a] = w.centre[a] = w.inverse_length[a] = w.half_width[a] = w.factor[a] = w.strength[a] = w.ny[a] =
+        w.nz[a] = 0.0;
   return {kept, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz};
 }
 
-/// Solves the contact condition at the present lengths; strips that would pull leave, strips that would overlap
-/// enter. Returns how many are in contact, whose q stands in w.r.
+/// Solves the contact condition at the present lengths; strips that would pull leave, strips that would
+/// overlap enter. Returns how many are in contact, whose q stands in w.r.
 std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed, Scratch& w) {
   std::int32_t kept = 0;
   for (std::int32_t round = 0; round < most_rounds; ++round) {
@@ -131,8 +133,8 @@ std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed,
       double* const row = w.matrix + a * stride;
       if (a < kept) {
         const std::int32_t i = w.active[a];
-        problem.kernels.influence_row(problem.tables, sources, {w.place[a], w.centre[a], w.ny[a], w.nz[a]}, skewed,
-                                      w.row);
+        problem.kernels.influence_row(problem.tables, sources, {w.place[a], w.centre[a], w.ny[a], w.nz[a]},
+                                      skewed, w.row);
         std::copy_n(w.row, kept, row);
         for (std::int64_t c = kept; c < stride; ++c) row[c] = 0.0;
         row[size] = s.depth[i];
@@ -242,8 +244,8 @@ void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int
 }
 
 /// Sweeps from the lengths and shifts that stand in `s` to the tolerance.
-SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tolerance, std::int32_t max_sweeps,
-                             Scratch& w) {
+SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tolerance,
+                             std::int32_t max_sweeps, Scratch& w) {
   SurfaceNormalResult result;
   const std::int32_t n = s.count;
   bool skewed = false;
@@ -305,7 +307,8 @@ SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tol
   return result;
 }
 
-/// Pairs of neighbouring strips, a lone one where its neighbour is missing; returns for each strip its pair in w.active.
+/// Pairs of neighbouring strips, a lone one where its neighbour is missing; returns for each strip its pair
+/// in w.active.
 void pair_up(const Strips& s, std::int32_t* pair_of, const std::int32_t* number, Strips& c) {
   c.count = 0;
   for (std::int32_t i = 0; i < s.count;) {
@@ -337,8 +340,8 @@ std::int64_t surface_normal_doubles(std::int32_t most) {
 
 SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o, const StripKernel& kernel,
                                          const SurfaceKernels& kernels, double compliance,
-                                         const SurfaceNormalOptions& options, double* memory, SurfaceStart& start,
-                                         const SurfacePressure& p) noexcept {
+                                         const SurfaceNormalOptions& options, double* memory,
+                                         SurfaceStart& start, const SurfacePressure& p) noexcept {
   SurfaceNormalResult result;
   Scratch w;
   auto* const pair_of = reinterpret_cast<std::int32_t*>(memory + cut(memory, o.capacity, w));

@@ -1,20 +1,22 @@
 /// Normal contact on the curved surface: strips of semi-elliptic pressure in half-space equilibrium.
 ///
-/// Strip j carries p_j(x) = lambda_j sqrt(L_j - (x - c_j)^2), L_j = l_j^2 >= 0 its squared half length, lambda_j its
-/// level, and the load N_j = pi/2 w_j lambda_j L_j along its own normal n_j.
+/// Strip j carries p_j(x) = lambda_j sqrt(L_j - (x - c_j)^2), L_j = l_j^2 >= 0 its squared half length,
+/// lambda_j its level, and the load N_j = pi/2 w_j lambda_j L_j along its own normal n_j.
 ///
-///   contact   u_i = sum_j C w_j lambda_j l_j J(|s_i - s_j| / l_j, (c_i - c_j) / l_j) cos(a_i - a_j) = depth_i where L_i > 0
+///   contact   u_i = sum_j C w_j lambda_j l_j J(|s_i - s_j| / l_j, (c_i - c_j) / l_j) cos(a_i - a_j) =
+///   depth_i where L_i > 0
 ///             u_i >= depth_i where L_i = 0
-///   edges     over the half length the displacement falls by kappa_i/2 l_i^2; the level that makes it so is smoothed
+///   edges     over the half length the displacement falls by kappa_i/2 l_i^2; the level that makes it so is
+///   smoothed
 ///             over the strips beside, weighted by their loads: a strip that enters has weight zero
 ///
-/// A sweep solves the contact condition for q = lambda L at the present lengths, finds the levels from the edges, and
-/// with them the next lengths L = q / lambda and centres. Alone that contracts by about 0.4; sweeps are accelerated by
-/// Anderson's method over (L, c), to about 0.2.
+/// A sweep solves the contact condition for q = lambda L at the present lengths, finds the levels from the
+/// edges, and with them the next lengths L = q / lambda and centres. Alone that contracts by about 0.4;
+/// sweeps are accelerated by Anderson's method over (L, c), to about 0.2.
 ///
-/// Unknowns enter at L = 0 and leave there, on strips that never move, so the solution is a continuous function of the
-/// depths: of the pose. Distances are arc lengths; the cosine between two strips' directions is all that turning does
-/// to equal materials.
+/// Unknowns enter at L = 0 and leave there, on strips that never move, so the solution is a continuous
+/// function of the depths: of the pose. Distances are arc lengths; the cosine between two strips' directions
+/// is all that turning does to equal materials.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +36,8 @@ struct SurfaceStart {
 
 struct SurfaceNormalOptions {
   std::int32_t max_sweeps = 40;
-  /// Part of the area that a sweep still moves at which sweeps end. The forces are then nearer by far: they change
-  /// with the square of what the lengths are off.
+  /// Part of the area that a sweep still moves at which sweeps end. The forces are then nearer by far: they
+  /// change with the square of what the lengths are off.
   double tolerance = 1e-6;
 };
 
@@ -55,11 +57,12 @@ struct SurfaceNormalResult {
 /// Doubles of working memory for at most so many candidates.
 std::int64_t surface_normal_doubles(std::int32_t most);
 
-/// Solves at the depths given. `start` is read where it is set, and left with the solution. `compliance`: that of the
-/// pair, (1 - nu) / (pi G) [1/Pa].
-SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& overlaps, const StripKernel& kernel,
-                                         const SurfaceKernels& kernels, double compliance,
-                                         const SurfaceNormalOptions& options, double* workspace, SurfaceStart& start,
+/// Solves at the depths given. `start` is read where it is set, and left with the solution. `compliance`:
+/// that of the pair, (1 - nu) / (pi G) [1/Pa].
+SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& overlaps,
+                                         const StripKernel& kernel, const SurfaceKernels& kernels,
+                                         double compliance, const SurfaceNormalOptions& options,
+                                         double* workspace, SurfaceStart& start,
                                          const SurfacePressure& pressure) noexcept;
 
 }  // namespace wrc

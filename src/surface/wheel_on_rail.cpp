@@ -16,15 +16,16 @@ constexpr std::int32_t most = most_overlapping_strips;
 constexpr double load_tolerance = 1e-10;
 constexpr std::int32_t most_load_steps = 30;
 
-/// Below this speed [m/s] slips are referred to it: tractions of a wheel that stands are those of one that creeps.
+/// Below this speed [m/s] slips are referred to it: tractions of a wheel that stands are those of one that
+/// creeps.
 constexpr double least_speed = 1e-2;
 
 struct Work {
   Overlaps overlaps;
   OverlapScratch scratch;
   SurfacePressure pressure;
-  double* normal;    ///< scratch of the normal problem
-  double* rolling;   ///< scratch of rolling
+  double* normal;   ///< scratch of the normal problem
+  double* rolling;  ///< scratch of rolling
   // over the strips in contact
   double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz;
   std::int32_t* candidate;  ///< of a strip in contact
@@ -39,13 +40,16 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
     at += (n + 7) / 8 * 8;
     return here;
   };
-  const auto integers = [&doubles](std::int64_t n) { return reinterpret_cast<std::int32_t*>(doubles((n + 1) / 2)); };
+  const auto integers = [&doubles](std::int64_t n) {
+    return reinterpret_cast<std::int32_t*>(doubles((n + 1) / 2));
+  };
   Overlaps& o = w.overlaps;
   o.capacity = most;
   o.strip = integers(most);
   for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz}) *a = doubles(most);
-  w.scratch.y = doubles(wheel_pieces + 1);
-  w.scratch.z = doubles(wheel_pieces + 1);
+  for (double** a : {&w.scratch.y, &w.scratch.z, &w.scratch.seen})
+    *a = doubles(simd::whole_packs(wheel_pieces + 1));
+  w.scratch.strip = integers(most);
   w.scratch.overlap = doubles(most_strips_of_a_rail);
   w.scratch.part = doubles(most_strips_of_a_rail);
   w.scratch.piece = integers(most_strips_of_a_rail);
@@ -82,7 +86,8 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   s.sine = roll.sine;
   for (int k = 0; k < 3; ++k) {
     double turned[3];
-    into_rail(s.cosine, s.sine, {in.wheel.rotation[0][k], in.wheel.rotation[1][k], in.wheel.rotation[2][k]}, turned);
+    into_rail(s.cosine, s.sine, {in.wheel.rotation[0][k], in.wheel.rotation[1][k], in.wheel.rotation[2][k]},
+              turned);
     for (int i = 0; i < 3; ++i) s.pose.rotation[i][k] = turned[i];
   }
   const double dy = in.wheel.position[1] - model.rail_origin_y - in.rail.y;
@@ -90,11 +95,12 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   s.pose.y = s.cosine * dy + s.sine * dz;
   s.pose.z = s.cosine * dz - s.sine * dy;
   // rail material moves with the rail, not along the track
-  const double relative[3] = {in.wheel.velocity[0], in.wheel.velocity[1] - in.rail.velocity_y + in.rail.velocity_roll * dz,
+  const double relative[3] = {in.wheel.velocity[0],
+                              in.wheel.velocity[1] - in.rail.velocity_y + in.rail.velocity_roll * dz,
                               in.wheel.velocity[2] - in.rail.velocity_z - in.rail.velocity_roll * dy};
   into_rail(s.cosine, s.sine, relative, s.velocity);
-  const double turning[3] = {in.wheel.angular_velocity[0] - in.rail.velocity_roll, in.wheel.angular_velocity[1],
-                             in.wheel.angular_velocity[2]};
+  const double turning[3] = {in.wheel.angular_velocity[0] - in.rail.velocity_roll,
+                             in.wheel.angular_velocity[1], in.wheel.angular_velocity[2]};
   into_rail(s.cosine, s.sine, turning, s.angular_velocity);
   return s;
 }
@@ -107,8 +113,8 @@ void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
   v[2] = s.velocity[2] + o[0] * y - o[1] * x;
 }
 
-void add(const Seen& s, double x, double y, double z, double fx, double fy, double fz, double mz_y, double mz_z,
-         double (&force)[3], double (&moment)[3]) {
+void add(const Seen& s, double x, double y, double z, double fx, double fy, double fz, double mz_y,
+         double mz_z, double (&force)[3], double (&moment)[3]) {
   (void)s;
   force[0] += fx;
   force[1] += fy;
@@ -135,11 +141,13 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   out.height = height;
   const Seen seen = see(model, in, height);
   Overlaps& o = w.overlaps;
-  find_overlaps(model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
-  const SurfaceNormalResult normal = solve_surface_normal(
-      model.rail, o, *model.kernel, model.material.normal_compliance(), {}, w.normal, start, w.pressure);
+  find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
+  const SurfaceNormalResult normal =
+      solve_surface_normal(model.rail, o, *model.kernel, *model.kernels, model.material.normal_compliance(),
+                           {}, w.normal, start, w.pressure);
   out.sweeps += normal.sweeps;
-  if (!normal.converged) fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+  if (!normal.converged)
+    fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
 
   // strips in contact, damped
   std::int32_t count = 0;
@@ -194,7 +202,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     rolls.spin = w.spin;
     rolls.friction = w.friction;
     rolls.shear_modulus = rolls.normal_shear_modulus = model.material.shear_modulus;
-    rolls.coefficients = model.coefficients;
+    rolls.coefficients = &model.coefficients;
     rolls.grid = model.grid;
     SurfaceRollingForces forces{w.fx, w.fy, w.mz};
     roll_on_surface(rolls, w.rolling, {}, forces);
@@ -297,14 +305,15 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     return fault;
   }
 
-  // The load: heights between one that carries too little and one that carries too much, by secants of the load's
-  // power 2/3, which is nearly straight.
+  // The load: heights between one that carries too little and one that carries too much, by secants of the
+  // load's power 2/3, which is nearly straight.
   const double asked = in.vertical_load;
   const auto shape = [](double load) {
     return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0;
   };
   const double target = shape(asked);
-  double low = -1.0, high = 1.0, low_value = 0.0, high_value = 0.0;  // [m], of the height less the first guess
+  double low = -1.0, high = 1.0, low_value = 0.0,
+         high_value = 0.0;  // [m], of the height less the first guess
   bool has_low = false, has_high = false;
   double base = in.wheel.position[2];
   double z = warm && state.set > 0.0 ? state.height : base;
@@ -314,7 +323,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     for (int n = 0; n < 12; ++n) {
       const Seen seen = see(model, in, z);
       Overlaps& o = w.overlaps;
-      find_overlaps(model.rail, model.wheel, seen.pose, margin, w.scratch, o);
+      find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, margin, w.scratch, o);
       double fall = margin;
       for (std::int32_t i = 0; i < o.count; ++i) {
         const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
@@ -358,7 +367,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     }
     z = next;
   }
-  if (!met) worsen(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
+  if (!met)
+    worsen(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
   state.height = z;
   state.set = start.set ? 1.0 : 0.0;
   return fault;

@@ -1,9 +1,10 @@
 /// A wheel on a rail: where both are and how they move in, the wrench between them out.
 ///
-/// Nothing here chooses a contact point. The rail's cross section is cut once into strips at fixed arc lengths
-/// (rail_strips.hpp); a pose gives every strip its own overlap with the wheel (overlap.hpp), the half-space
-/// solver their pressures (surface_normal.hpp), rigid-body kinematics of the wheel their slips
-/// (surface_rolling.hpp). Forces are summed strip by strip in the rail's axes and turned into track axes once.
+/// Nothing here chooses a contact point. The rail's cross section is cut once into strips at fixed arc
+/// lengths (rail_strips.hpp); a pose gives every strip its own overlap with the wheel (overlap.hpp), the
+/// half-space solver their pressures (surface_normal.hpp), rigid-body kinematics of the wheel their slips
+/// (surface_rolling.hpp). Forces are summed strip by strip in the rail's axes and turned into track axes
+/// once.
 ///
 /// Bodies here are those of a right-hand wheel on a right-hand rail; a left-hand contact is the mirror image,
 /// made by the caller of this room: y, roll, yaw, their rates and M_x, M_z change sign.
@@ -21,12 +22,14 @@ namespace wrc {
 /// A wheel as a rigid body. The reference point is where the plane of the tape circle meets the axle.
 struct WheelMotion {
   double position[3] = {};  ///< of the reference point, track axes [m]; x does not matter
-  double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * wheel axes; y along the axle
-  double velocity[3] = {};          ///< of the reference point against the ground, track axes [m/s]
-  double angular_velocity[3] = {};  ///< track axes, the turning about the axle included [rad/s]
+  double rotation[3][3] = {
+      {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * wheel axes; y along the axle
+  double velocity[3] = {};               ///< of the reference point against the ground, track axes [m/s]
+  double angular_velocity[3] = {};       ///< track axes, the turning about the axle included [rad/s]
 };
 
-/// A rail: displacement of the origin of its profile from its place in the model, and rotation about that origin.
+/// A rail: displacement of the origin of its profile from its place in the model, and rotation about that
+/// origin.
 struct RailMotion {
   double y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]; roll about x
   double velocity_y = 0.0, velocity_z = 0.0, velocity_roll = 0.0;  ///< [m/s], [rad/s]
@@ -46,26 +49,26 @@ struct WheelOnRail {
 struct SurfaceRegion {
   std::int32_t first = 0, count = 0;  ///< strips of the rail
   double point[3] = {};               ///< load-weighted mean of its strips' pressure centres, track axes [m]
-  double angle = 0.0;                 ///< of its resultant normal force, about x from track z to the normal [rad]
-  double normal_force = 0.0;          ///< resultant of the pressure [N]
-  double force[3] = {};               ///< on the wheel, track axes [N]
-  double moment[3] = {};              ///< about `point`, on the wheel, track axes [N m]
-  double area = 0.0;                  ///< [m^2]
-  double peak_pressure = 0.0;         ///< [Pa]
-  double power = 0.0;                 ///< frictional power [W]
-  double creepage[3] = {};            ///< load-weighted means of its strips' slips: x, lateral [-], spin [1/m]
+  double angle = 0.0;          ///< of its resultant normal force, about x from track z to the normal [rad]
+  double normal_force = 0.0;   ///< resultant of the pressure [N]
+  double force[3] = {};        ///< on the wheel, track axes [N]
+  double moment[3] = {};       ///< about `point`, on the wheel, track axes [N m]
+  double area = 0.0;           ///< [m^2]
+  double peak_pressure = 0.0;  ///< [Pa]
+  double power = 0.0;          ///< frictional power [W]
+  double creepage[3] = {};     ///< load-weighted means of its strips' slips: x, lateral [-], spin [1/m]
 };
 
 constexpr std::int32_t most_surface_regions = 16;
 
 struct Wrench {
-  double force[3] = {};   ///< on the wheel, track axes [N]
-  double moment[3] = {};  ///< about the wheel's reference point, track axes [N m]
-  double height = 0.0;    ///< position[2] of the wheel, as given or as found [m]
-  double normal_force = 0.0;   ///< sum of the regions' resultants [N]
+  double force[3] = {};       ///< on the wheel, track axes [N]
+  double moment[3] = {};      ///< about the wheel's reference point, track axes [N m]
+  double height = 0.0;        ///< position[2] of the wheel, as given or as found [m]
+  double normal_force = 0.0;  ///< sum of the regions' resultants [N]
   double area = 0.0, peak_pressure = 0.0, power = 0.0;
   std::int32_t regions = 0;
-  std::int32_t sweeps = 0;     ///< of the normal problem, all of the call
+  std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
   SurfaceRegion region[most_surface_regions];
 };
 

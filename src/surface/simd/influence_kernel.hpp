@@ -46,7 +46,8 @@ inline void surface_influence_row(const SurfaceTables& tables, const SurfaceSour
     if (any(is_near)) {
       const Pack square = half_width * half_width;
       const Pack t2 = square * (inverse_cube * to_end);
-      const Pack correction = 2.0 * square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 * (1.0 / 42.0)));
+      const Pack correction =
+          2.0 * square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 * (1.0 / 42.0)));
       seen += select(is_near & apart, correction, 0.0);
       if (any(!apart)) seen = select(apart, seen, read(tables.own_middle, half_width));
     }
@@ -69,7 +70,8 @@ inline double surface_edge_displacement(const SurfaceTables& tables, const Surfa
       const Pack xi = magnitude(x - load_pack(sources.centre + first)) * inverse;
       Pack seen = line_potential_at(tables.line, tau, xi);
       const Mask own = tau <= 0.0;
-      if (any(own)) seen = select(own, read(tables.line.edge_under, load_pack(sources.half_width + first)), seen);
+      if (any(own))
+        seen = select(own, read(tables.line.edge_under, load_pack(sources.half_width + first)), seen);
       sum[k] += load_pack(sources.factor + first) * seen * cosine_to(sources, first, point);
     }
   double part[most_lanes];

@@ -10,8 +10,8 @@
 namespace wrc {
 namespace simd {
 
-/// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the last with
-/// factor 0 and inverse_length 0.
+/// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the
+/// last with factor 0 and inverse_length 0.
 struct SurfaceSources {
   std::int32_t count;
   const double* place;           ///< arc length of the middle [m]
@@ -47,7 +47,8 @@ struct OutlineTask {
 /// The kernels of one instruction set for contact on a surface. All sets give the same bits.
 struct SurfaceKernels {
   InstructionSet set;
-  /// factor_k J_k cos_k for each source, seen from the middle of a strip. `skewed`: not all centres are the same.
+  /// factor_k J_k cos_k for each source, seen from the middle of a strip. `skewed`: not all centres are the
+  /// same.
   void (*influence_row)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                         const simd::SurfacePoint& point, bool skewed, double* row);
   /// Sum of the same, seen from the edge of a strip.
@@ -55,8 +56,8 @@ struct SurfaceKernels {
                               const simd::SurfacePoint& point);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const simd::OutlineTask& task);
-  /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip. Depth -1 where
-  /// the surfaces do not face each other.
+  /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.
+  /// Depth -1 where the surfaces do not face each other.
   void (*follow_rays)(const simd::OutlineTask& task, Overlaps& overlaps);
 };
 

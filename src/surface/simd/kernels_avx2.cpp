@@ -4,7 +4,8 @@
 namespace wrc::simd {
 
 extern const SurfaceKernels avx2_surface_kernels;
-constexpr SurfaceKernels avx2_surface_kernels = {InstructionSet::avx2, surface_influence_row, surface_edge_displacement,
-                                                     outline_kernel, follow_rays_kernel};
+constexpr SurfaceKernels avx2_surface_kernels = {InstructionSet::avx2, surface_influence_row,
+                                                 surface_edge_displacement, outline_kernel,
+                                                 follow_rays_kernel};
 
 }  // namespace wrc::simd

@@ -4,7 +4,8 @@
 namespace wrc::simd {
 
 extern const SurfaceKernels baseline_surface_kernels;
-constexpr SurfaceKernels baseline_surface_kernels = {InstructionSet::baseline, surface_influence_row, surface_edge_displacement,
-                                                     outline_kernel, follow_rays_kernel};
+constexpr SurfaceKernels baseline_surface_kernels = {InstructionSet::baseline, surface_influence_row,
+                                                     surface_edge_displacement, outline_kernel,
+                                                     follow_rays_kernel};
 
 }  // namespace wrc::simd

@@ -49,9 +49,9 @@ inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) 
 /// What a ray needs to know of the outline at one place.
 struct OnOutline {
   OutlinePlace<Pack> place;
-  Pack uy, uz;           ///< unit tangent of the profile
-  Pack dy, dz;           ///< of the outline, along the profile's parameter, rail axes
-  Pack meridian;         ///< curvature of the profile [1/m]
+  Pack uy, uz;    ///< unit tangent of the profile
+  Pack dy, dz;    ///< of the outline, along the profile's parameter, rail axes
+  Pack meridian;  ///< curvature of the profile [1/m]
   Pack radius;
 };
 

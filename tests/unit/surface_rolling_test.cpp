@@ -1,0 +1,221 @@
+#include "surface/surface_rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "tangential/strip_fastsim.hpp"
+#include "tangential_patches.hpp"
+
+namespace wrc {
+namespace {
+
+using test::OwnedGrid;
+using test::OwnedStrips;
+
+constexpr double G = 82e9, poisson = 0.28;
+
+const SdecTable& table() {
+  static const SdecTable made(poisson);
+  return made;
+}
+const StripCoefficientTable& coefficients() {
+  static const StripCoefficientTable made(table().ellipse());
+  return made;
+}
+
+/// Strips with slips of their own; what rolling makes of them.
+struct Rolled {
+  std::vector<double> place, width, half_length, peak, curvature, slip_x, slip_y, spin, friction;
+  std::vector<double> fx, fy, mz, traction_x, traction_y, sliding_x, sliding_y;
+  double power = 0.0, adhesion = 0.0;
+
+  void add(double s, double w, double l, double p, double kappa, double x, double y, double phi, double mu) {
+    place.push_back(s);
+    width.push_back(w);
+    half_length.push_back(l);
+    peak.push_back(p);
+    curvature.push_back(kappa);
+    slip_x.push_back(x);
+    slip_y.push_back(y);
+    spin.push_back(phi);
+    friction.push_back(mu);
+  }
+
+  void roll(const MarchGrid& grid, bool with_fields = false) {
+    const std::size_t n = place.size();
+    SurfaceRollingInput in;
+    in.count = static_cast<std::int32_t>(n);
+    in.place = place.data();
+    in.width = width.data();
+    in.half_length = half_length.data();
+    in.peak = peak.data();
+    in.curvature = curvature.data();
+    in.slip_x = slip_x.data();
+    in.slip_y = slip_y.data();
+    in.spin = spin.data();
+    in.friction = friction.data();
+    in.shear_modulus = in.normal_shear_modulus = G;
+    in.coefficients = &coefficients();
+    in.grid = &grid;
+    for (auto* v : {&fx, &fy, &mz}) v->assign(n, 0.0);
+    TangentialFields fields;
+    if (with_fields) {
+      for (auto* v : {&traction_x, &traction_y, &sliding_x, &sliding_y})
+        v->assign(n * static_cast<std::size_t>(grid.cells), 0.0);
+      fields = {traction_x.data(), traction_y.data(), sliding_x.data(), sliding_y.data()};
+    }
+    std::vector<double> workspace(surface_rolling_workspace(in.count));
+    SurfaceRollingForces forces;
+    forces.fx = fx.data();
+    forces.fy = fy.data();
+    forces.mz = mz.data();
+    roll_on_surface(in, workspace.data(), fields, forces);
+    power = forces.power_per_speed;
+    adhesion = forces.adhesion_fraction;
+  }
+
+  static double sum(const std::vector<double>& v) {
+    double total = 0.0;
+    for (double x : v) total += x;
+    return total;
+  }
+};
+
+/// The strips of Hertz's ellipse, rolling as a patch does: slip (nu_x - phi y, nu_y), spin phi.
+Rolled ellipse(double a, double b, double N, double mu, const Creepage& c, int count) {
+  const OwnedStrips owned = test::sdec_strips(a, b, 0.0, N, count);
+  const Strips& s = owned.get();
+  const double level = 1.5 * N / (pi * a * a * b), kappa = hertz_level(a / b) * (1.0 - poisson) / G * level;
+  Rolled r;
+  for (int j = 0; j < count; ++j)
+    r.add(s.y[j], s.width[j], s.half_length[j], s.peak[j], kappa, c.longitudinal - c.spin * s.y[j], c.lateral,
+          c.spin, mu);
+  return r;
+}
+
+TEST(StripCoefficients, AreKalkersOnHertzsEllipse) {
+  EXPECT_NEAR(hertz_level(1.0), 0.5 * pi, 1e-12);
+  EXPECT_NEAR(hertz_level(1e-6), 2.0, 1e-9);
+  EXPECT_NEAR(hertz_level(5.0), 0.82, 0.01);
+  Fault fault;
+  for (double ratio : {0.2, 0.3, 0.7, 1.0, 2.0, 5.0, 12.0}) {
+    const StripCoefficients strip = coefficients().at(hertz_level(ratio));
+    const KalkerCoefficients kalker = table().ellipse().at(ratio, fault);
+    EXPECT_NEAR(strip.c11 / kalker.c11, 1.0, 1e-3) << ratio;
+    EXPECT_NEAR(strip.c22 / kalker.c22, 1.0, 1e-3) << ratio;
+    EXPECT_NEAR(strip.c23 * std::sqrt(ratio) / kalker.c23, 1.0, 3e-3) << ratio;
+    EXPECT_NEAR(strip.slenderness, slenderness(ratio), 3e-3) << ratio;
+  }
+  for (double m : {1e-6, 0.1, 2.5, 1e6}) {
+    const StripCoefficients strip = coefficients().at(m);
+    for (double c : {strip.c11, strip.c22, strip.c23}) EXPECT_TRUE(std::isfinite(c) && c > 0.0) << m;
+  }
+}
+
+TEST(SurfaceRolling, SmallSlipGivesLinearTheoryOfHertzsEllipse) {
+  const OwnedGrid grid(32);
+  const double a = 5e-3, b = 4e-3, N = 80e3, tiny = 1e-8;
+  Fault fault;
+  const KalkerCoefficients kalker = table().ellipse().at(a / b, fault);
+  Rolled x = ellipse(a, b, N, 0.3, {tiny, 0.0, 0.0}, 80);
+  x.roll(grid.get());
+  EXPECT_NEAR(Rolled::sum(x.fx) / (-G * a * b * kalker.c11 * tiny), 1.0, 0.01);
+  EXPECT_NEAR(x.adhesion, 1.0, 1e-12);
+  Rolled y = ellipse(a, b, N, 0.3, {0.0, tiny, 0.0}, 80);
+  y.roll(grid.get());
+  EXPECT_NEAR(Rolled::sum(y.fy) / (-G * a * b * kalker.c22 * tiny), 1.0, 0.01);
+  Rolled spin = ellipse(a, b, N, 0.3, {0.0, 0.0, 1e-6}, 80);
+  spin.roll(grid.get());
+  EXPECT_NEAR(Rolled::sum(spin.fy) / (-G * std::pow(a * b, 1.5) * kalker.c23 * 1e-6), 1.0, 0.02);
+}
+
+TEST(SurfaceRolling, OnHertzsEllipseIsThePatchsModel) {
+  const OwnedGrid grid(32);
+  const double a = 6e-3, b = 5e-3, N = 90e3, mu = 0.35;
+  for (const Creepage& c :
+       {Creepage{1e-3, 0.0, 0.0}, Creepage{-5e-4, 1e-3, 0.2}, Creepage{0.0, 5e-4, -0.6}}) {
+    Rolled r = ellipse(a, b, N, mu, c, 60);
+    r.roll(grid.get());
+    const OwnedStrips region = test::sdec_strips(a, b, 0.0, N, 60);
+    const RollingContact contact{region.get(), a, b, 0.0, G, &table(), &grid.get(), c, mu};
+    Fault fault;
+    const TangentialForces patch = strip_fastsim(contact, {}, fault);
+    const double limit = mu * N;
+    EXPECT_NEAR(Rolled::sum(r.fx), patch.fx, 0.01 * limit) << c.longitudinal;
+    EXPECT_NEAR(Rolled::sum(r.fy), patch.fy, 0.01 * limit) << c.longitudinal;
+    EXPECT_NEAR(r.power / patch.power_per_speed, 1.0, 0.03) << c.longitudinal;
+  }
+}
+
+TEST(SurfaceRolling, FullSlipIsCoulombs) {
+  const OwnedGrid grid(32);
+  Rolled r = ellipse(5e-3, 4e-3, 80e3, 0.3, {0.3, 0.4, 0.0}, 40);
+  r.roll(grid.get(), true);
+  double limit = 0.0;
+  for (std::size_t j = 0; j < r.place.size(); ++j)
+    limit += 0.3 * 0.5 * pi * r.width[j] * r.peak[j] * r.half_length[j];
+  EXPECT_NEAR(Rolled::sum(r.fx) / limit, -0.6, 1e-5);
+  EXPECT_NEAR(Rolled::sum(r.fy) / limit, -0.8, 1e-5);
+  EXPECT_NEAR(r.power / limit, 0.5, 1e-5);
+  double dissipated = 0.0;  // by the fields
+  for (std::size_t k = 0; k < r.traction_x.size(); ++k) {
+    const std::size_t j = k % r.place.size();
+    dissipated -= (r.traction_x[k] * r.sliding_x[k] + r.traction_y[k] * r.sliding_y[k]) * r.width[j] * 2.0 *
+                  r.half_length[j] / 32.0;
+  }
+  EXPECT_NEAR(dissipated / r.power, 1.0, 1e-9);
+}
+
+TEST(SurfaceRolling, NothingToRubOnIsNothing) {
+  const OwnedGrid grid(16);
+  Rolled none;
+  none.roll(grid.get());
+  EXPECT_EQ(none.power, 0.0);
+  Rolled r;
+  for (int j = 0; j < 12; ++j)  // without friction, without pressure, without length
+    r.add(1e-4 * j, 1e-4, j % 3 == 2 ? 0.0 : 4e-3, j % 3 == 1 ? 0.0 : 1e9, 2.0, 1e-3, 2e-3, 0.5,
+          j % 3 == 0 ? 0.0 : 0.3);
+  r.roll(grid.get(), true);
+  for (const auto* v : {&r.fx, &r.fy, &r.mz, &r.traction_x, &r.sliding_x})
+    for (double f : *v) EXPECT_EQ(f, 0.0);
+}
+
+TEST(SurfaceRolling, AStripThatEntersHasNoSay) {
+  const OwnedGrid grid(32);
+  const Creepage c{-4e-4, 6e-4, 0.5};
+  Rolled without = ellipse(5e-3, 4e-3, 80e3, 0.3, c, 40);
+  Rolled with = without;
+  with.add(4.1e-3, 2e-4, 1e-7, 1e4, with.curvature[0], c.longitudinal - c.spin * 4.1e-3, c.lateral, c.spin,
+           0.3);
+  without.roll(grid.get());
+  with.roll(grid.get());
+  EXPECT_NEAR(Rolled::sum(with.fx), Rolled::sum(without.fx), 1e-4);
+  EXPECT_NEAR(Rolled::sum(with.fy), Rolled::sum(without.fy), 1e-4);
+}
+
+TEST(SurfaceRolling, InstructionSetsGiveTheSameBits) {
+  std::vector<double> first;
+  for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set > best_instruction_set()) continue;
+    const OwnedGrid grid(23, set);
+    std::vector<double> all;
+    for (int n = 1; n < 40; n += 7) {
+      Rolled r = ellipse(5e-3, 4e-3, 80e3, 0.3, {1e-4 * n, -2e-4, 0.03 * n}, n);
+      for (bool fields : {false, true}) {
+        r.roll(grid.get(), fields);
+        for (const auto* v : {&r.fx, &r.fy, &r.mz}) all.insert(all.end(), v->begin(), v->end());
+        all.push_back(r.power);
+      }
+      for (const auto* v : {&r.traction_x, &r.traction_y, &r.sliding_x, &r.sliding_y})
+        all.insert(all.end(), v->begin(), v->end());
+    }
+    if (first.empty()) first = all;
+    ASSERT_EQ(first.size(), all.size());
+    EXPECT_EQ(std::memcmp(first.data(), all.data(), all.size() * sizeof(double)), 0);
+  }
+}
+
+}  // namespace
+}  // namespace wrc
