@@ -291,7 +291,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tol
     ++since;
     for (std::int32_t i = 0; i < n; ++i) {
       const double plain = s.L[i] + f[i], old = s.L[i];
-      double next = plain > 0.0 ? smaller(larger(w.next[i], 0.1 * plain), 10.0 * plain) : 0.0;
+      double next = plain > 0.0 ? smaller(larger(w.next[i], 0.5 * plain), 2.0 * plain) : 0.0;
       if (old > 0.0 && next > 0.0 && sweep < 6) next = smaller(larger(next, 0.1 * old), 10.0 * old);
       s.L[i] = next;
       if (skewed) s.shift[i] = smaller(larger(w.next[n + i], -longest_shift), longest_shift);
