@@ -38,15 +38,19 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   kxx_.assign(coefficients, 0.0);
   kyy_.assign(coefficients, 0.0);
   kxy_.assign(coefficients, 0.0);
-  const bool tangential = kernel == Kernel::tangential;
+  const bool shear = kernel == Kernel::shear || kernel == Kernel::tangential;
+  const bool differenced = kernel == Kernel::normal_slip || kernel == Kernel::tangential;
+  const auto coefficient = [&](double at, double upstream) {
+    return differenced ? (at - upstream) / grid.dx : at;
+  };
   for (int my = 1 - ny_; my < ny_; ++my) {
     Influence here = influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
     for (int mx = 1 - nx_; mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
       const Influence upstream = influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
-      kxx_[k] = tangential ? (here.xx - upstream.xx) / grid.dx : here.zz;
-      kyy_[k] = tangential ? (here.yy - upstream.yy) / grid.dx : here.zz;
-      kxy_[k] = tangential ? (here.xy - upstream.xy) / grid.dx : 0.0;
+      kxx_[k] = shear ? coefficient(here.xx, upstream.xx) : coefficient(here.zz, upstream.zz);
+      kyy_[k] = shear ? coefficient(here.yy, upstream.yy) : kxx_[k];
+      kxy_[k] = shear ? coefficient(here.xy, upstream.xy) : 0.0;
       here = upstream;
     }
   }

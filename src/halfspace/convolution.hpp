@@ -19,8 +19,10 @@ class Convolution {
  public:
   /// What is convolved.
   enum class Kernel {
-    normal,     ///< u_z from p_z, of two independent pressure fields at once
-    tangential  ///< (u_x - u_x one cell upstream) / dx and the same of u_y, from p_x and p_y: minus the
+    normal,       ///< u_z from p_z, of two independent pressure fields at once
+    normal_slip,  ///< (u_z - u_z one cell upstream) / dx from p_z, of two fields at once
+    shear,        ///< u_x and u_y from p_x and p_y
+    tangential    ///< (u_x - u_x one cell upstream) / dx and the same of u_y, from p_x and p_y: minus the
                 ///< upstream difference quotient of displacement along the rolling direction, tangential.hpp
   };
 

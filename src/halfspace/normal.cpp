@@ -71,8 +71,8 @@ void finish(const Grid& grid, GapSolution& s) {
 
 }  // namespace
 
-NormalSolver::NormalSolver(const Grid& grid, const Material& material)
-    : grid_(grid), convolution_(grid, material, Convolution::Kernel::normal) {}
+NormalSolver::NormalSolver(const Grid& grid, const Material& material, const Field& angles)
+    : grid_(grid), convolution_(grid, material, Convolution::Kernel::normal, angles) {}
 
 GapSolution NormalSolver::solve(const GapProblem& problem) {
   GapSolution s;
@@ -86,7 +86,8 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
   const double lowest = *std::min_element(problem.gap.begin(), problem.gap.end());
   const double highest = *std::max_element(problem.gap.begin(), problem.gap.end());
   Field& p = s.pressure;
-  Field displacement(n), error(n), direction(n, 0.0), image(n), unused(n, 0.0);
+  Field displacement(n), error(n), direction(n, 0.0), image(n);
+  const double own_influence = convolution_.planar().xx(0, 0);
   // Start: the load everywhere on the lower half of the gap; by approach, the pressure of that order of
   // magnitude that one cell's own influence suggests.
   for (std::size_t k = 0; k < n; ++k) {
@@ -94,7 +95,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     if (by_load) {
       p[k] = problem.gap[k] <= 0.5 * (lowest + highest) ? 1.0 : 0.0;
     } else {
-      p[k] = overlap > 0.0 ? 0.1 * overlap / convolution_.xx(0, 0) : 0.0;
+      p[k] = overlap > 0.0 ? 0.1 * overlap / own_influence : 0.0;
     }
   }
   if (by_load) {
@@ -105,7 +106,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
   s.approach = problem.approach;
   double norm_before = 1.0;
   bool conjugate = false;
-  convolution_.apply(p.data(), unused.data(), displacement.data(), image.data());
+  convolution_.normal(p, displacement);
   for (s.iterations = 0;; ++s.iterations) {
     for (std::size_t k = 0; k < n; ++k) error[k] = displacement[k] + problem.gap[k];
     if (by_load) s.approach = contact_mean(error, p);
@@ -137,8 +138,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     const double beta = conjugate ? norm / norm_before : 0.0;
     norm_before = norm;
     for (std::size_t k = 0; k < n; ++k) direction[k] = p[k] > 0.0 ? error[k] + beta * direction[k] : 0.0;
-    convolution_.apply(direction.data(), unused.data(), image.data(), unused.data());
-    std::fill(unused.begin(), unused.end(), 0.0);
+    convolution_.normal(direction, image);
     if (by_load) {
       const double mean = contact_mean(image, p);
       for (double& v : image) v -= mean;
@@ -146,7 +146,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     const double curvature = contact_product(image, direction, p);
     // Without a descent direction in the contact (no cell, or all exact) only the overlaps remain to act on.
     const double length =
-        curvature > 0.0 ? contact_product(error, direction, p) / curvature : 1.0 / convolution_.xx(0, 0);
+        curvature > 0.0 ? contact_product(error, direction, p) / curvature : 1.0 / own_influence;
     conjugate = true;
     for (std::size_t k = 0; k < n; ++k) {
       if (p[k] > 0.0) {
@@ -160,7 +160,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
       const double factor = pressure_sum / sum(p);
       for (double& v : p) v *= factor;
     }
-    convolution_.apply(p.data(), unused.data(), displacement.data(), image.data());
+    convolution_.normal(p, displacement);
   }
   finish(grid_, s);
   return s;

@@ -7,9 +7,9 @@
 #pragma once
 
 #include "fault.hpp"
-#include "halfspace/convolution.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
+#include "halfspace/turned_convolution.hpp"
 #include "normal/problem.hpp"
 
 namespace wrc::halfspace {
@@ -37,15 +37,17 @@ struct GapSolution {
   Fault fault;            ///< WRC_FLAG_ITERATION_CAP, WRC_FLAG_PATCH_AT_EDGE, WRC_FLAG_NO_CONTACT
 };
 
-/// Solves any number of problems on one grid. Memory: that of Convolution plus 5 doubles per cell.
+/// Solves any number of problems on one grid, plane or, with the angles of its rows, on a curved surface
+/// (turned_convolution.hpp; gaps are then along each row's own normal). Memory: that of Convolution plus 5
+/// doubles per cell.
 class NormalSolver {
  public:
-  NormalSolver(const Grid& grid, const Material& material);
+  NormalSolver(const Grid& grid, const Material& material, const Field& angles = {});
   GapSolution solve(const GapProblem& problem);
 
  private:
   Grid grid_;
-  Convolution convolution_;
+  TurnedConvolution convolution_;
 };
 
 }  // namespace wrc::halfspace

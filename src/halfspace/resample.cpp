@@ -42,6 +42,17 @@ Field average(const Grid& fine, const Field& field, const Grid& coarse) {
   return out;
 }
 
+Field row_values(const Grid& fine, const Field& rows, const Grid& coarse) {
+  if (rows.empty()) return {};
+  Field out(static_cast<std::size_t>(coarse.ny));
+  for (int k = 0; k < coarse.ny; ++k) {
+    const double v = std::clamp((coarse.y(k) - fine.y0) / fine.dy, 0.0, fine.ny - 1.0);
+    const int j = std::min(static_cast<int>(v), fine.ny - 2);
+    out[k] = fine.ny == 1 ? rows[0] : rows[j] + (v - j) * (rows[j + 1] - rows[j]);
+  }
+  return out;
+}
+
 Field interpolate(const Grid& coarse, const Field& field, const Field& weight, const Grid& fine) {
   Field out(fine.cells(), 0.0);
   for (int j = 0; j < fine.ny; ++j) {

@@ -18,15 +18,6 @@ struct Cell {
   double wx = 0.0, wy = 0.0;
 };
 
-struct Offsets {
-  double slip = 0.0, traction = 0.0;  // from the cell's centre along x [m]
-};
-
-Offsets offsets(Collocation collocation, double dx) {
-  if (collocation == Collocation::reference_program) return {.slip = dx / 6.0, .traction = 0.0};
-  return {.slip = 0.25 * dx, .traction = -0.25 * dx};
-}
-
 double friction_of(const RollingProblem& problem, std::size_t at) {
   return problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at];
 }
@@ -34,7 +25,7 @@ double friction_of(const RollingProblem& problem, std::size_t at) {
 // One grid's Newton iteration. Tractions in `solution` are the start and the result.
 class Newton {
  public:
-  Newton(const Grid& grid, Convolution& convolution, const RollingProblem& problem,
+  Newton(const Grid& grid, TurnedConvolution& convolution, const RollingProblem& problem,
          RollingSolution& solution);
 
   // Iterates until the convergence test holds; false if cancelled. Its share of the whole work lies between
@@ -51,7 +42,7 @@ class Newton {
 
   const RollingProblem& problem_;
   RollingSolution& solution_;
-  Convolution& convolution_;
+  TurnedConvolution& convolution_;
   double rho_;
   std::vector<Cell> cells_;
   std::vector<Cell> frictionless_;  // in contact, but without traction whatever the slip
@@ -62,16 +53,17 @@ class Newton {
   RowPreconditioner preconditioner_;
 };
 
-Newton::Newton(const Grid& grid, Convolution& convolution, const RollingProblem& problem,
+Newton::Newton(const Grid& grid, TurnedConvolution& convolution, const RollingProblem& problem,
                RollingSolution& solution)
     : problem_(problem),
       solution_(solution),
       convolution_(convolution),
-      rho_(1.0 / std::max(convolution.xx(0, 0), convolution.yy(0, 0))),
+      rho_(1.0 / std::max(convolution.planar().xx(0, 0), convolution.planar().yy(0, 0))),
       field_x_(grid.cells()),
       field_y_(grid.cells()) {
-  const double ahead = offsets(problem.collocation, grid.dx).slip;
+  const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
   const Creepage& c = problem.creepage;
+  const bool by_cell = !problem.rigid_slip_x.empty();
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
       const std::size_t at = grid.index(i, j);
@@ -79,8 +71,8 @@ Newton::Newton(const Grid& grid, Convolution& convolution, const RollingProblem&
       const double bound = full() ? 0.0 : friction_of(problem, at) * problem.pressure[at];
       const Cell cell{.at = at,
                       .bound = bound,
-                      .wx = c.longitudinal - c.spin * grid.y(j),
-                      .wy = c.lateral + c.spin * (grid.x(i) + ahead)};
+                      .wx = by_cell ? problem.rigid_slip_x[at] : c.longitudinal - c.spin * grid.y(j),
+                      .wy = by_cell ? problem.rigid_slip_y[at] : c.lateral + c.spin * (grid.x(i) + ahead)};
       if (!full() && bound <= 0.0) {
         frictionless_.push_back(cell);
         continue;
@@ -94,7 +86,7 @@ Newton::Newton(const Grid& grid, Convolution& convolution, const RollingProblem&
 }
 
 void Newton::convolve() {
-  convolution_.apply(field_x_.data(), field_y_.data(), field_x_.data(), field_y_.data());
+  convolution_.tangential(field_x_, field_y_);
   ++solution_.products;
 }
 
@@ -200,7 +192,7 @@ void Newton::step() {
       if (u.count == 2) rhs_[u.first + 1] -= y;
     }
   }
-  preconditioner_.factor(unknowns_, convolution_);
+  preconditioner_.factor(unknowns_, convolution_.planar());  // within a row nothing is turned
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = full() ? 0.1 * problem_.tolerance : 1e-2;
@@ -250,8 +242,9 @@ bool Newton::run(double tolerance, double begun, double done) {
 
 // Forces, moment, power and adhesion area from the fields.
 void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s) {
-  const double shift = offsets(problem.collocation, grid.dx).traction;
-  double fx = 0.0, fy = 0.0, mz = 0.0, power = 0.0;
+  const double shift = -traction_behind(problem.collocation) * grid.dx;
+  const bool by_cell = !problem.rigid_slip_x.empty();
+  double fx = 0.0, fy = 0.0, mz = 0.0, power = 0.0, balance = 0.0;
   std::size_t contact = 0, adhesion = 0;
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -262,6 +255,7 @@ void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s)
       fy += py;
       mz += (grid.x(i) + shift) * py - grid.y(j) * px;
       power -= px * s.slip_x[at] + py * s.slip_y[at];
+      if (by_cell) balance -= px * problem.rigid_slip_x[at] + py * problem.rigid_slip_y[at];
       ++contact;
       if (s.state[at] == CellState::adhesion) ++adhesion;
     }
@@ -270,13 +264,19 @@ void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s)
   s.forces = {.fx = fx * area, .fy = fy * area, .mz = mz * area, .power_per_speed = power * area};
   if (contact > 0) s.forces.adhesion_fraction = static_cast<double>(adhesion) / static_cast<double>(contact);
   const Creepage& c = problem.creepage;
-  s.power_by_balance = -(s.forces.fx * c.longitudinal + s.forces.fy * c.lateral + s.forces.mz * c.spin);
+  s.power_by_balance = by_cell
+                           ? balance * area
+                           : -(s.forces.fx * c.longitudinal + s.forces.fy * c.lateral + s.forces.mz * c.spin);
 }
 
 // The problem on a coarser grid: pressure and traction bound are averaged.
 RollingProblem restricted(const Grid& fine, const RollingProblem& problem, const Grid& coarse) {
   RollingProblem out = problem;
   out.pressure = average(fine, problem.pressure, coarse);
+  if (!problem.rigid_slip_x.empty()) {
+    out.rigid_slip_x = average(fine, problem.rigid_slip_x, coarse);
+    out.rigid_slip_y = average(fine, problem.rigid_slip_y, coarse);
+  }
   if (problem.friction.size() > 1) {
     Field bound = problem.pressure;
     for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= problem.friction[k];
@@ -324,6 +324,18 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
   if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
     return {.status = WRC_ERROR_NOT_FINITE, .field = "creepage"};
   }
+  for (const Field* slip : {&problem.rigid_slip_x, &problem.rigid_slip_y}) {
+    if (slip->size() != problem.rigid_slip_x.size() || (!slip->empty() && slip->size() != grid.cells())) {
+      return range("halfspace.rigid_slip.size", static_cast<double>(slip->size()));
+    }
+    for (const double w : *slip) {
+      if (!std::isfinite(w))
+        return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.rigid_slip", .value = w};
+    }
+  }
+  if (problem.start != nullptr && problem.start->traction_x.size() != grid.cells()) {
+    return range("halfspace.start.size", static_cast<double>(problem.start->traction_x.size()));
+  }
   if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0))
     return range("halfspace.tolerance", problem.tolerance);
   if (problem.adhesion == Adhesion::full) return {};
@@ -338,11 +350,15 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
 
 }  // namespace
 
-RollingSolver::RollingSolver(const Grid& grid, const Material& material) {
+RollingSolver::RollingSolver(const Grid& grid, const Material& material, const Field& angles) {
   constexpr int coarsest = 12;  // cells along the shorter side
-  for (Grid g = grid;; g = coarsened(g)) {
-    levels_.push_back({g, Convolution(g, material, Convolution::Kernel::tangential)});
+  Field a = angles;
+  for (Grid g = grid;;) {
+    levels_.push_back({g, TurnedConvolution(g, material, Convolution::Kernel::tangential, a)});
     if (std::min(g.nx, g.ny) < 2 * coarsest) break;
+    const Grid next = coarsened(g);
+    a = row_values(g, a, next);
+    g = next;
   }
 }
 
@@ -354,7 +370,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     return failed;
   }
   std::vector<RollingProblem> problems{problem};
-  if (problem.adhesion == Adhesion::coulomb) {
+  if (problem.adhesion == Adhesion::coulomb && problem.start == nullptr) {
     for (std::size_t l = 1; l < levels_.size(); ++l) {
       problems.push_back(restricted(levels_[l - 1].grid, problems.back(), levels_[l].grid));
     }
@@ -366,6 +382,9 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     clear(level.grid, solution);
     if (l + 1 < problems.size()) {
       prolong(levels_[l + 1].grid, problems[l + 1], coarse, level.grid, problems[l], solution);
+    } else if (problem.start != nullptr) {
+      solution.traction_x = problem.start->traction_x;
+      solution.traction_y = problem.start->traction_y;
     }
     constexpr double coarse_tolerance = 1e-2;
     Newton newton(level.grid, level.convolution, problems[l], solution);

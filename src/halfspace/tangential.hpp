@@ -8,6 +8,9 @@
 /// adhesion area (a primal-dual active set), its linear systems by GMRES with the rows along x inverted as
 /// preconditioner and FFT convolutions as products, started from the solution on a grid of half as many cells
 /// each way.
+///
+/// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
+/// the rigid slip is given cell by cell.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +18,9 @@
 #include <vector>
 
 #include "fault.hpp"
-#include "halfspace/convolution.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
+#include "halfspace/turned_convolution.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc::halfspace {
@@ -39,21 +42,37 @@ enum class Collocation {
   reference_program
 };
 
+/// How far ahead of a cell's centre the rigid slip is taken, in cells.
+constexpr double rigid_slip_ahead(Collocation collocation) {
+  return collocation == Collocation::reference_program ? 1.0 / 6.0 : 0.25;
+}
+
+/// How far behind it the traction lies, in cells.
+constexpr double traction_behind(Collocation collocation) {
+  return collocation == Collocation::reference_program ? 0.0 : 0.25;
+}
+
 enum class Adhesion {
   coulomb,  ///< |p| <= mu p_n
   full      ///< s = 0 everywhere: linear theory
 };
 
+struct RollingSolution;
+
 struct RollingProblem {
   Field pressure;     ///< p_n of each cell [Pa]; cells with p_n > 0 are the contact area
   Field friction;     ///< mu of each cell, or a single value for all; unused in full adhesion
   Creepage creepage;  ///< about the origin of the grid's coordinates
+  /// Rigid slip w of each cell in place of the creepages', taken where `collocation` says; both or none.
+  Field rigid_slip_x, rigid_slip_y;
   Adhesion adhesion = Adhesion::coulomb;
   Collocation collocation = Collocation::quarter_point;
   /// |p - P(p - rho s)| <= tolerance |min(g, max(|p|, rho |w|))| (2-norms over the cells; |p| in full
   /// adhesion), rho = 1 / largest coefficient, about 1.3 G.
   double tolerance = 1e-4;
   int max_iterations = 60;  ///< Newton iterations on one grid
+  /// Solution of a problem near this one to start from; without it the start is made on coarser grids.
+  const RollingSolution* start = nullptr;
   ProgressCallback progress;
 };
 
@@ -80,7 +99,7 @@ struct RollingSolution {
 /// rows' factors) per cell.
 class RollingSolver {
  public:
-  RollingSolver(const Grid& grid, const Material& material);
+  RollingSolver(const Grid& grid, const Material& material, const Field& angles = {});
 
   const Grid& grid() const { return levels_.front().grid; }
 
@@ -89,7 +108,7 @@ class RollingSolver {
  private:
   struct Level {
     Grid grid;
-    Convolution convolution;
+    TurnedConvolution convolution;
   };
   std::vector<Level> levels_;  // finest first
 };

@@ -1,0 +1,89 @@
+#include "halfspace/turned_convolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc::halfspace {
+
+TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material, Convolution::Kernel kernel,
+                                     const Field& angles)
+    : nx_(static_cast<std::size_t>(grid.nx)),
+      ny_(static_cast<std::size_t>(grid.ny)),
+      planar_(grid, material, kernel),
+      unused_(grid.cells()) {
+  if (angles.empty()) return;
+  by_cosine_.resize(grid.cells());
+  by_sine_.resize(grid.cells());
+  for (const double a : angles) {
+    cosine_.push_back(std::cos(a));
+    sine_.push_back(std::sin(a));
+  }
+}
+
+void TurnedConvolution::convolve_parts(const Field& p) {
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) {
+      by_cosine_[k] = cosine_[j] * p[k];
+      by_sine_[k] = sine_[j] * p[k];
+    }
+  }
+  planar_.apply(by_cosine_.data(), by_sine_.data(), by_cosine_.data(), by_sine_.data());
+}
+
+void TurnedConvolution::convolve_parts(const Field& x, const Field& y) {
+  for (const bool cosines : {true, false}) {
+    const Field& factor = cosines ? cosine_ : sine_;
+    Field& part = cosines ? by_cosine_ : by_sine_;
+    for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+      for (std::size_t i = 0; i < nx_; ++i, ++k) {
+        unused_[k] = factor[j] * x[k];
+        part[k] = factor[j] * y[k];
+      }
+    }
+    planar_.apply(unused_.data(), part.data(), unused_.data(), part.data());
+  }
+}
+
+void TurnedConvolution::normal(const Field& p, Field& out) {
+  if (cosine_.empty()) {
+    std::fill(unused_.begin(), unused_.end(), 0.0);
+    planar_.apply(p.data(), unused_.data(), out.data(), unused_.data());
+    return;
+  }
+  convolve_parts(p);
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = cosine_sum(j, k);
+  }
+}
+
+void TurnedConvolution::normal_crossed(const Field& p, Field& out) {
+  std::fill(out.begin(), out.end(), 0.0);
+  if (cosine_.empty()) return;
+  convolve_parts(p);
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = sine_sum(j, k);
+  }
+}
+
+void TurnedConvolution::tangential(Field& x, Field& y) {
+  if (cosine_.empty()) {
+    planar_.apply(x.data(), y.data(), x.data(), y.data());
+    return;
+  }
+  convolve_parts(x, y);
+  planar_.apply(x.data(), y.data(), x.data(), unused_.data());
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) y[k] = cosine_sum(j, k);
+  }
+}
+
+void TurnedConvolution::tangential_crossed(const Field& x, const Field& y, Field& out) {
+  std::fill(out.begin(), out.end(), 0.0);
+  if (cosine_.empty()) return;
+  convolve_parts(x, y);
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = sine_sum(j, k);
+  }
+}
+
+}  // namespace wrc::halfspace
