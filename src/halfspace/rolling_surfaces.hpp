@@ -1,0 +1,67 @@
+/// The surfaces of a wheel and a rail, and the cells of an exact solution on the rail's.
+///
+/// Cells lie at equal steps of x along the rail and of s, the arc length of its cross section: a fixed
+/// lattice, whatever the pose. Every row has one normal, the mean of the rail's and the wheel's (or the
+/// rail's alone); along it each cell has its gap to the wheel, a surface of revolution in its pose.
+/// Right-hand wheel and rail, track axes and types of surface/wheel_on_rail.hpp.
+#pragma once
+
+#include "halfspace/grid.hpp"
+#include "halfspace/section_curve.hpp"
+#include "patch/material.hpp"
+#include "surface/wheel_on_rail.hpp"
+
+namespace wrc::halfspace {
+
+struct WheelAndRail {
+  SectionCurve wheel;  ///< y to the field side from the tape circle's plane, z outwards from its radius
+  SectionCurve rail;   ///< y to the field side, z down, from the origin of the profile
+  double nominal_radius = 0.0;        ///< of the tape circle [m]
+  double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
+  Material material;
+};
+
+/// Direction of the normals of the rows.
+enum class RowNormals { mean, rail };
+
+/// A row of cells along the rail.
+struct SurfaceRow {
+  double y = 0.0, z = 0.0;  ///< of the rail's surface, track axes [m]
+  double angle = 0.0;       ///< of the normal (0, -sin, cos), into the rail [rad]
+  double middle = 0.0;      ///< x where the wheel is nearest [m]
+};
+
+/// A cell's gap and what its kinematics need.
+struct SurfacePoint {
+  double gap = 0.0;       ///< from the rail along -normal to the wheel; negative: overlap [m]
+  double normal[3] = {};  ///< of the wheel, into the rail, track axes
+  double wheel_s = 0.0;   ///< on the wheel's profile [m]
+  bool found = false;     ///< the normal meets the wheel's facing side
+};
+
+/// A wheel over a rail. Axes: x from the wheel's reference point, y and z of the track.
+class RollingSurfaces {
+ public:
+  RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& wheel, const RailMotion& rail);
+
+  /// Row at arc length s from the rail's first point; `found` tells whether the wheel faces it.
+  SurfaceRow row(double s, RowNormals normals, bool& found) const;
+
+  /// The row's cell at x; `wheel_s` is the start of the search on the wheel's profile.
+  SurfacePoint point(const SurfaceRow& row, double x, double wheel_s) const;
+
+  /// The same from the nearest of all points of the wheel's profile.
+  SurfacePoint point(const SurfaceRow& row, double x) const;
+
+  /// Velocity of the wheel's surface over the rail's at a cell, along x and along the row's tangent [m/s]:
+  /// components in the plane across the mean of both surfaces' normals there.
+  void sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
+               double& along_row) const;
+
+ private:
+  const WheelAndRail& bodies_;
+  const WheelMotion& wheel_;
+  RailMotion rail_;
+};
+
+}  // namespace wrc::halfspace

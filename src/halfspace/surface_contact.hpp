@@ -1,0 +1,105 @@
+/// Contact of a wheel with a rail on the rail's curved surface, cell by cell: the exact solution that the
+/// real-time strips are measured against. Not real-time: allocates.
+///
+/// Half-space coefficients over arc length with turned normals (turned_convolution.hpp). The normal problem
+/// p >= 0, e >= 0, p e = 0 is solved over the gaps along the rows' normals (normal.hpp), steady rolling with
+/// Coulomb's law over the sliding velocity of every cell's own surface points (tangential.hpp). Each acts on
+/// the other through the turned normals: both are solved in turn until the force rests (Panagiotopoulos).
+///
+///     const SurfaceContact contact(bodies, options);
+///     const SurfaceSolution s = contact.solve({.state = state});      // height or load given in `state`
+///     s.force, s.moment, s.height, s.power                            // what acts on the wheel
+///     for (const RowForces& row : s.row_forces) ...                   // the same per row of cells
+///
+/// Pressures alone: state.friction = 0. Slips of one's own in place of the wheel's motion: `slips`.
+#pragma once
+
+#include <vector>
+
+#include "fault.hpp"
+#include "halfspace/normal.hpp"
+#include "halfspace/rolling_surfaces.hpp"
+#include "halfspace/tangential.hpp"
+#include "surface/wheel_on_rail.hpp"
+
+namespace wrc::halfspace {
+
+struct SurfaceOptions {
+  double cell_x = 2e-4, cell_s = 2e-4;  ///< size of the cells along the rail and along its arc [m]
+  RowNormals normals = RowNormals::mean;
+  /// Coefficients with turned normals; otherwise those of a plane over arc length, and only gaps, slips and
+  /// the directions of forces know of the curvature (the reference program's plain conformal setting).
+  bool turned = true;
+  Collocation collocation = Collocation::quarter_point;
+  double normal_tolerance = 1e-6;   ///< of GapProblem
+  double rolling_tolerance = 1e-4;  ///< of RollingProblem
+  double force_tolerance = 1e-5;    ///< change of the force vector / force at which the turns end
+  double load_tolerance = 2e-5;     ///< relative error of a prescribed load
+  int max_turns = 30;               ///< of normal and tangential problem at one height
+  int max_heights = 40;             ///< tried for a prescribed load
+  std::size_t max_cells = 1000000;
+};
+
+/// Rigid slip along one arc length: w = (x, lateral + spin (x - middle)), wheel over rail per rolled length.
+struct StripSlip {
+  double s = 0.0;                             ///< arc length of the rail from its first point [m]
+  double x = 0.0, lateral = 0.0, spin = 0.0;  ///< [-], [-], [1/m]
+  double middle = 0.0;                        ///< x that `lateral` belongs to [m]
+};
+
+struct SurfaceProblem {
+  WheelOnRail state;  ///< velocity[0] of the wheel is the rolling speed V; `damping` is not for this solver
+  /// In place of the slips of the wheel's motion, at increasing s; between them linear, beyond them constant.
+  /// The motion then gives V alone (1 m/s where it is zero).
+  std::vector<StripSlip> slips = {};
+};
+
+/// One row of cells: what acts on the wheel per arc length, in the row's own frame.
+struct RowForces {
+  double s = 0.0;              ///< arc length of the rail from its first point [m]
+  double y = 0.0, z = 0.0;     ///< of the rail's surface, track axes [m]
+  double angle = 0.0;          ///< of the normal (0, -sin, cos) about x [rad]
+  double normal_force = 0.0;   ///< integral of the pressure over x [N/m]
+  double fx = 0.0, fy = 0.0;   ///< of the tractions on the wheel along x and (0, cos, sin) [N/m]
+  double spin_moment = 0.0;    ///< of the tractions about the normal at `middle` [N]
+  double middle = 0.0;         ///< mean of x weighted by pressure; x from the wheel's reference point [m]
+  double length = 0.0;         ///< of the cells in contact [m]
+  double peak_pressure = 0.0;  ///< [Pa]
+  double power = 0.0;          ///< frictional power: of the rigid slips, the exact total [W/m]
+  double slip_x = 0.0, slip_y = 0.0, spin = 0.0;  ///< rigid slip at `middle` and its growth along x
+};
+
+struct SurfaceSolution {
+  double force[3] = {};       ///< on the wheel, track axes [N]
+  double moment[3] = {};      ///< about the wheel's reference point, track axes [N m]
+  double height = 0.0;        ///< position[2] of the wheel, as given or as found [m]
+  double pressure_sum = 0.0;  ///< integral of the pressure [N]
+  double area = 0.0, peak_pressure = 0.0;
+  double power = 0.0;  ///< -sum of traction * rigid slip * V: the exact dissipation of steady rolling [W]
+  double power_cells = 0.0;  ///< -sum of traction * slip * V, low by the grid's error [W]
+  double adhesion_fraction = 0.0;
+  Grid grid;  ///< x from the wheel's reference point; y: arc length s of the rail from its first point
+  std::vector<SurfaceRow> rows;
+  Field gap, pressure, traction_x, traction_y, slip_x, slip_y;  ///< over the grid
+  std::vector<RowForces> row_forces;                            ///< of the rows in contact
+  int turns = 0, heights = 0;
+  Fault fault;  ///< flags of both solvers; WRC_FLAG_ITERATION_CAP where turns or heights did not suffice
+};
+
+class SurfaceContact {
+ public:
+  SurfaceContact(WheelAndRail bodies, const SurfaceOptions& options = {});
+
+  SurfaceSolution solve(const SurfaceProblem& problem) const;
+
+  const WheelAndRail& bodies() const { return bodies_; }
+
+ private:
+  SurfaceSolution at_height(const SurfaceProblem& problem, double height, bool with_friction,
+                            const SurfaceSolution* start) const;
+
+  WheelAndRail bodies_;
+  SurfaceOptions options_;
+};
+
+}  // namespace wrc::halfspace
