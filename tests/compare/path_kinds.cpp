@@ -14,13 +14,13 @@ constexpr double tread = 0.12;  // steepest strip of a contact on the tread [rad
 struct Load {
   std::array<double, 6> component{};
   double normal_force = 0.0, steepest = 0.0;
-  bool spoilt = false;  ///< an error, or a flag that says that the result is not what it should be
+  int32_t spoilt = WRC_OK;  ///< an error, or a flag that says that the result is not what it should be
 };
 
 Load load_of(WheelCase& at, const Solver& solver) {
   const int32_t status = at.solve(solver);
   Load load;
-  load.spoilt = status != WRC_OK && status != WRC_FLAG_NO_CONTACT;
+  load.spoilt = status == WRC_FLAG_NO_CONTACT ? WRC_OK : status;
   for (std::size_t i = 0; i < 3; ++i) {
     load.component[i] = at.wrench.force[i];
     load.component[i + 3] = at.wrench.moment[i] / moment_arm;
@@ -57,7 +57,7 @@ std::vector<Load> scan(const Csv& file, std::size_t row, const Solver& solver) {
 double largest_jump(const std::vector<Load>& loads, std::size_t& where, std::size_t& component) {
   double jump = 0.0;
   for (std::size_t k = 0; k < loads.size(); ++k) {
-    if (loads[k].spoilt) {
+    if (loads[k].spoilt != WRC_OK) {
       where = k;
       component = 0;
       return 1.0;
@@ -132,9 +132,13 @@ Report compare_scan(const Csv& file, const Options& options) {
       errors["jump"].add(number, jump);
       if (steepest <= tread) errors["jump_tread"].add(number, jump);
       if (options.list) {
-        std::printf("%4zu %-4s jump %.3e at step %zu in %s, steepest strip %.3f rad, moves %s\n", number,
+        std::size_t spoilt = 0;
+        for (const Load& each : loads) spoilt += each.spoilt != WRC_OK ? 1 : 0;
+        std::printf("%4zu %-4s jump %.3e at step %zu in %s, steepest strip %.3f rad, moves %s", number,
                     warm ? "warm" : "cold", jump, where, names[component], steepest,
                     file.text(row, "moves").c_str());
+        if (spoilt > 0) std::printf(", %zu steps %s", spoilt, wrc_status_name(loads[where].spoilt));
+        std::printf("\n");
       }
       if (!warm) {
         cold = loads;
@@ -171,7 +175,7 @@ Report compare_loop(const Csv& file, const Options& options) {
       const std::size_t steps = finer * static_cast<std::size_t>(file(row, "steps"));
       std::vector<Load> loads;
       std::vector<Vector> poses;
-      bool spoilt = false;
+      int32_t spoilt = WRC_OK;
       for (std::size_t k = 0; k < steps; ++k) {
         const double t = 2.0 * 3.14159265358979323846 * static_cast<double>(k) / static_cast<double>(steps);
         at.wheel.y = 1e-3 * (file(row, "y_centre_mm") + file(row, "y_amplitude_mm") * std::cos(t));
@@ -179,12 +183,12 @@ Report compare_loop(const Csv& file, const Options& options) {
         at.wheel.roll = file(row, "roll_amplitude_rad") * std::sin(2.0 * t);
         loads.push_back(load_of(at, solver));
         poses.push_back({at.wheel.y, at.wheel.z, at.wheel.roll});
-        if (loads.back().spoilt) spoilt = true;
+        if (loads.back().spoilt != WRC_OK) spoilt = loads.back().spoilt;
       }
-      const double error = spoilt ? 1.0 : loop_error(loads, poses);
+      const double error = spoilt != WRC_OK ? 1.0 : loop_error(loads, poses);
       report.errors[report.variants[finer - 1]]["loop"].add(number, error);
       if (options.list)
-        std::printf("%4zu %5zu steps: %.3e%s\n", number, steps, error, spoilt ? ", spoilt" : "");
+        std::printf("%4zu %5zu steps: %.3e %s\n", number, steps, error, wrc_status_name(spoilt));
     }
     show_progress("loop", row + 1, file.rows());
   }
