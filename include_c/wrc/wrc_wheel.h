@@ -28,7 +28,7 @@
  *    (forward rolling: its y component is about -v / r0 < 0), in track axes or in those of R.
  *  - Pose of a rail: P displaced by (y, z) and the profile turned about P by roll, right-hand rule about x.
  *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down has
- *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P.
+ *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference point.
  *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; give each wheel its
  *    own contact.
  *

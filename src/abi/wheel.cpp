@@ -261,6 +261,7 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
 
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
   return call(handle, clear(wrench), [&](Contact& contact) {
+    contact.wheel_solved = 0;
     HostedWheel hosted;
     Fault outcome = read_hosted(input, hosted);
     if (!outcome.failed()) outcome = solve_wheel(contact, hosted);
@@ -313,9 +314,13 @@ int32_t wrc_wheel_step_flat(wrc_contact* handle, const double* in, double* out) 
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
     if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
     for (const int32_t k : {0, 1, 19}) {
-      wrc::Fault fault = abi::check(in[k], "in", "", 0.0, 1.0);
-      fault.index = k;
-      if (fault.failed()) return fault;
+      if (in[k] == 0.0 || in[k] == 1.0) continue;
+      return {.status = std::isfinite(in[k]) ? WRC_ERROR_RANGE : WRC_ERROR_NOT_FINITE,
+              .index = k,
+              .field = "in",
+              .value = in[k],
+              .unit = "",
+              .cause = "it stands for one of an enumeration: 0 or 1"};
     }
     wrc_wheel_state wheel = abi::defaults<wrc_wheel_state>();
     wheel.side = static_cast<int32_t>(in[0]);
@@ -343,6 +348,7 @@ int32_t wrc_wheel_step_flat(wrc_contact* handle, const double* in, double* out) 
     input.vertical_load = in[20];
     input.damping = in[21];
     wrc::HostedWheel hosted;
+    contact.wheel_solved = 0;
     wrc::Fault outcome = abi::read_hosted(&input, hosted);
     if (!outcome.failed()) outcome = wrc::solve_wheel(contact, hosted);
     if (outcome.failed()) return outcome;

@@ -143,10 +143,8 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   if (left) mirror_wrench(wrench);
 
   add_cross(wrench.moment, arm, wrench.force);
-  // The axle does not turn about itself in `arm`, so that the wheel's height is the reference's but for a
-  // constant.
-  const double reference_z = wrench.height - arm[2];
-  wrench.height = reference_z + model.wheel.nominal_radius;
+  const double reference_z = hosted.load_prescribed ? wrench.height - arm[2] : reference[2];
+  wrench.height = hosted.load_prescribed ? reference_z + model.wheel.nominal_radius : hosted.z;
   const double from_rail[3] = {reference[0],
                                reference[1] - (outward * std::abs(model.rail.origin_y) + hosted.rail.y),
                                reference_z - (model.rail.origin_z + hosted.rail.z)};

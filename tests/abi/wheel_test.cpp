@@ -1,0 +1,903 @@
+/// A wheel on a rail in one call (wrc_wheel.h): frames and signs against exact theory, symmetries, bad input,
+/// memory.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference_contact.hpp"
+
+namespace {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<double, 9>;  // row by row
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double length(const Vector& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+Vector operator*(const Matrix& m, const Vector& v) {
+  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
+          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+}
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  Matrix product{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t j = 0; j < 3; ++j) product[3 * i + k] += a[3 * i + j] * b[3 * j + k];
+    }
+  }
+  return product;
+}
+Matrix transposed(const Matrix& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
+Matrix about_x(double a) { return {1, 0, 0, 0, std::cos(a), -std::sin(a), 0, std::sin(a), std::cos(a)}; }
+Matrix about_y(double a) { return {std::cos(a), 0, std::sin(a), 0, 1, 0, -std::sin(a), 0, std::cos(a)}; }
+Matrix about_z(double a) { return {std::cos(a), -std::sin(a), 0, std::sin(a), std::cos(a), 0, 0, 0, 1}; }
+
+Vector vector_of(const double* v) { return {v[0], v[1], v[2]}; }
+void put(const Vector& v, double* to) { std::copy(v.begin(), v.end(), to); }
+
+constexpr double radius = 0.46, half_base = 0.75, rail_origin = 0.7605325577;
+
+/// S1002 on the benchmark UIC60, rolling with a little of everything; the rail displaced and moving.
+class WheelOnRail : public testing::Test {
+ protected:
+  wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init);
+  wrc_profile rail_profile = made<wrc_profile>(wrc_profile_init);
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  WheelOnRail() {
+    wheel_profile.kind = WRC_PROFILE_S1002;
+    rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.wheel = &wheel_profile;
+    config.rail = &rail_profile;
+    config.shear_modulus = 82e9;
+    config.poisson = 0.28;
+    config.profile_placement = WRC_PLACEMENT_ORIGIN;
+    config.rail_origin = rail_origin;
+    wheel.y = 1e-3;
+    wheel.z = 1.2e-3;
+    wheel.roll = -0.7e-3;
+    wheel.yaw = 2e-3;
+    put({20.0, 0.03, 0.0}, wheel.velocity);
+    put({0.01, -20.0 / radius * 1.0015, 0.02}, wheel.angular_velocity);
+    rail.y = 0.4e-3;
+    rail.z = 0.38e-3;
+    rail.roll = 2e-3;
+    rail.y_velocity = 0.01;
+    input.wheel = &wheel;
+    input.rail = &rail;
+    input.friction = &friction;
+  }
+  void SetUp() override { create(); }
+  ~WheelOnRail() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  void create() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
+  int32_t step() { return wrc_wheel_step(contact, &input, &wrench); }
+  std::string error() const {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return text;
+  }
+  void expect_works() {
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_GT(wrench.normal_force, 1e3);
+    EXPECT_LT(wrench.force[2], 0.0);
+  }
+  void expect_refused(int32_t status, const std::vector<std::string>& words) {
+    wrench.force[2] = -1.0;
+    wrench.regions = 1;
+    EXPECT_EQ(step(), status);
+    ReferenceWheel::expect_words(error(), words);
+    EXPECT_EQ(wrench.force[2], 0.0);
+    EXPECT_EQ(wrench.regions, 0);
+    EXPECT_EQ(wrench.struct_size, sizeof wrench);
+    wrc_region region = made<wrc_region>(wrc_region_init);
+    EXPECT_EQ(wrc_wheel_region(contact, 0, &region), WRC_ERROR_SEQUENCE);
+  }
+  /// Where the reference point is.
+  Vector reference() const {
+    const double outward = wheel.side == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    return {0.0, wheel.y + (wheel.reference == WRC_REFERENCE_WHEEL ? outward * half_base : 0.0),
+            wheel.z - radius};
+  }
+  /// The mirror image of the inputs about the track's vertical plane.
+  void mirror() {
+    wheel.side = wheel.side == WRC_SIDE_LEFT ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT;
+    for (double* each :
+         {&wheel.y, &wheel.roll, &wheel.yaw, &wheel.velocity[1], &wheel.angular_velocity[0],
+          &wheel.angular_velocity[2], &rail.y, &rail.roll, &rail.y_velocity, &rail.roll_velocity})
+      *each = -*each;
+  }
+  /// The wrench is that of another wrench, within this share of the force.
+  static void expect_same(const wrc_wrench& one, const wrc_wrench& other, double share) {
+    const double force = share * length(vector_of(other.force));
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(one.force[i], other.force[i], force) << i;
+      EXPECT_NEAR(one.moment[i], other.moment[i], force) << i;
+      EXPECT_NEAR(one.rail_force[i], other.rail_force[i], force) << i;
+      EXPECT_NEAR(one.rail_moment[i], other.rail_moment[i], force) << i;
+    }
+    EXPECT_NEAR(one.normal_force, other.normal_force, force);
+    EXPECT_NEAR(one.area, other.area, share * other.area);
+    EXPECT_NEAR(one.power, other.power, share * other.power + 1e-6);
+    EXPECT_EQ(one.regions, other.regions);
+  }
+};
+
+// ------------------------------------------------------------------------------------------------ exact
+// theory
+
+/// Total force on the wheel [N] and moment about the wheelset's middle [N m], track axes, of CONTACT 25.2
+/// (revision 2707, full half-space theory, patches of one case solved on their own; G 82 GPa, nu 0.28, 0.2 mm
+/// cells) for poses as a multibody code has them: frames, signs and sizes at once. Tread and two-point
+/// contact, both sides; the tolerance is what the method and its neglect of (or: insistence on) neighbouring
+/// patches leave.
+TEST_F(WheelOnRail, AgreesWithExactTheoryInTrackAxes) {
+  struct Case {
+    int32_t side;
+    double y, z, roll, yaw;            // [mm], [rad]
+    double v, vy, wx, wy, wz;          // [m/s], wheelset's axes [rad/s]
+    double rail_y, rail_z, rail_roll;  // [mm], [rad]
+    double friction;
+    Vector force, moment;
+    double tolerance;
+  };
+  const Case cases[] = {
+      {WRC_SIDE_RIGHT,
+       3.430571,
+       -0.6918885,
+       -0.00179153,
+       -0.00047179,
+       1.588052,
+       -0.00061523,
+       0.00017315,
+       -3.44928135,
+       -0.00015947,
+       1.616687,
+       -1.974621,
+       0.0072686,
+       0.3026,
+       {10381.9999, -2638.85002, -104827.321},
+       {-76052.502, 4805.05713, -7639.89989},
+       0.02},
+      {WRC_SIDE_LEFT,
+       2.512359,
+       -6.614627,
+       -0.00907741,
+       0.01118787,
+       61.202209,
+       -0.2342781,
+       -0.22048444,
+       -133.194152,
+       -0.11259713,
+       0,
+       0,
+       0,
+       0.2345,
+       {1121.56948, 8037.01912, -34366.2617},
+       {22458.096, 816.324486, 923.728652},
+       0.02},
+      {WRC_SIDE_LEFT,
+       -7.221546,
+       -2.8958579,
+       -0.00429931,
+       0.02608935,
+       14.408572,
+       0.05096914,
+       0.04922635,
+       -31.2910683,
+       0.0168387,
+       -0.835488,
+       0.369356,
+       -0.0012761,
+       0.5639,
+       {-169.270099, 31590.6132, -44730.391},
+       {18118.2127, 722.31938, 440.508062},
+       0.03},
+      {WRC_SIDE_LEFT,
+       -4.620123,
+       0.0791823,
+       0.00416646,
+       -0.00780251,
+       40.119384,
+       -0.02958825,
+       -0.14771457,
+       -87.1235695,
+       -0.04977673,
+       -1.724075,
+       -2.827243,
+       0.00192842,
+       0.5673,
+       {3267.26913, -6453.15738, -18937.4386},
+       {16823.4957, 1402.2164, 2421.08869},
+       0.12},
+  };
+  wheel.angular_axes = WRC_AXES_BODY;
+  rail.y_velocity = 0.0;
+  for (const Case& each : cases) {
+    wheel.side = each.side;
+    wheel.y = 1e-3 * each.y;
+    wheel.z = 1e-3 * each.z;
+    wheel.roll = each.roll;
+    wheel.yaw = each.yaw;
+    put({each.v, each.vy, 0.0}, wheel.velocity);
+    put({each.wx, each.wy, each.wz}, wheel.angular_velocity);
+    rail.y = 1e-3 * each.rail_y;
+    rail.z = 1e-3 * each.rail_z;
+    rail.roll = each.rail_roll;
+    friction.coefficient = each.friction;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    const double scale = length(each.force);
+    EXPECT_LT(length(vector_of(wrench.force) - each.force), each.tolerance * scale) << each.y;
+    EXPECT_LT(length(vector_of(wrench.moment) - each.moment), each.tolerance * half_base * scale) << each.y;
+  }
+}
+
+/// Where the earlier search for a lowest point leapt, the wrench now bends at most.
+TEST_F(WheelOnRail, NothingLeapsWhereTheLowestPointDoes) {
+  struct Place {
+    double y, z;  // [m]
+  };
+  rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wheel.roll = wheel.yaw = 0.0;
+  for (const Place& place : {Place{0.2155e-3, 0.2380508e-3}, Place{5.0235e-3, -0.1758684e-3}}) {
+    std::vector<wrc_wrench> along;
+    for (int k = -20; k <= 20; ++k) {
+      wheel.y = place.y + 1e-6 * k;
+      wheel.z = place.z;
+      ASSERT_EQ(step(), WRC_OK) << error();
+      along.push_back(wrench);
+    }
+    for (std::size_t k = 1; k + 1 < along.size(); ++k) {
+      for (int i = 0; i < 3; ++i) {
+        const double bend = along[k + 1].force[i] - 2.0 * along[k].force[i] + along[k - 1].force[i];
+        EXPECT_LT(std::fabs(bend), 2e-3 * along[k].normal_force) << place.y << ", component " << i;
+      }
+    }
+  }
+}
+
+// --------------------------------------------------------------------------------------------------
+// symmetries
+
+TEST_F(WheelOnRail, TheLeftWheelIsTheMirrorImageToTheLastBit) {
+  for (const int32_t reference : {WRC_REFERENCE_WHEELSET, WRC_REFERENCE_WHEEL}) {
+    wheel.reference = reference;
+    expect_works();
+    const wrc_wrench right = wrench;
+    wrc_region of_right = made<wrc_region>(wrc_region_init), of_left = of_right;
+    ASSERT_EQ(wrc_wheel_region(contact, 0, &of_right), WRC_OK);
+    mirror();
+    expect_works();
+    ASSERT_EQ(wrc_wheel_region(contact, 0, &of_left), WRC_OK);
+    mirror();
+    const double force[3] = {1, -1, 1}, moment[3] = {-1, 1, -1};
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(wrench.force[i], force[i] * right.force[i]) << i;
+      EXPECT_EQ(wrench.moment[i], moment[i] * right.moment[i]) << i;
+      EXPECT_EQ(wrench.rail_force[i], force[i] * right.rail_force[i]) << i;
+      EXPECT_EQ(wrench.rail_moment[i], moment[i] * right.rail_moment[i]) << i;
+      EXPECT_EQ(of_left.point[i], force[i] * of_right.point[i]) << i;
+      EXPECT_EQ(of_left.moment[i], moment[i] * of_right.moment[i]) << i;
+    }
+    EXPECT_EQ(wrench.z, right.z);
+    EXPECT_EQ(wrench.power, right.power);
+    EXPECT_EQ(of_left.y_wheel, of_right.y_wheel);
+    EXPECT_EQ(of_left.y_rail, of_right.y_rail);
+    EXPECT_EQ(of_left.angle, -of_right.angle);
+  }
+}
+
+TEST_F(WheelOnRail, WheelsetAndWheelAreTwoWaysToSayTheSame) {
+  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    wheel.side = side;
+    wheel.reference = WRC_REFERENCE_WHEELSET;
+    if (side == WRC_SIDE_LEFT) mirror(), wheel.side = side;
+    expect_works();
+    const wrc_wrench of_wheelset = wrench;
+    const wrc_wheel_state wheelset = wheel;
+
+    const double outward = side == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    const Vector arm = about_x(wheel.roll) * about_z(wheel.yaw) * Vector{0.0, outward * half_base, 0.0};
+    const Vector moved = reference() + arm - Vector{0.0, outward * half_base, -radius};
+    wheel.reference = WRC_REFERENCE_WHEEL;
+    wheel.y = moved[1];
+    wheel.z = moved[2];
+    put(vector_of(wheel.velocity) + cross(vector_of(wheel.angular_velocity), arm), wheel.velocity);
+    expect_works();
+    wrc_wrench transported = wrench;
+    put(vector_of(wrench.moment) + cross(arm, vector_of(wrench.force)), transported.moment);
+    // the rail's origin lies at the x of the reference point
+    put(vector_of(wrench.rail_moment) + cross({arm[0], 0.0, 0.0}, vector_of(wrench.rail_force)),
+        transported.rail_moment);
+    expect_same(transported, of_wheelset, 1e-7);
+    EXPECT_EQ(wrench.z, wheel.z);
+    wheel = wheelset;
+  }
+}
+
+TEST_F(WheelOnRail, ARotationMatrixIsRollAndYawWithOrWithoutPitch) {
+  expect_works();
+  const wrc_wrench by_angles = wrench;
+  const Matrix plain = about_x(wheel.roll) * about_z(wheel.yaw);
+  const Vector turning = vector_of(wheel.angular_velocity);
+  wheel.roll = wheel.yaw = 0.0;
+  for (const double pitch : {0.0, -1.0, 2.5, 400.0}) {
+    const Matrix full = plain * about_y(pitch);
+    wheel.rotation = full.data();
+    wheel.angular_axes = WRC_AXES_TRACK;
+    put(turning, wheel.angular_velocity);
+    expect_works();
+    expect_same(wrench, by_angles, 1e-7);
+    wheel.angular_axes = WRC_AXES_BODY;
+    put(transposed(full) * turning, wheel.angular_velocity);
+    expect_works();
+    expect_same(wrench, by_angles, 1e-7);
+  }
+}
+
+TEST_F(WheelOnRail, OnlyTheMotionBetweenWheelAndRailCounts) {
+  rail = made<wrc_rail_state>(wrc_rail_state_init);
+  rail.y = -0.6e-3;
+  rail.z = 0.2e-3;
+  rail.y_velocity = -0.02;
+  rail.z_velocity = 0.01;
+  wheel.z = 1.0e-3;
+  expect_works();
+  const wrc_wrench of_rail = wrench;
+  const Vector lever = {0.0, rail.y, rail.z};
+  wheel.y -= rail.y;
+  wheel.z -= rail.z;
+  wheel.velocity[1] -= rail.y_velocity;
+  wheel.velocity[2] -= rail.z_velocity;
+  input.rail = nullptr;
+  expect_works();
+  EXPECT_LT(length(vector_of(wrench.force) - vector_of(of_rail.force)), 1e-7 * of_rail.normal_force);
+  EXPECT_LT(length(vector_of(wrench.moment) - vector_of(of_rail.moment)), 1e-7 * of_rail.normal_force);
+  EXPECT_LT(length(vector_of(wrench.rail_moment) - vector_of(of_rail.rail_moment)),
+            1e-7 * of_rail.normal_force);
+  EXPECT_GT(length(lever), 0.0);
+}
+
+/// A rail rolled about its origin is everything else rolled back about that point, seen from axes that roll
+/// along.
+TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
+  wheel.reference = WRC_REFERENCE_WHEEL;
+  rail = made<wrc_rail_state>(wrc_rail_state_init);
+  rail.roll = 0.03;
+  rail.roll_velocity = 0.5;
+  const Matrix upright = about_x(wheel.roll) * about_z(wheel.yaw);
+  wheel.roll = wheel.yaw = 0.0;
+  wheel.rotation = upright.data();
+  wheel.z = 0.7e-3;
+  expect_works();
+  const wrc_wrench rolled = wrench;
+
+  const Matrix back = about_x(-rail.roll);
+  const Vector origin = {0.0, rail_origin, 0.0};
+  const Vector at = back * (reference() - origin) + origin;
+  // In the rail's axes everything turns back with the rail's rate, about its origin.
+  const Vector spin = {-rail.roll_velocity, 0.0, 0.0};
+  const Vector velocity = back * (vector_of(wheel.velocity) + cross(spin, reference() - origin));
+  const Vector turning = back * (vector_of(wheel.angular_velocity) + spin);
+  const Matrix turned = back * upright;
+  wheel.y = at[1] - half_base;
+  wheel.z = at[2] + radius;
+  put(velocity, wheel.velocity);
+  put(turning, wheel.angular_velocity);
+  wheel.rotation = turned.data();
+  input.rail = nullptr;
+  expect_works();
+  EXPECT_LT(length(vector_of(wrench.force) - back * vector_of(rolled.force)), 1e-6 * rolled.normal_force);
+  EXPECT_LT(length(vector_of(wrench.moment) - back * vector_of(rolled.moment)), 1e-6 * rolled.normal_force);
+  EXPECT_LT(length(vector_of(wrench.rail_moment) - back * vector_of(rolled.rail_moment)),
+            1e-6 * rolled.normal_force);
+}
+
+TEST_F(WheelOnRail, WhatTheRailFeelsIsTheOpposite) {
+  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    if (side == WRC_SIDE_LEFT) mirror();
+    expect_works();
+    const double outward = side == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    const Vector origin = {0.0, outward * rail_origin + rail.y, rail.z};
+    const Vector total = vector_of(wrench.moment) + cross(reference(), vector_of(wrench.force)) +
+                         vector_of(wrench.rail_moment) + cross(origin, vector_of(wrench.rail_force));
+    EXPECT_LT(length(total), 1e-9 * wrench.normal_force);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(wrench.rail_force[i], -wrench.force[i]);
+  }
+}
+
+TEST_F(WheelOnRail, RegionsAddUpToTheWrench) {
+  rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wheel.y = 5e-3;  // tread and flange root
+  wheel.z = -0.18e-3;
+  wheel.roll = 0.0;
+  expect_works();
+  Vector force{}, moment{};
+  double normal = 0.0, area = 0.0, power = 0.0, peak = 0.0, last = -1.0;
+  EXPECT_GE(wrench.regions, 1);
+  for (int32_t i = 0; i < wrench.regions; ++i) {
+    wrc_region region = made<wrc_region>(wrc_region_init);
+    ASSERT_EQ(wrc_wheel_region(contact, i, &region), WRC_OK);
+    force = force + vector_of(region.force);
+    moment = moment + vector_of(region.moment) +
+             cross(vector_of(region.point) - reference(), vector_of(region.force));
+    normal += region.normal_force;
+    area += region.area;
+    power += region.power;
+    peak = std::max(peak, region.peak_pressure);
+    EXPECT_GT(region.y_rail, last);
+    last = region.y_rail;
+    // the point lies on both profiles, up to their overlap and the gap beside the deepest line
+    EXPECT_NEAR(region.point[1], rail_origin + region.y_rail, 1e-12);
+    EXPECT_LT(region.angle, 0.0);
+  }
+  EXPECT_LT(length(force - vector_of(wrench.force)), 1e-9 * wrench.normal_force);
+  EXPECT_LT(length(moment - vector_of(wrench.moment)), 1e-9 * wrench.normal_force);
+  EXPECT_NEAR(normal, wrench.normal_force, 1e-9 * normal);
+  EXPECT_NEAR(area, wrench.area, 1e-12);
+  EXPECT_NEAR(power, wrench.power, 1e-9 * power);
+  EXPECT_EQ(peak, wrench.peak_pressure);
+  wrc_region none = made<wrc_region>(wrc_region_init);
+  none.area = 1.0;
+  EXPECT_EQ(wrc_wheel_region(contact, wrench.regions, &none), WRC_ERROR_RANGE);
+  EXPECT_EQ(none.area, 0.0);
+  EXPECT_EQ(wrc_wheel_region(contact, -1, &none), WRC_ERROR_RANGE);
+}
+
+// ----------------------------------------------------------------------------------------------------
+// physics
+
+TEST_F(WheelOnRail, APrescribedLoadFindsItsHeight) {
+  for (const double load : {20e3, 80e3, 150e3}) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = load;
+    expect_works();
+    EXPECT_NEAR(-wrench.force[2], load, 1e-6 * load);
+    const wrc_wrench loaded = wrench;
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    const double given = wheel.z;
+    wheel.z = loaded.z;
+    expect_works();
+    EXPECT_EQ(wrench.z, wheel.z);
+    expect_same(wrench, loaded, 1e-6);
+    wheel.z = given;
+  }
+}
+
+TEST_F(WheelOnRail, WithoutFrictionNothingIsDissipated) {
+  input.friction = nullptr;
+  wheel.yaw = 0.0;
+  expect_works();
+  EXPECT_EQ(wrench.power, 0.0);
+  EXPECT_NEAR(wrench.force[0], 0.0, 1e-9 * wrench.normal_force);
+}
+
+TEST_F(WheelOnRail, CreepForcesOpposeTheSlipAndBrake) {
+  rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wheel.z = 0.8e-3;
+  for (const double excess : {0.99, 1.01}) {  // braked, driven
+    wheel.angular_velocity[1] = -20.0 / radius * excess;
+    expect_works();
+    EXPECT_GT((excess - 1.0) * wrench.force[0], 0.0);
+    EXPECT_GT(wrench.power, 0.0);
+  }
+}
+
+TEST_F(WheelOnRail, DampingPushesWhileTheBodiesNear) {
+  expect_works();
+  const double elastic = wrench.normal_force;
+  input.damping = 0.5;
+  double damped[2];
+  for (int down = 0; down < 2; ++down) {
+    wheel.velocity[2] = down == 1 ? 0.2 : -0.2;
+    expect_works();
+    damped[down] = wrench.normal_force;
+  }
+  EXPECT_NEAR((damped[1] - damped[0]) / elastic, 1.5 * 0.5 * 0.4, 0.003);
+}
+
+TEST_F(WheelOnRail, ALiftedWheelHasNoContactAndNoError) {
+  wheel.z = -5e-3;
+  EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(length(vector_of(wrench.force)), 0.0);
+  EXPECT_EQ(wrench.z, wheel.z);
+  EXPECT_EQ(wrench.regions, 0);
+  wheel.z = 1.2e-3;
+  expect_works();
+}
+
+/// Trial states of an integrator: anything finite within the ranges gives finite numbers.
+TEST_F(WheelOnRail, WildPosesGiveFiniteNumbers) {
+  const double ys[] = {-0.2, -0.07, -0.03, -0.012, 0.0, 0.0065, 0.012, 0.02, 0.05, 0.2};
+  const double zs[] = {-0.5, -0.03, -2e-3, 0.2e-3, 1e-3, 5e-3, 0.03, 0.2};
+  const double angles[] = {-0.5, -0.05, 0.0, 0.05, 0.5};
+  const double speeds[] = {-30.0, 0.0, 30.0, 1e-3};
+  int tried = 0, answered = 0;
+  for (const double y : ys) {
+    for (const double z : zs) {
+      for (const double yaw : angles) {
+        for (const double roll : {-0.5, 0.0, 0.01}) {
+          wheel.y = y;
+          wheel.z = z;
+          wheel.yaw = yaw;
+          wheel.roll = roll;
+          wheel.velocity[0] = speeds[tried++ % 4];
+          if (step() >= 0) ++answered;
+          const double* const numbers = wrench.force;  // and all up to the end of the struct
+          const std::size_t count = (sizeof wrench - offsetof(wrc_wrench, force)) / sizeof(double);
+          EXPECT_TRUE(std::all_of(numbers, numbers + count, [](double x) { return std::isfinite(x); }))
+              << y << " " << z << " " << yaw << " " << roll << " " << wheel.velocity[0];
+          EXPECT_GE(wrench.power, 0.0);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(answered, tried);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  wheel.velocity[0] = 20.0;
+  for (const double y : ys) {
+    for (const double yaw : {-0.05, 0.0, 0.05}) {
+      wheel.y = y;
+      wheel.yaw = yaw;
+      wheel.roll = 0.0;
+      step();
+      for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(wrench.force[i])) << y << " " << yaw;
+      EXPECT_TRUE(std::isfinite(wrench.z));
+    }
+  }
+}
+
+// --------------------------------------------------------------------------------------------------- bad
+// input
+
+TEST_F(WheelOnRail, UnitsAreNoticed) {
+  const auto refuse = [&](double& value, double bad, const std::vector<std::string>& words) {
+    const double good = value;
+    value = bad;
+    expect_refused(WRC_ERROR_RANGE, words);
+    value = good;
+  };
+  refuse(wheel.y, 5.0, {"wheel.y = 5 m", "-0.2 .. 0.2 m", "mm"});
+  refuse(wheel.z, 0.25, {"wheel.z = 0.25 m", "mm"});
+  refuse(wheel.roll, 1.0, {"wheel.roll = 1 rad", "degrees"});
+  refuse(wheel.yaw, -2.0, {"wheel.yaw = -2 rad", "degrees"});
+  refuse(wheel.velocity[0], 250.0, {"wheel.velocity[0] = 250 m/s", "km/h"});
+  refuse(wheel.angular_velocity[1], -3000.0, {"wheel.angular_velocity[1] = -3000 rad/s", "rpm"});
+  refuse(wheel.angular_velocity[0], -450.0, {"wheel.angular_velocity[0]", "axle"});
+  refuse(rail.y, -1.5, {"rail.y = -1.5 m", "mm"});
+  refuse(rail.roll, 2.0, {"rail.roll = 2 rad", "degrees"});
+  refuse(input.damping, 1e4, {"input.damping = 10000 s/m", "viscous"});
+  refuse(input.vertical_load, 80e3,
+         {"input.vertical_load = 80000 N", "height", "WRC_PRESCRIBE_VERTICAL_LOAD"});
+  refuse(friction.coefficient, 30.0, {"friction.coefficient = 30", "per cent"});
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  refuse(input.vertical_load, 80.0, {"input.vertical_load = 80 N", "kN"});
+  refuse(input.vertical_load, -80e3, {"input.vertical_load = -80000 N", "upwards"});
+  refuse(input.damping, 0.1, {"input.damping = 0.1 s/m", "whole load"});
+  expect_works();
+}
+
+TEST_F(WheelOnRail, NanAndInfinityAreNamedWhereverTheyStand) {
+  struct Value {
+    double* at;
+    const char* name;
+  };
+  const Value values[] = {{&wheel.y, "wheel.y"},
+                          {&wheel.z, "wheel.z"},
+                          {&wheel.roll, "wheel.roll"},
+                          {&wheel.yaw, "wheel.yaw"},
+                          {&wheel.velocity[0], "wheel.velocity[0]"},
+                          {&wheel.velocity[1], "wheel.velocity[1]"},
+                          {&wheel.velocity[2], "wheel.velocity[2]"},
+                          {&wheel.angular_velocity[0], "wheel.angular_velocity[0]"},
+                          {&wheel.angular_velocity[1], "wheel.angular_velocity[1]"},
+                          {&wheel.angular_velocity[2], "wheel.angular_velocity[2]"},
+                          {&rail.y, "rail.y"},
+                          {&rail.z, "rail.z"},
+                          {&rail.roll, "rail.roll"},
+                          {&rail.y_velocity, "rail.y_velocity"},
+                          {&rail.z_velocity, "rail.z_velocity"},
+                          {&rail.roll_velocity, "rail.roll_velocity"},
+                          {&friction.coefficient, "friction.coefficient"},
+                          {&input.vertical_load, "input.vertical_load"},
+                          {&input.damping, "input.damping"}};
+  for (const Value& each : values) {
+    const double good = *each.at;
+    for (const double bad : {nan_value, infinity, -infinity}) {
+      *each.at = bad;
+      expect_refused(WRC_ERROR_NOT_FINITE, {each.name});
+    }
+    *each.at = good;
+  }
+  expect_works();
+}
+
+TEST_F(WheelOnRail, WhatIsNoRotationIsRefused) {
+  wheel.roll = wheel.yaw = 0.0;
+  const auto refuse = [&](const Matrix& matrix, const std::vector<std::string>& words) {
+    wheel.rotation = matrix.data();
+    expect_refused(WRC_ERROR_RANGE, words);
+    wheel.rotation = nullptr;
+  };
+  refuse({1, 0, 0, 0, 1, 0, 0, 0, 0.99}, {"wheel.rotation", "no rotation"});
+  refuse({1, 0, 0, 0, 1, 0, 0, 0, -1}, {"determinant", "mirror"});
+  refuse({57, 0, 0, 0, 1, 0, 0, 0, 1}, {"wheel.rotation[0] = 57", "cosines"});
+  refuse(about_z(1.0), {"axle", "transpose"});
+  refuse(about_x(3.1), {"axle"});
+  const Matrix bad = {1, 0, 0, 0, nan_value, 0, 0, 0, 1};
+  wheel.rotation = bad.data();
+  expect_refused(WRC_ERROR_NOT_FINITE, {"wheel.rotation[4]"});
+  const Matrix fine = about_z(1e-3);
+  wheel.rotation = fine.data();
+  wheel.yaw = 1e-3;
+  expect_refused(WRC_ERROR_RANGE, {"wheel.yaw", "not both"});
+  wheel.yaw = 0.0;
+  expect_works();
+}
+
+TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
+  const auto refuse = [&](int32_t& value, const std::vector<std::string>& words) {
+    const int32_t good = value;
+    for (const int32_t bad : {-1, 2, 99}) {
+      value = bad;
+      expect_refused(WRC_ERROR_UNSUPPORTED, words);
+    }
+    value = good;
+  };
+  refuse(wheel.side, {"wheel.side", "wrc_side"});
+  refuse(wheel.reference, {"wheel.reference", "wrc_wheel_reference"});
+  refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
+  refuse(input.prescribed, {"input.prescribed", "wrc_wheel_prescribed"});
+  friction.kind = WRC_FRICTION_FALLING;
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.kind", "constant"});
+  friction.kind = WRC_FRICTION_CONSTANT;
+  friction.slope_reduction = 0.5;
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.slope_reduction", "constant"});
+  friction.slope_reduction = 1.0;
+  const double at[] = {0.0}, zone[] = {0.2};
+  friction.zones = 1;
+  friction.zone_y = at;
+  friction.zone_coefficient = zone;
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.zones", "same everywhere"});
+  friction.zones = 0;
+  expect_works();
+}
+
+TEST_F(WheelOnRail, OtherMethodsSayThatTheyHaveNoWheelStep) {
+  config.normal_method = WRC_NORMAL_EKP;
+  create();
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"WRC_NORMAL_STRIP_HALFSPACE"});
+  config.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
+  config.tangential_method = WRC_TANGENTIAL_FASTSIM;
+  create();
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"WRC_TANGENTIAL_STRIP_FASTSIM"});
+  config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
+  config.wheel = config.rail = nullptr;
+  create();
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"profiles"});
+}
+
+TEST_F(WheelOnRail, NullAndWrongSizesAreRefused) {
+  EXPECT_EQ(wrc_wheel_step(nullptr, &input, &wrench), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wheel_step(contact, nullptr, &wrench), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wheel_step(contact, &input, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_wheel_region(contact, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wheel_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wheel_state_init(nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_rail_state_init(nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wheel_input_init(nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_wrench_init(nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_region_init(nullptr), WRC_ERROR_NULL);
+  input.wheel = nullptr;
+  expect_refused(WRC_ERROR_NULL, {"wheel"});
+  input.wheel = &wheel;
+  const auto refuse = [&](uint32_t& size, const char* name) {
+    const uint32_t good = size;
+    for (const uint32_t bad : {0U, 7U, 4096U}) {
+      size = bad;
+      expect_refused(WRC_ERROR_STRUCT_SIZE, {name, "struct_size"});
+    }
+    size = good;
+  };
+  refuse(wheel.struct_size, "wrc_wheel_state");
+  refuse(rail.struct_size, "wrc_rail_state");
+  refuse(input.struct_size, "wrc_wheel_input");
+  refuse(friction.struct_size, "wrc_friction");
+  wrench.struct_size = 3;
+  EXPECT_EQ(step(), WRC_ERROR_STRUCT_SIZE);
+  wrench.struct_size = sizeof wrench;
+  expect_works();
+}
+
+TEST_F(WheelOnRail, TheDistanceOfTheRailsBelongsToItsPlacement) {
+  const auto refuse = [&](int32_t status, const std::vector<std::string>& words) {
+    char text[256];
+    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
+    ReferenceWheel::expect_words(text, words);
+  };
+  config.rail_origin = 0.0;
+  refuse(WRC_ERROR_RANGE, {"config.rail_origin = 0 m", "WRC_PLACEMENT_ORIGIN"});
+  config.rail_origin = 760.5;
+  refuse(WRC_ERROR_RANGE, {"config.rail_origin = 760.5 m", "mm"});
+  config.profile_placement = WRC_PLACEMENT_GAUGE;
+  config.rail_origin = 0.76;
+  refuse(WRC_ERROR_RANGE, {"config.rail_origin = 0.76 m", "WRC_PLACEMENT_ORIGIN only"});
+  config.profile_placement = 2;
+  refuse(WRC_ERROR_UNSUPPORTED, {"config.profile_placement", "wrc_profile_placement"});
+}
+
+/// The benchmark rail lies at 1435 mm where its origin is 760.5325577 mm from the middle.
+TEST_F(WheelOnRail, PlacementByGaugeAndByOriginAgreeForANewRail) {
+  expect_works();
+  const wrc_wrench by_origin = wrench;
+  config.profile_placement = WRC_PLACEMENT_GAUGE;
+  config.rail_origin = 0.0;
+  create();
+  expect_works();
+  expect_same(wrench, by_origin, 2e-3);
+}
+
+// ------------------------------------------------------------------------------------------- memory, other
+// calls
+
+TEST_F(WheelOnRail, SavedStatesComeBackBitForBit) {
+  for (const int32_t warm : {0, 1}) {
+    config.warm_start = warm;
+    create();
+    uint64_t bytes = 0, alignment = 0;
+    ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+    std::vector<unsigned char> before(bytes), after(bytes), again(bytes);
+    expect_works();
+    ASSERT_EQ(wrc_contact_save(contact, before.data(), bytes), WRC_OK);
+    wheel.y += 20e-6;
+    expect_works();
+    const wrc_wrench first = wrench;
+    ASSERT_EQ(wrc_contact_save(contact, after.data(), bytes), WRC_OK);
+    wheel.y += 3e-3;
+    expect_works();
+    ASSERT_EQ(wrc_contact_restore(contact, before.data(), bytes), WRC_OK);
+    wheel.y -= 3e-3;
+    expect_works();
+    EXPECT_EQ(std::memcmp(&wrench, &first, sizeof wrench), 0);
+    ASSERT_EQ(wrc_contact_save(contact, again.data(), bytes), WRC_OK);
+    EXPECT_EQ(after, again);
+    wheel.y -= 20e-6;
+  }
+}
+
+TEST_F(WheelOnRail, WithoutWarmStartOnlyTheCallCounts) {
+  expect_works();
+  const wrc_wrench first = wrench;
+  const double y = wheel.y;
+  wheel.y = 6e-3;
+  expect_works();
+  wheel.y = y;
+  expect_works();
+  EXPECT_EQ(std::memcmp(&wrench, &first, sizeof wrench), 0);
+}
+
+TEST_F(WheelOnRail, TheStagesAndTheWheelStepAreStrangers) {
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_load load = made<wrc_load>(wrc_load_init);
+  load.normal_force = 80e3;
+  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  creepage.longitudinal = 1e-3;
+  wrc_forces forces = made<wrc_forces>(wrc_forces_init), later = forces;
+  const wrc_input planar = {sizeof planar, 0, &pose, nullptr, &load, &creepage, &friction};
+  wrc_output output = {sizeof output, 0, nullptr, nullptr, &forces, nullptr};
+  ASSERT_EQ(wrc_step(contact, &planar, &output), WRC_OK);
+  expect_works();
+  EXPECT_EQ(wrc_contact_patch(contact, 0, nullptr, &later), WRC_OK);
+  EXPECT_EQ(later.fx, forces.fx);
+  ASSERT_EQ(wrc_step(contact, &planar, &output), WRC_OK);
+  wrc_region region = made<wrc_region>(wrc_region_init);
+  EXPECT_EQ(wrc_wheel_region(contact, 0, &region), WRC_OK);
+  EXPECT_GT(region.normal_force, 0.0);
+}
+
+TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
+  constexpr uint32_t count = 4;
+  std::array<wrc_contact*, count> contacts{};
+  std::array<wrc_wheel_state, count> wheels;
+  std::array<wrc_wheel_input, count> inputs;
+  std::array<wrc_wrench, count> single, batch;
+  std::array<int32_t, count> statuses{};
+  single.fill(wrench);
+  batch.fill(wrench);
+  for (uint32_t i = 0; i < count; ++i) {
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contacts[i]), WRC_OK);
+    wheels[i] = wheel;
+    wheels[i].y += 1e-3 * i;
+    if (i == 3) wheels[i].y = 5.0;  // refused
+    inputs[i] = input;
+    inputs[i].wheel = &wheels[i];
+    statuses[i] = wrc_wheel_step(contacts[i], &inputs[i], &single[i]);
+  }
+  const std::array<int32_t, count> expected = statuses;
+  EXPECT_EQ(wrc_wheel_step_batch(contacts.data(), count, inputs.data(), sizeof inputs[0], batch.data(),
+                                 sizeof batch[0], statuses.data()),
+            WRC_ERROR_RANGE);
+  EXPECT_EQ(statuses, expected);
+  EXPECT_EQ(std::memcmp(batch.data(), single.data(), sizeof batch), 0);
+  EXPECT_EQ(wrc_wheel_step_batch(nullptr, 1, inputs.data(), 0, batch.data(), 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(batch[0].force[2], 0.0);
+
+  expect_works();
+  const double in[WRC_FLAT_WHEEL_INPUTS] = {static_cast<double>(wheel.side),
+                                            static_cast<double>(wheel.reference),
+                                            wheel.y,
+                                            wheel.z,
+                                            wheel.roll,
+                                            wheel.yaw,
+                                            wheel.velocity[0],
+                                            wheel.velocity[1],
+                                            wheel.velocity[2],
+                                            wheel.angular_velocity[0],
+                                            wheel.angular_velocity[1],
+                                            wheel.angular_velocity[2],
+                                            rail.y,
+                                            rail.z,
+                                            rail.roll,
+                                            rail.y_velocity,
+                                            rail.z_velocity,
+                                            rail.roll_velocity,
+                                            friction.coefficient,
+                                            0.0,
+                                            0.0,
+                                            0.0};
+  double out[WRC_FLAT_WHEEL_OUTPUTS];
+  ASSERT_EQ(wrc_wheel_step_flat(contact, in, out), WRC_OK);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(out[i], wrench.force[i]);
+    EXPECT_EQ(out[3 + i], wrench.moment[i]);
+    EXPECT_EQ(out[6 + i], wrench.rail_force[i]);
+    EXPECT_EQ(out[9 + i], wrench.rail_moment[i]);
+  }
+  EXPECT_EQ(out[12], wrench.z);
+  EXPECT_EQ(out[13], wrench.normal_force);
+  EXPECT_EQ(out[14], wrench.area);
+  EXPECT_EQ(out[15], wrench.peak_pressure);
+  EXPECT_EQ(out[16], wrench.power);
+  EXPECT_EQ(out[17], wrench.regions);
+  double bad[WRC_FLAT_WHEEL_INPUTS];
+  std::copy(in, in + WRC_FLAT_WHEEL_INPUTS, bad);
+  bad[0] = 0.5;
+  EXPECT_EQ(wrc_wheel_step_flat(contact, bad, out), WRC_ERROR_RANGE);
+  EXPECT_EQ(out[2], 0.0);
+  ReferenceWheel::expect_words(error(), {"in[0] = 0.5"});
+  for (wrc_contact* each : contacts) wrc_contact_destroy(each);
+}
+
+TEST_F(WheelOnRail, TheFunctionTableHoldsTheWheelStep) {
+  const wrc_api* api = wrc_get_api(WRC_ABI_VERSION);
+  ASSERT_NE(api, nullptr);
+  EXPECT_EQ(api->wheel_step, &wrc_wheel_step);
+  EXPECT_EQ(api->wheel_step_flat, &wrc_wheel_step_flat);
+  EXPECT_EQ(api->region_init, &wrc_region_init);
+}
+
+}  // namespace
