@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int32_t most = most_overlapping_strips;
 
-/// A step of the load's search: prescribed loads are met to this part.
-constexpr double load_tolerance = 1e-10;
+/// Prescribed loads are met to this part; the normal problem is solved that much finer for them.
+constexpr double load_tolerance = 1e-8, tolerance_for_load = 1e-8;
 constexpr std::int32_t most_load_steps = 30;
 
 /// Below this speed [m/s] slips are referred to it: tractions of a wheel that stands are those of one that
@@ -133,7 +133,7 @@ void into_track(const Seen& s, double (&v)[3]) {
 
 /// Solves at a height; the wrench is complete but for `height` and the sums over earlier sweeps.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, Work& w, SurfaceStart& start,
-               Wrench& out) {
+               const SurfaceNormalOptions& options, Wrench& out) {
   Fault fault;
   const std::int32_t sweeps_before = out.sweeps;
   out = {};
@@ -144,7 +144,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
   const SurfaceNormalResult normal =
       solve_surface_normal(model.rail, o, *model.kernel, *model.kernels, model.material.normal_compliance(),
-                           {}, w.normal, start, w.pressure);
+                           options, w.normal, start, w.pressure);
   out.sweeps += normal.sweeps;
   if (!normal.converged)
     fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
@@ -299,7 +299,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   out = {};
   Fault fault;
   if (!in.load_prescribed) {
-    fault = solve_at(model, in, in.wheel.position[2], w, start, out);
+    fault = solve_at(model, in, in.wheel.position[2], w, start, {}, out);
     state.height = in.wheel.position[2];
     state.set = start.set ? 1.0 : 0.0;
     return fault;
@@ -334,9 +334,10 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     }
     z += 60e-6;
   }
+  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
   bool met = false;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    Fault here = solve_at(model, in, z, w, start, out);
+    Fault here = solve_at(model, in, z, w, start, options, out);
     const double load = -out.force[2];
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
     if (std::abs(load - asked) <= load_tolerance * asked) {
@@ -357,7 +358,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     if (has_low && has_high) {
       next = low - low_value * (high - low) / (high_value - low_value);
       const double inside = 1e-3 * (high - low);
-      if (step % 4 == 3) next = 0.5 * (low + high);
+      if (step % 6 == 5) next = 0.5 * (low + high);
       next = smaller(larger(next, smaller(low, high) + inside), larger(low, high) - inside);
       if (std::abs(high - low) < 1e-16) break;
     } else {
