@@ -16,9 +16,23 @@ constexpr std::int32_t most = most_overlapping_strips;
 constexpr double load_tolerance = 1e-8, tolerance_for_load = 1e-8;
 constexpr std::int32_t most_load_steps = 30;
 
-/// Below this speed [m/s] slips are referred to it: tractions of a wheel that stands are those of one that
-/// creeps.
-constexpr double least_speed = 1e-2;
+/// Below this rolling speed [m/s] slips are referred to a smooth continuation of it, and both ways of rolling
+/// are blended: a wheel at rest answers to sliding, and nothing jumps where rolling turns round.
+constexpr double floor_speed = 0.1;
+
+/// What slips are referred to, and the share of rolling the other way than the rolling speed says. Both are
+/// C2.
+struct RollingReference {
+  double divisor = 0.0, other_way = 0.0;
+};
+
+RollingReference rolling_reference(double speed) {
+  const double amount = magnitude(speed);
+  if (amount >= floor_speed) return {amount, 0.0};
+  const double u = amount / floor_speed, u2 = u * u;
+  return {floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2)),
+          larger(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0)};
+}
 
 struct Work {
   Overlaps overlaps;
@@ -27,7 +41,8 @@ struct Work {
   double* normal;   ///< scratch of the normal problem
   double* rolling;  ///< scratch of rolling
   // over the strips in contact
-  double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz;
+  double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
+      *other_fx, *other_fy, *other_mz;
   std::int32_t* candidate;  ///< of a strip in contact
 };
 
@@ -58,7 +73,7 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
   w.normal = doubles(surface_normal_doubles(most));
   w.rolling = doubles(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   for (double** a : {&w.place, &w.width, &w.half_length, &w.peak, &w.curvature, &w.slip_x, &w.slip_y, &w.spin,
-                     &w.friction, &w.fx, &w.fy, &w.mz})
+                     &w.friction, &w.fx, &w.fy, &w.mz, &w.other_fx, &w.other_fy, &w.other_mz})
     *a = doubles(most);
   w.candidate = integers(most);
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
@@ -131,6 +146,36 @@ void into_track(const Seen& s, double (&v)[3]) {
   v[2] = s.sine * y + s.cosine * z;
 }
 
+/// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
+/// slip along x and spin, change sign, and so do their forces.
+void roll(const SurfaceModel& model, std::int32_t count, bool backwards, Work& w,
+          SurfaceRollingForces forces) {
+  const auto mirror = [&](double* a) {
+    for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
+  };
+  SurfaceRollingInput rolls;
+  rolls.count = count;
+  rolls.place = w.place;
+  rolls.width = w.width;
+  rolls.half_length = w.half_length;
+  rolls.peak = w.peak;
+  rolls.curvature = w.curvature;
+  rolls.slip_x = w.slip_x;
+  rolls.slip_y = w.slip_y;
+  rolls.spin = w.spin;
+  rolls.friction = w.friction;
+  rolls.shear_modulus = rolls.normal_shear_modulus = model.material.shear_modulus;
+  rolls.coefficients = &model.coefficients;
+  rolls.grid = model.grid;
+  if (backwards) {
+    mirror(w.slip_x);
+    mirror(w.spin);
+  }
+  roll_on_surface(rolls, w.rolling, {}, forces);
+  if (backwards)
+    for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
+}
+
 /// Solves at a height; the wrench is complete but for `height` and the sums over earlier sweeps.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, Work& w, SurfaceStart& start,
                const SurfaceNormalOptions& options, Wrench& out) {
@@ -182,30 +227,26 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     return fault;
   }
   // the mean of the speeds at which wheel and rail material pass through the contact
-  const double rolling = seen.velocity[0] - 0.5 * sliding / load;
-  const double speed = std::sqrt(rolling * rolling + least_speed * least_speed);
+  const double rolling_speed = seen.velocity[0] - 0.5 * sliding / load;
+  const RollingReference reference = rolling_reference(rolling_speed);
+  const double speed = reference.divisor;
   for (std::int32_t k = 0; k < count; ++k) {
     w.slip_x[k] /= speed;
     w.slip_y[k] /= speed;
     w.spin[k] /= speed;
   }
   if (in.friction > 0.0) {
-    SurfaceRollingInput rolls;
-    rolls.count = count;
-    rolls.place = w.place;
-    rolls.width = w.width;
-    rolls.half_length = w.half_length;
-    rolls.peak = w.peak;
-    rolls.curvature = w.curvature;
-    rolls.slip_x = w.slip_x;
-    rolls.slip_y = w.slip_y;
-    rolls.spin = w.spin;
-    rolls.friction = w.friction;
-    rolls.shear_modulus = rolls.normal_shear_modulus = model.material.shear_modulus;
-    rolls.coefficients = &model.coefficients;
-    rolls.grid = model.grid;
-    SurfaceRollingForces forces{w.fx, w.fy, w.mz};
-    roll_on_surface(rolls, w.rolling, {}, forces);
+    const bool backwards = rolling_speed < 0.0;
+    roll(model, count, backwards, w, {w.fx, w.fy, w.mz});
+    if (reference.other_way > 0.0) {
+      roll(model, count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
+      const double other = reference.other_way;
+      for (std::int32_t k = 0; k < count; ++k) {
+        w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
+        w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
+        w.mz[k] += other * (w.other_mz[k] - w.mz[k]);
+      }
+    }
   }
 
   // sums, strip by strip, and region by region: strips side by side
