@@ -23,7 +23,7 @@ struct RailStrips {
 /// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is
 /// nearly flat [m].
 struct StripWidths {
-  double narrowest = 0.2e-3, widest = 0.4e-3;
+  double narrowest = 0.25e-3, widest = 0.5e-3;
   double sharp = 0.020, flat = 0.060;  ///< radii of curvature up to and from which they hold [m]
 };
 

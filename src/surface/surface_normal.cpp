@@ -112,7 +112,8 @@ simd::SurfaceSources list_sources(const Problem& problem, const Strips& s, std::
 
 /// Solves the contact condition at the present lengths; strips that would pull leave, strips that would
 /// overlap enter. Returns how many are in contact, whose q stands in w.r.
-std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed, Scratch& w) {
+/// `everywhere`: look at all strips that are not in contact, else at those next to contact.
+std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed, bool everywhere, Scratch& w) {
   std::int32_t kept = 0;
   for (std::int32_t round = 0; round < most_rounds; ++round) {
     kept = 0;
@@ -147,6 +148,7 @@ std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed,
     bool changed = false;
     for (std::int32_t i = 0; i < s.count; ++i) {
       if (w.in[i]) continue;
+      if (!everywhere && !(i > 0 && w.in[i - 1]) && !(i + 1 < s.count && w.in[i + 1])) continue;
       problem.kernels.influence_row(problem.tables, sources,
                                     {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
       double u = 0.0;
@@ -253,23 +255,26 @@ SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tol
   const std::int32_t both = skewed ? 2 * n : n;
   for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
   std::int32_t kept = 0, since = 0, slow = 0;
-  double moved_before = 1e300;
+  double moved_before = 1e300, area = 1.0;
   for (std::int32_t sweep = 0; sweep < max_sweeps; ++sweep) {
     ++result.sweeps;
     for (std::int32_t i = 0; i < n; ++i) {
       const double least = least_half_length * s.width[i];
       w.l[i] = root(larger(s.L[i], least * least));
     }
-    kept = solve_contact(problem, s, skewed, w);
+    // far strips are looked at when sweeps begin, and where they are about to end
+    const bool everywhere = sweep == 0 || moved_before <= 10.0 * tolerance * area;
+    kept = solve_contact(problem, s, skewed, everywhere, w);
     if (kept == 0) break;
     look_at_edges(problem, s, kept, skewed, w);
-    double moved = 0.0, area = 0.0;
+    double moved = 0.0;
+    area = 0.0;
     const double *const f = w.residual, *const shifted = w.residual + n;
     for (std::int32_t i = 0; i < n; ++i) {
       moved += s.width[i] * (magnitude(f[i]) + magnitude(shifted[i]) * w.l[i]);
       area += s.width[i] * (s.L[i] + f[i]);
     }
-    if (moved <= tolerance * area) {
+    if (moved <= tolerance * area && everywhere) {
       for (std::int32_t i = 0; i < n; ++i) {
         s.L[i] += f[i];
         s.shift[i] += shifted[i];
