@@ -12,7 +12,7 @@ namespace compare {
 struct Options {
   std::vector<long> only;   ///< cases to run; empty: all
   bool list = false;        ///< print each case
-  double smoothing = 5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
+  double smoothing = 4.5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
 
   bool wanted(long number) const {
     return only.empty() || std::find(only.begin(), only.end(), number) != only.end();

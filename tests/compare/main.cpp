@@ -62,7 +62,7 @@ int usage() {
                "--only CASE,CASE  these cases alone\n"
                "--list            every case as well: error, forces\n"
                "wheelset:\n"
-               "--smoothing MM    wave length for measured profiles with noise [5]\n");
+               "--smoothing MM    wave length for measured profiles with noise [4.5]\n");
   return 2;
 }
 

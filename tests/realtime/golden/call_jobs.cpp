@@ -90,6 +90,60 @@ void run_plain_numbers(wrc_contact*, Hash& hash) {
   }
 }
 
+/// Wheels on rails, both sides of one model: tread, two regions, flange, apart; at given heights and under
+/// given loads.
+void run_wheels(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(7);
+  for (int i = 0; i < 40; ++i) {
+    wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+    wheel.side = i % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT;
+    wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
+    wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+    const double outward = i % 2 == 0 ? 1.0 : -1.0;
+    wheel.y = outward * numbers.between(-6e-3, 6.9e-3);
+    wheel.z = numbers.between(-0.3e-3, 0.4e-3);
+    wheel.roll = numbers.between(-0.2e-3, 0.2e-3);
+    wheel.yaw = numbers.between(-0.02, 0.02);
+    const double speed = i % 8 == 0 ? 0.0 : numbers.between(-60.0, 60.0);
+    wheel.velocity[0] = speed;
+    wheel.velocity[1] = numbers.between(-0.1, 0.1);
+    wheel.velocity[2] = numbers.between(-0.05, 0.05);
+    wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
+    wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
+    wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
+    wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+    rail.y = numbers.between(-1e-3, 1e-3);
+    rail.roll = numbers.between(-5e-3, 5e-3);
+    rail.z_velocity = numbers.between(-0.05, 0.05);
+    wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+    wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+    input.wheel = &wheel;
+    input.rail = i % 4 == 0 ? nullptr : &rail;
+    input.friction = i % 6 == 0 ? nullptr : &friction;
+    if (i % 7 == 3) {
+      input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+      input.vertical_load = numbers.between(2e4, 1.2e5);
+    } else {
+      input.damping = numbers.between(0.0, 0.3);
+    }
+    wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+    hash.add(wrc_wheel_step(contact, &input, &wrench));
+    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment}) {
+      for (int k = 0; k < 3; ++k) hash.add(each[k]);
+    }
+    for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.peak_pressure, wrench.power,
+                          wrench.steepest_angle})
+      hash.add(number);
+    for (int32_t k = 0; k < wrench.regions; ++k) {
+      wrc_region region = made<wrc_region>(wrc_region_init);
+      hash.add(wrc_wheel_region(contact, k, &region));
+      for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
+                            region.force[1], region.moment[2], region.power, region.creepage[0]})
+        hash.add(number);
+    }
+  }
+}
+
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
   wrc_pose pose = made<wrc_pose>(wrc_pose_init);
@@ -131,6 +185,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"wear", model, {}, run_wear});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});
+  plan.jobs.push_back({"wheel on rail", model, {}, run_wheels});
 }
 
 Plan golden_plan() {

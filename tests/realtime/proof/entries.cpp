@@ -142,6 +142,59 @@ int32_t tangential_patch(Wheel& wheel) {
   return wrc_tangential(wheel.contact, &patch, &wheel.creepage, &friction, &wheel.forces);
 }
 
+/// A wheel on a rail as far as the methods have one: a refusal for the methods is as it should be.
+int32_t wheel_status(const Wheel& wheel, int32_t status) {
+  const bool solved = wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE &&
+                      wheel.methods.tangential == WRC_TANGENTIAL_STRIP_FASTSIM;
+  return !solved && (status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_SEQUENCE) ? WRC_OK : status;
+}
+
+/// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
+int32_t wheel_step(Wheel& wheel) {
+  wrc_wheel_state state = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+  state.side = wheel.methods.side;
+  state.y = wheel.pose.lateral;
+  state.yaw = wheel.pose.yaw;
+  state.velocity[0] = 40.0;
+  state.angular_velocity[1] = -87.0;
+  rail.y_velocity = 0.01;
+  friction.coefficient = wheel.friction.coefficient;
+  input.wheel = &state;
+  input.rail = &rail;
+  input.friction = &friction;
+  if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = wheel.load.normal_force;
+  } else {
+    state.z = wheel.load.approach;
+    input.damping = 0.1;
+  }
+  const int32_t status = wrc_wheel_step(wheel.contact, &input, &wrench);
+  int32_t of_batch = 0;
+  wrc_wheel_step_batch(&wheel.contact, 1, &input, sizeof input, &wrench, sizeof wrench, &of_batch);
+  return wheel_status(wheel, std::min(status, of_batch));
+}
+
+int32_t wheel_step_flat(Wheel& wheel) {
+  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
+  in[2] = wheel.pose.lateral;
+  in[5] = wheel.pose.yaw;
+  in[6] = 40.0;
+  in[10] = -87.0;
+  in[18] = 0.3;
+  return wheel_status(wheel, wrc_wheel_step_flat(wheel.contact, in, out));
+}
+
+int32_t wheel_region(Wheel& wheel) {
+  wrc_region region = made<wrc_region>(wrc_region_init);
+  const int32_t status = wrc_wheel_region(wheel.contact, 0, &region);
+  return wheel_status(wheel, status == WRC_ERROR_RANGE ? WRC_OK : status);  // apart: there is none
+}
+
 /// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
 /// failure it returns is that one was taken.
 int32_t refused_input(Wheel& wheel) {
@@ -232,6 +285,9 @@ const std::vector<Entry>& all_entries() {
       {"wrc_normal, gap by elements", normal_of_elements},
       {"wrc_regularise, strips", regularise_strips},
       {"wrc_tangential, double ellipse", tangential_patch},
+      {"wrc_wheel_step, _batch", wheel_step},
+      {"wrc_wheel_step_flat", wheel_step_flat},
+      {"wrc_wheel_region", wheel_region},
       {"wrc_step refused, wrc_last_error", refused_input},
       {"wrc_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
