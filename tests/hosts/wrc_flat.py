@@ -1,0 +1,61 @@
+"""The flat wheel call of libwrc through ctypes: a model, contacts, 22 numbers in, 18 out (wrc_wheel.h)."""
+import ctypes as c
+
+
+class Profile(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("kind", c.c_int32), ("count", c.c_uint32), ("reserved", c.c_uint32),
+                ("y", c.c_void_p), ("z", c.c_void_p), ("smoothing", c.c_double)]
+
+
+class Config(c.Structure):  # as wrc_config in wrc.h; only the head is touched here
+    _fields_ = ([("struct_size", c.c_uint32)] +
+                [(n, c.c_int32) for n in ("side normal_method regularisation tangential_method traction_bound strips cells "
+                                          "gap_rows max_iterations max_patches warm_start").split()] +
+                [(n, c.c_double) for n in ("shear_modulus poisson load_tolerance gap_limit shear_yield wheel_radius "
+                                           "flange_back_distance track_gauge gauge_depth rail_inclination").split()] +
+                [("wheel", c.POINTER(Profile)), ("rail", c.POINTER(Profile))])
+
+
+S1002, RAIL_60E1, UIC60_BENCHMARK = 1, 2, 3
+RIGHT, LEFT = 0, 1
+HEIGHT, LOAD = 0, 1
+
+
+class Model:
+    """One model for all wheels; contact() makes a contact, step() solves one."""
+
+    def __init__(self, library, warm_start=1, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
+        self.lib = lib = c.CDLL(library)
+        lib.wrc_last_error.argtypes = [c.c_void_p, c.c_char_p, c.c_uint64]
+        lib.wrc_wheel_step_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
+        lib.wrc_contact_create.argtypes = [c.c_void_p, c.c_void_p, c.POINTER(c.c_void_p)]
+        wheel, rail = Profile(c.sizeof(Profile), S1002), Profile(c.sizeof(Profile), rail)
+        config = Config(c.sizeof(Config))
+        assert lib.wrc_config_init(c.byref(config)) == 0
+        config.wheel, config.rail = c.pointer(wheel), c.pointer(rail)
+        config.shear_modulus, config.poisson, config.warm_start = shear_modulus, poisson, warm_start
+        self.model = c.c_void_p()
+        text = c.create_string_buffer(400)
+        if lib.wrc_model_create(c.byref(config), None, c.byref(self.model)) < 0:
+            lib.wrc_config_check(c.byref(config), text, c.c_uint64(400))
+            raise RuntimeError(text.value.decode())
+        self.numbers_in, self.numbers_out = (c.c_double * 22)(), (c.c_double * 18)()
+        self.calls = 0
+        self.statuses = {}
+
+    def contact(self):
+        contact = c.c_void_p()
+        assert self.lib.wrc_contact_create(self.model, None, c.byref(contact)) == 0
+        return contact
+
+    def step(self, contact, numbers):
+        """numbers: those of wrc_wheel_step_flat(). Returns its outputs as a list."""
+        self.numbers_in[:] = numbers
+        status = self.lib.wrc_wheel_step_flat(contact, self.numbers_in, self.numbers_out)
+        self.calls += 1
+        self.statuses[status] = self.statuses.get(status, 0) + 1
+        if status < 0:
+            text = c.create_string_buffer(400)
+            self.lib.wrc_last_error(contact, text, 400)
+            raise RuntimeError(text.value.decode())
+        return list(self.numbers_out)
