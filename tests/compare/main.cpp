@@ -1,9 +1,9 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
-///   wrc_compare KIND FILE.csv [--json]
+///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
 #include <cstdio>
-#include <cstring>
 #include <exception>
+#include <string>
 
 #include "kinds.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 struct Kind {
   const char* name;
-  compare::Report (*run)(const compare::Csv&);
+  compare::Report (*run)(const compare::Csv&, const compare::Names& only);
   const char* columns;
 };
 
@@ -29,22 +29,61 @@ constexpr Kind kinds[] = {
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
 };
 
-int usage() {
-  std::fprintf(stderr, "usage: wrc_compare KIND FILE.csv [--json]\n\nKIND and the columns FILE must have:\n");
-  for (const Kind& kind : kinds) std::fprintf(stderr, "  %-16s %s\n", kind.name, kind.columns);
-  std::fprintf(stderr, "--json: the last line of the output is one JSON object\n");
+void usage(FILE* to) {
+  std::fprintf(to,
+               "usage: wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]\n\n"
+               "KIND and the columns FILE must have:\n");
+  for (const Kind& kind : kinds) std::fprintf(to, "  %-16s %s\n", kind.name, kind.columns);
+  std::fprintf(to,
+               "--only: just these variants, by the names in the table, as in --only strip_fastsim,table; "
+               "all of them\n"
+               "        may take minutes. A name that KIND does not know is answered with those it does\n"
+               "--json: the last line of the output is one JSON object\n");
+}
+
+/// Refuses the command line.
+int misused(const std::string& why) {
+  std::fprintf(stderr, "wrc_compare: %s\n\n", why.c_str());
+  usage(stderr);
   return 2;
+}
+
+compare::Names split(const std::string& list) {
+  compare::Names names(1);
+  for (const char c : list) {
+    if (c == ',') {
+      names.emplace_back();
+    } else {
+      names.back() += c;
+    }
+  }
+  return names;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool json = argc == 4 && std::strcmp(argv[3], "--json") == 0;
-  if (argc != 3 && !json) return usage();
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 1 && words[0] == "--help") {
+    usage(stdout);
+    return 0;
+  }
+  if (words.size() < 2) return misused("KIND and FILE.csv are missing");
+  bool json = false;
+  compare::Names only;
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i] == "--json") {
+      json = true;
+    } else if (words[i] == "--only" && i + 1 < words.size()) {
+      only = split(words[++i]);
+    } else {
+      return misused("'" + words[i] + (words[i] == "--only" ? "' names no variant" : "' is no option"));
+    }
+  }
   for (const Kind& kind : kinds) {
-    if (std::strcmp(argv[1], kind.name) != 0) continue;
+    if (words[0] != kind.name) continue;
     try {
-      const compare::Report report = kind.run(compare::Csv(argv[2]));
+      const compare::Report report = kind.run(compare::Csv(words[1]), only);
       report.print_table();
       if (json) report.print_json();
       return 0;
@@ -53,5 +92,5 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  return usage();
+  return misused("no KIND '" + words[0] + "'");
 }
