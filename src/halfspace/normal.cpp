@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
+
 namespace wrc::halfspace {
 namespace {
 
@@ -125,7 +127,7 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
       s.fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "halfspace.residual", .value = s.residual};
       break;
     }
-    const double decades = std::log(std::min(1.0, s.residual)) / std::log(problem.tolerance);
+    const double decades = natural_log(std::min(1.0, s.residual)) / natural_log(problem.tolerance);
     if (!problem.progress.goes_on(std::clamp(decades, 0.0, 1.0))) {
       s = {};
       s.pressure.assign(n, 0.0);
