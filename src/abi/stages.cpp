@@ -35,6 +35,8 @@ Fault read_load(const wrc_load* theirs, Load& load) {
       return check(ours.normal_force, "load.normal_force", "N", 1e2, 1e6,
                    ours.normal_force < 0.0
                        ? "the normal force is compressive positive; prescribe the approach near lift-off"
+                   : ours.normal_force == 0.0
+                       ? "was it set? its default is 0; near lift-off prescribe the approach instead"
                        : "did you pass kN? near lift-off prescribe the approach instead",
                    "did you pass a pressure, or grams?");
     case WRC_PRESCRIBE_APPROACH:

@@ -163,10 +163,9 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
     case TangentialMethod::table:
       break;  // look_up()
   }
-  patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round
+  // A difference of sums of areas: rounding may leave it just outside.
+  patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
-  // A difference of sums of areas: rounding may leave it just below zero.
-  patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
   if (sensitivities) refer_to(patch.y_contact, *sensitivities);
 
   patch.friction = rolling.friction.mean;

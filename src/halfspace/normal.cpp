@@ -124,7 +124,13 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     s.residual = std::max(total > 0.0 ? weighted / total : 0.0, overlap) / scale;
     if (s.residual <= problem.tolerance) break;
     if (s.iterations == problem.max_iterations) {
-      s.fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "halfspace.residual", .value = s.residual};
+      s.fault = {.status = WRC_FLAG_ITERATION_CAP,
+                 .field = "solution.residual",
+                 .value = s.residual,
+                 .unit = "",
+                 .low = 0.0,
+                 .high = problem.tolerance,
+                 .cause = "problem.max_iterations ended the iteration"};
       break;
     }
     const double decades = natural_log(std::min(1.0, s.residual)) / natural_log(problem.tolerance);

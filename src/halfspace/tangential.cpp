@@ -243,10 +243,12 @@ bool Newton::run(double tolerance, double begun, double done) {
     update_slip();
   }
   s.fault = {.status = WRC_FLAG_ITERATION_CAP,
-             .field = "halfspace.residual",
+             .field = "solution.residual",
              .value = s.residual,
+             .unit = "",
              .low = 0.0,
-             .high = tolerance};
+             .high = tolerance,
+             .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
   return true;
 }
 

@@ -26,6 +26,12 @@ TEST_F(Interface, LoadInKilonewtonsIsNoticed) {
   expect_works();
 }
 
+TEST_F(Interface, ALoadThatWasNotSetIsNoticed) {
+  load = made<wrc_load>(wrc_load_init);
+  expect_refused(WRC_ERROR_RANGE, {"load.normal_force = 0 N", "was it set?"});
+  EXPECT_EQ(error().find("kN"), std::string::npos) << error();
+}
+
 TEST_F(Interface, NegativeAndAbsurdLoadsAreRefused) {
   load.normal_force = -80e3;
   expect_refused(WRC_ERROR_RANGE, {"load.normal_force = -80000 N", "compressive"});
@@ -351,6 +357,45 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   z = good_z;
   rail.z = nullptr;
   expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
+}
+
+/// One output of a wrong size fails the call; it is not touched, and those beside it are zero.
+TEST_F(Interface, OutputsBesideOneOfAWrongSizeAreZero) {
+  expect_works();
+  point.struct_size = 4;
+  EXPECT_EQ(step(), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_NE(point.rolling_radius, 0.0);
+  EXPECT_EQ(patch.area, 0.0);
+  EXPECT_EQ(forces.fn, 0.0);
+  EXPECT_EQ(damage.power, 0.0);
+  point.struct_size = sizeof point;
+
+  expect_works();
+  patch.struct_size = 4;
+  EXPECT_EQ(wrc_contact_patch(contact, 0, &patch, &forces), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_NE(patch.area, 0.0);
+  EXPECT_EQ(forces.fn, 0.0);
+  patch.struct_size = sizeof patch;
+  expect_works();
+  forces.struct_size = 4;
+  EXPECT_EQ(wrc_contact_patch(contact, 0, &patch, &forces), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(patch.area, 0.0);
+  EXPECT_NE(forces.fn, 0.0);
+  forces.struct_size = sizeof forces;
+
+  wrc_view y = made<wrc_view>(wrc_view_init), z = y;
+  double deviation = 1.0;
+  for (wrc_view* wrong : {&y, &z}) {
+    ASSERT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_OK);
+    wrong->struct_size = 4;
+    deviation = 1.0;
+    EXPECT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_ERROR_STRUCT_SIZE);
+    EXPECT_NE(wrong->data, nullptr);
+    EXPECT_EQ((wrong == &y ? z : y).data, nullptr);
+    EXPECT_EQ(deviation, 0.0);
+    wrong->struct_size = sizeof *wrong;
+  }
+  expect_works();
 }
 
 TEST_F(Interface, NullIsSafeEverywhere) {
