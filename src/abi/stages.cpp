@@ -316,7 +316,7 @@ Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out
   Friction friction;
   double speed = 0.0;
   outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, speed),
-                      read_friction(in.friction, friction)});
+                      read_friction(in.friction, contact.model->options.tangential_method, friction)});
   if (outcome.failed()) return outcome;
   if (in.pose != nullptr) {
     Pose pose;
@@ -473,7 +473,8 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
     wrc::Friction law;
     double speed = 0.0;
     Fault outcome =
-        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, law)});
+        abi::first_of({abi::read_creepage(creepage, ours, speed),
+                       abi::read_friction(friction, contact.model->options.tangential_method, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
     if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, speed));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);

@@ -262,8 +262,9 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
                             array(contact, Array::start_width),
                             array(contact, Array::start_length_squared),
                             array(contact, Array::start_shift)};
-  const Fault fault = solve_strip_halfspace(problem, {}, *contact.model->strip_kernel, workspace, start,
-                                            strips, contact.normal);
+  const Fault fault =
+      solve_strip_halfspace(problem, {.max_sweeps = options.max_iterations}, *contact.model->strip_kernel,
+                            workspace, start, strips, contact.normal);
   contact.start_strips = fault.failed() ? 0 : start.count;
   return fault;
 }

@@ -67,7 +67,7 @@ Report compare_sdec(const Csv& file, const Names& only) {
       config.tangential_method = variant.method;
       config.traction_bound = variant.bound;
       config.flexibility = variant.flexibility;
-      config.force_table = WRC_FORCE_TABLE;
+      if (variant.method == WRC_TANGENTIAL_TABLE) config.force_table = WRC_FORCE_TABLE;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
       const Solver solver(config);
