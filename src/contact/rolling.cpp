@@ -127,6 +127,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
+  rolling.slope_reduction = friction.slope_reduction;
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   switch (method) {
