@@ -302,7 +302,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
   contact.load = load;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
-    return {.status = WRC_FLAG_NO_CONTACT, .field = "approach"};
+    return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach"};
   }
   const ModelOptions& options = contact.model->options;
   NormalProblem problem;
@@ -360,7 +360,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
     const double factor = damping_factor(load.approach_velocity, load.damping);
     if (factor < least_damping_factor) {
       back_to(contact, Stage::patch);
-      return {.status = WRC_FLAG_NO_CONTACT, .field = "approach_velocity"};
+      return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach_velocity"};
     }
     scale_pressure(contact, strips, factor);
     contact.normal.stiffness *= factor;
