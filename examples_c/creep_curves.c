@@ -26,8 +26,9 @@ typedef struct {
   int32_t method, bound, flexibility;
 } variant;
 
+/* Methods with a bound of their own leave the default. */
 static const variant variants[] = {
-    {"strip FASTSIM", WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE},
+    {"strip FASTSIM", WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
     {"FASTSIM-SDEC, parabolic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
     {"FASTSIM-SDEC, elliptic", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE},
     {"FASTSIM-SDEC, blended", WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_BLENDED},
@@ -35,9 +36,9 @@ static const variant variants[] = {
     {"FASTSIM-EQ.L", WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
     {"FASTSIM-EQ.E", WRC_TANGENTIAL_FASTSIM_EQE, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
     {"FASTSIM", WRC_TANGENTIAL_FASTSIM, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-    {"FaStrip", WRC_TANGENTIAL_FASTRIP, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE},
-    {"FaStrip, modified", WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE},
-    {"FaStrip-SDEC", WRC_TANGENTIAL_FASTRIP_SDEC, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE}};
+    {"FaStrip", WRC_TANGENTIAL_FASTRIP, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
+    {"FaStrip, modified", WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
+    {"FaStrip-SDEC", WRC_TANGENTIAL_FASTRIP_SDEC, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE}};
 #define VARIANTS ((int)(sizeof variants / sizeof *variants))
 
 /* Creepages in units of what saturates the patch in linear theory, from `from` to 4 times `slope`. */
@@ -203,7 +204,8 @@ static void write_creep_curves(const char* directory) {
 
 /* One traction curve: longitudinal creepage, 20 m/s. */
 static void write_law(FILE* csv, const char* name, int32_t method, const wrc_friction* friction) {
-  const variant v = {name, method, WRC_BOUND_ELLIPTIC, WRC_FLEXIBILITY_SEPARATE};
+  const int32_t bound = method == WRC_TANGENTIAL_MODIFIED_FASTSIM ? WRC_BOUND_ELLIPTIC : WRC_BOUND_PARABOLIC;
+  const variant v = {name, method, bound, WRC_FLEXIBILITY_SEPARATE};
   wrc_model* model = NULL;
   wrc_contact* contact = make_contact(&v, &model);
   for (int i = 0; i <= 120; ++i) {

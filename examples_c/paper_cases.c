@@ -36,6 +36,7 @@ typedef struct variant {
  * the ellipse equivalent to the EKP patch, with its semi-axes a and b and the semi-elliptic pressure of the
  * same load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP. */
 enum { VARIANTS = 6 };
+/* Methods with a bound of their own leave the default. */
 static const variant variants[VARIANTS] = {
     {"EKP+FASTSIM-SDEC", "", "sdec", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC},
     {"EKP+FASTSIM-SDEC", ", parabolic", "sdec_parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC,
@@ -44,9 +45,9 @@ static const variant variants[VARIANTS] = {
      WRC_BOUND_PARABOLIC},
     {"HZ+FASTSIM-EQ.E", ", parabolic", "eqe", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQE,
      WRC_BOUND_PARABOLIC},
-    {"EKP+strip FASTSIM", "", "ekp_strip", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC},
+    {"EKP+strip FASTSIM", "", "ekp_strip", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
     {"half-space strips+strip FASTSIM", "", "strips", WRC_NORMAL_STRIP_HALFSPACE,
-     WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_ELLIPTIC},
+     WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
 };
 
 typedef struct rolling_case {

@@ -110,8 +110,8 @@ def interface(header):
             lines += [f"    {result} :: answer", "  end function"]
     lines.append("end interface")
     inits = [f"init_{struct[4:]}" for struct in header.structs]
-    lines += ["", "! Sets struct_size and the defaults of any wrc type. Stops if the library knows the struct by another size: the",
-              "! module and the library are then of different versions.", "interface wrc_init"]
+    lines += ["", "! Sets struct_size and the defaults of any wrc type. status: WRC_OK, or WRC_ERROR_STRUCT_SIZE if the library is older",
+              "! than this module and knows the type by a smaller size; calls with it are refused then.", "interface wrc_init"]
     lines += [f"  module procedure {init}" for init in inits]
     lines.append("end interface")
     return "\n".join(lines) + "\n"
@@ -120,9 +120,10 @@ def interface(header):
 def initialisers(header):
     lines = [MARK]
     for struct in header.structs:
-        lines += [f"subroutine init_{struct[4:]}(this)", f"  type({struct}), intent(out) :: this",
-                  "  this%struct_size = int(c_sizeof(this), c_int32_t)",
-                  f"  call expect_ok({struct}_init(this), '{struct}')", "end subroutine"]
+        lines += [f"subroutine init_{struct[4:]}(this, status)", f"  type({struct}), intent(out) :: this",
+                  "  integer(c_int32_t), intent(out), optional :: status", "  integer(c_int32_t) :: answer",
+                  "  this%struct_size = int(c_sizeof(this), c_int32_t)", f"  answer = {struct}_init(this)",
+                  "  if (present(status)) status = answer", "end subroutine"]
     return "\n".join(lines) + "\n"
 
 

@@ -1,8 +1,10 @@
-! wrc: wheel/rail contact, Fortran 2003 interface to the C library (include_c/wrc/wrc.h has the documentation).
+! wrc: wheel/rail contact, Fortran 2008 interface to the C library (include_c/wrc/wrc.h has the documentation).
 !
 ! Types have the names and members of the C structs. Every type must have its init called before use:
 !     type(wrc_load) :: load
 !     call wrc_init(load)              ! sets struct_size and the defaults
+!     call wrc_init(load, status)      ! WRC_ERROR_STRUCT_SIZE: the library is older than this module
+! Nothing here prints or stops.
 ! Handles are type(c_ptr). Members of C enums are integer parameters of the same name. What may be NULL in C and is only
 ! read is a type(c_ptr) too: c_null_ptr, or c_loc of the struct. wrc_interface.inc has them all.
 module wrc
@@ -17,15 +19,6 @@ module wrc
 contains
 
   include 'wrc_initialisers.inc'
-
-  subroutine expect_ok(status, name)
-    integer(c_int32_t), intent(in) :: status
-    character(*), intent(in) :: name
-    if (status /= WRC_OK) then
-      print '(3a)', 'wrc: the library knows type ', name, ' by another size: module and library differ in version'
-      stop 1
-    end if
-  end subroutine
 
   ! Says whether a model can be made of `config`, and if not why.
   function wrc_config_check(config, text) result(status)

@@ -123,8 +123,8 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_FASTSIM_EQE = 1,  /**< ellipse centred at mid-width, creepage corrected for the shift */
   WRC_TANGENTIAL_FASTSIM_EQL = 2,  /**< actual patch, flexibilities of the equivalent ellipse */
   WRC_TANGENTIAL_FASTSIM_SDEC = 3, /**< actual patch, four flexibilities of the equivalent double ellipse */
-  WRC_TANGENTIAL_STRIP_FASTSIM = 4, /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; its bound
-                                         is friction * pressure, config.traction_bound is not used */
+  WRC_TANGENTIAL_STRIP_FASTSIM = 4, /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; bound
+                                         friction * pressure */
   WRC_TANGENTIAL_TABLE = 5,            /**< total forces from config.force_table, a book of exact solutions for double
                                             ellipses: no tractions, no slip, and nothing that is made of them */
   WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, /**< FASTSIM_EQL with the slope falling as slip grows (friction.slope_limit,
@@ -133,12 +133,10 @@ enum wrc_tangential_method {
                                             where it slips; equivalent ellipse centred at the contact point */
   WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, /**< FaStrip on the actual patch, coefficients of the equivalent ellipse */
   WRC_TANGENTIAL_FASTRIP_SDEC = 9,     /**< FaStrip on the actual patch, coefficients of the equivalent double ellipse.
-                                            All three FaStrips: bound friction * pressure; config.traction_bound and
-                                            config.flexibility are not used */
+                                            All three FaStrips: bound friction * pressure */
   WRC_TANGENTIAL_COARSE_HALFSPACE = 10 /**< exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated:
                                             forces within about 1 % of mu N, about a hundred times the time of FASTSIM;
-                                            its bound is friction * pressure; config.traction_bound and
-                                            config.flexibility are not used */
+                                            bound friction * pressure */
 };
 
 /** Form of the traction bound along a strip. All integrate to friction * load over the patch where friction is the
@@ -150,7 +148,7 @@ enum wrc_traction_bound {
                                  the pressure of a Kik-Piotrowski patch; on double ellipses the same as ELLIPTIC */
 };
 
-/** How the flexibilities of linear theory enter the FASTSIM variants; strip FASTSIM and FaStrip have their own way. */
+/** How the flexibilities of linear theory enter the FASTSIM variants; the other methods have their own way. */
 enum wrc_flexibility {
   WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
   WRC_FLEXIBILITY_SINGLE = 1,   /**< Kalker's weighted sum for all: right traction directions at large creepage */
@@ -235,43 +233,49 @@ typedef struct wrc_profile {
   uint32_t reserved;    /**< 0 */
   const double* y;      /**< [m] */
   const double* z;      /**< [m] */
-  double smoothing;     /**< of points: waves of this length [m] along the curve keep half their height, shorter ones
+  double smoothing;     /**< of points only: waves of this length [m] along the curve keep half their height, shorter ones
                              next to nothing (a seventeenth at half the length), longer ones nearly all; 0..0.05 m, 0:
                              the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on
                              both bodies. See wrc_model_profile() [0] */
 } wrc_profile;
 
-/** Everything a model is made of. wrc_config_init() fills the values in brackets. */
+/** Everything a model is made of. wrc_config_init() fills the values in brackets. A member that the chosen methods do
+ * not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
   uint32_t struct_size;        /**< sizeof this struct */
   int32_t side;                /**< enum wrc_side [right] */
   int32_t normal_method;       /**< enum wrc_normal_method [strip half-space] */
   int32_t regularisation;      /**< enum wrc_regularisation [keep width] */
   int32_t tangential_method;   /**< enum wrc_tangential_method [strip FASTSIM] */
-  int32_t traction_bound;      /**< enum wrc_traction_bound [parabolic] */
+  int32_t traction_bound;      /**< enum wrc_traction_bound; read by the FASTSIM variants and MODIFIED_FASTSIM [parabolic] */
   int32_t strips;              /**< strips across the patch, 4..512 [60] */
-  int32_t cells;               /**< cells along each strip, 4..512 [32] */
+  int32_t cells;               /**< cells along each strip, 4..512; with WRC_TANGENTIAL_TABLE memory only [32] */
   int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
-  int32_t max_iterations;      /**< cap of every iteration in the normal problem, 4..1000 [60] */
+  int32_t max_iterations;      /**< cap of the normal problem's iterations, 4..1000: steps of the load search, sweeps of
+                                  WRC_NORMAL_STRIP_HALFSPACE on each of its grids; 0: 60 and 16 [0] */
   int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */
-  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution;
-                                  0: results depend on the inputs of the call alone [0] */
+  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results then
+                                  depend on the calls before: the same approach again moves the force by up to 0.1 %.
+                                  Unfit for implicit integrators, whose iterations stall on that, and for differences
+                                  between calls. 0: results depend on the inputs of the call alone [0] */
   double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
   double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
-  double load_tolerance;       /**< relative error of a prescribed load, 1e-14..1e-2 [1e-10] */
+  double load_tolerance;       /**< of the search for a prescribed load: relative error its next step would leave, 1e-14..
+                                  1e-2; not read by WRC_NORMAL_STRIP_HALFSPACE, which meets it to rounding [1e-10] */
   double gap_limit;            /**< rows reach to where the gap exceeds this, 1e-5..0.02 m [1e-3] */
   double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
   double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46] */
-  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m [1.360] */
+  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; this, side and the next three are
+                                  not read by a model without profiles [1.360] */
   double track_gauge;          /**< 0.3..2.5 m [1.435] */
   double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
   double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */
-  int32_t flexibility;         /**< enum wrc_flexibility [separate] */
+  int32_t flexibility;         /**< enum wrc_flexibility; read by the FASTSIM variants and MODIFIED_FASTSIM [separate] */
   int32_t instruction_set;     /**< enum wrc_instruction_set [best]; one this processor lacks is WRC_ERROR_UNSUPPORTED */
-  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE: share/wrc/force_table.bin of
-                                  the installed library; read when the model is made, never after [NULL] */
+  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE alone: share/wrc/force_table.bin
+                                  of the installed library; read when the model is made, never after [NULL] */
   int32_t profile_placement;   /**< enum wrc_profile_placement [gauge] */
   int32_t placement_reserved;  /**< 0 */
   double rail_origin;          /**< WRC_PLACEMENT_ORIGIN: distance of the rail profile's origin from the track's centre line,
@@ -351,14 +355,17 @@ typedef struct wrc_creepage {
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
  * rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such strips
- * carry no traction. A law over temperature is not there yet. Theory manual, section 5. */
+ * carry no traction. A law over temperature is not there yet. A member that neither the kind nor the tangential method
+ * reads must be its default or 0 (what an initializer list leaves): anything else is WRC_ERROR_UNSUPPORTED. Zones are
+ * read where zones > 0. Theory manual, section 5. */
 typedef struct wrc_friction {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 1e-4..2 [0.3] */
   int32_t kind;         /**< enum wrc_friction_kind [constant] */
   int32_t zone_frame;   /**< enum wrc_zone_frame [contact frame] */
-  double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1 [0.4] */
+  double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1; not read by
+                             WRC_FRICTION_CONSTANT [0.4] */
   double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6] */
   double half_speed;    /**< WRC_FRICTION_STATIC_KINETIC: w at which half of the fall is done, 1e-6..100 m/s [1] */
   double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,

@@ -123,8 +123,8 @@ typedef struct wrc_wheel_input {
   int32_t prescribed;           /**< enum wrc_wheel_prescribed [height] */
   const wrc_wheel_state* wheel; /**< required */
   const wrc_rail_state* rail;   /**< NULL: undisplaced and at rest */
-  const wrc_friction* friction; /**< constant and the same everywhere: kind, zones and slope_reduction must be left as they
-                                     are by default; NULL: frictionless */
+  const wrc_friction* friction; /**< of each strip at its own sliding speed; zones count from the rail profile's origin
+                                     (WRC_ZONES_RAIL_PROFILE) and lie on the rail; NULL: frictionless */
   double vertical_load;         /**< the whole vertical force on the wheel, creep forces included, upwards positive:
                                      1e2..1e6 N with WRC_PRESCRIBE_VERTICAL_LOAD; must be 0 else [0] */
   double damping;               /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the
@@ -188,7 +188,7 @@ WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a
  * @param[out] wrench the result; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _MORE_PATCHES (more regions than can be told apart;
  * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
- * other methods, or friction other than constant), _LOAD (the load cannot be carried at this pose).
+ * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_wheel_step(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 

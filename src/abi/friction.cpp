@@ -40,9 +40,38 @@ Fault read_zones(const wrc_friction& theirs, Friction& friction) {
   return {};
 }
 
+/// A number that neither the law nor the method reads must be the default, or zero: what an initializer list
+/// leaves in the members it does not name.
+Fault check_unread(double value, double untouched, const char* field, const char* unit, const char* reader) {
+  if (value == untouched || value == 0.0) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = reader};
+}
+
+Fault check_unread(const wrc_friction& ours, TangentialMethod method) {
+  const wrc_friction untouched = defaults<wrc_friction>();
+  const bool falls = ours.kind == WRC_FRICTION_FALLING, kinetic = ours.kind == WRC_FRICTION_STATIC_KINETIC;
+  Fault fault;
+  if (!falls && !kinetic)
+    worsen(fault, check_unread(ours.kinetic_ratio, untouched.kinetic_ratio, "friction.kinetic_ratio", "",
+                               "constant friction does not read it: was friction.kind set?"));
+  if (!falls)
+    worsen(fault, check_unread(ours.fall_rate, untouched.fall_rate, "friction.fall_rate", "s/m",
+                               "only WRC_FRICTION_FALLING reads it: was friction.kind set?"));
+  if (!kinetic)
+    worsen(fault, check_unread(ours.half_speed, untouched.half_speed, "friction.half_speed", "m/s",
+                               "only WRC_FRICTION_STATIC_KINETIC reads it: was friction.kind set?"));
+  if (method != TangentialMethod::modified_fastsim) {
+    constexpr const char* reader =
+        "only WRC_TANGENTIAL_MODIFIED_FASTSIM reads it; every method reads slope_reduction";
+    worsen(fault, check_unread(ours.slope_limit, untouched.slope_limit, "friction.slope_limit", "", reader));
+    worsen(fault, check_unread(ours.slope_fall, untouched.slope_fall, "friction.slope_fall", "", reader));
+  }
+  return fault;
+}
+
 }  // namespace
 
-Fault read_friction(const wrc_friction* theirs, Friction& friction) {
+Fault read_friction(const wrc_friction* theirs, TangentialMethod method, Friction& friction) {
   wrc_friction ours;
   const Fault fault = read(theirs, "friction", ours);
   if (fault.failed()) return fault;
@@ -81,6 +110,8 @@ Fault read_friction(const wrc_friction* theirs, Friction& friction) {
   for (const Fault& each : checks) {
     if (each.failed()) return each;
   }
+  const Fault unread = check_unread(ours, method);
+  if (unread.failed()) return unread;
   friction.law.coefficient = ours.coefficient;
   friction.law.kinetic_ratio = ours.kinetic_ratio;
   friction.law.fall_rate = ours.fall_rate;

@@ -7,7 +7,8 @@
 
 namespace wrc::abi {
 
-/// Reads and checks the caller's friction. The zones of the result are the caller's arrays.
-Fault read_friction(const wrc_friction* theirs, Friction& friction);
+/// Reads and checks the caller's friction for a tangential method. The zones of the result are the caller's
+/// arrays.
+Fault read_friction(const wrc_friction* theirs, TangentialMethod method, Friction& friction);
 
 }  // namespace wrc::abi

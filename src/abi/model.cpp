@@ -170,11 +170,9 @@ int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocato
 
 int32_t wrc_model_profile(const wrc_model* model, int32_t body, wrc_view* y, wrc_view* z, double* deviation) {
   if (deviation != nullptr) *deviation = 0.0;
-  for (wrc_view* view : {y, z}) {
-    const Fault fault = abi::clear(view);
-    if (fault.failed()) return fault.status;
-  }
+  const Fault cleared = abi::first_of({abi::clear(y), abi::clear(z)});
   if (!abi::valid(model)) return WRC_ERROR_NULL;
+  if (cleared.failed()) return cleared.status;
   const wrc::Model& ours = *model->model;
   if (body != WRC_BODY_WHEEL && body != WRC_BODY_RAIL) return WRC_ERROR_UNSUPPORTED;
   if (!ours.has_geometry) return WRC_ERROR_SEQUENCE;

@@ -13,6 +13,15 @@ Fault check_count(std::int32_t value, const char* field, std::int32_t low, std::
   return check(static_cast<double>(value), field, "", low, high, cause, cause);
 }
 
+Fault check_no_smoothing(const wrc_profile& profile) {
+  if (profile.smoothing == 0.0) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = "profile.smoothing",
+          .value = profile.smoothing,
+          .unit = "m",
+          .cause = "only points are smoothed; standard profiles are exact"};
+}
+
 Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& source) {
   wrc_profile profile;
   Fault fault = read(theirs, name, profile);
@@ -20,13 +29,13 @@ Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& s
   switch (profile.kind) {
     case WRC_PROFILE_S1002:
       source.kind = ProfileSource::Kind::s1002;
-      return {};
+      return check_no_smoothing(profile);
     case WRC_PROFILE_60E1:
       source.kind = ProfileSource::Kind::rail_60e1;
-      return {};
+      return check_no_smoothing(profile);
     case WRC_PROFILE_UIC60_BENCHMARK:
       source.kind = ProfileSource::Kind::rail_uic60_benchmark;
-      return {};
+      return check_no_smoothing(profile);
     case WRC_PROFILE_POINTS:
       break;
     default:
@@ -61,12 +70,8 @@ bool is_wheel(ProfileSource::Kind kind) {
 }
 bool is_rail(ProfileSource::Kind kind) { return kind != ProfileSource::Kind::s1002; }
 
-Fault unsupported(const char* field, std::int32_t value, const char* cause) {
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = field,
-          .value = static_cast<double>(value),
-          .unit = "",
-          .cause = cause};
+Fault unsupported(const char* field, double value, const char* cause, const char* unit = "") {
+  return {.status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = cause};
 }
 
 Fault read_methods(const wrc_config& config, ModelOptions& options) {
@@ -193,6 +198,59 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
   return {};
 }
 
+/// What the chosen methods do not read must stand as wrc_config_init() leaves it: an option without effect is
+/// a mistake of the caller's.
+Fault check_unread(const wrc_config& config) {
+  const wrc_config untouched = defaults<wrc_config>();
+  if (config.normal_method == WRC_NORMAL_STRIP_HALFSPACE) {
+    if (config.load_tolerance != untouched.load_tolerance)
+      return unsupported("config.load_tolerance", config.load_tolerance,
+                         "WRC_NORMAL_STRIP_HALFSPACE does not read it: it meets every load to rounding");
+  } else if (config.warm_start != untouched.warm_start) {
+    return unsupported("config.warm_start", config.warm_start, "only WRC_NORMAL_STRIP_HALFSPACE reads it");
+  }
+  switch (config.tangential_method) {
+    case WRC_TANGENTIAL_FASTSIM:
+    case WRC_TANGENTIAL_FASTSIM_EQE:
+    case WRC_TANGENTIAL_FASTSIM_EQL:
+    case WRC_TANGENTIAL_FASTSIM_SDEC:
+    case WRC_TANGENTIAL_MODIFIED_FASTSIM:
+      break;
+    default:
+      if (config.traction_bound != untouched.traction_bound)
+        return unsupported("config.traction_bound", config.traction_bound,
+                           "only the FASTSIM variants read it: this method has a bound of its own");
+      if (config.flexibility != untouched.flexibility)
+        return unsupported("config.flexibility", config.flexibility,
+                           "only the FASTSIM variants read it: this method has flexibilities of its own");
+  }
+  if (config.tangential_method != WRC_TANGENTIAL_TABLE && config.force_table != nullptr)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.force_table",
+            .cause = "only WRC_TANGENTIAL_TABLE reads it"};
+  if (config.wheel != nullptr || config.rail != nullptr) return {};
+  constexpr const char* placed =
+      "the model has no profiles to place: what the caller hands over is taken as it is";
+  if (config.side != untouched.side) return unsupported("config.side", config.side, placed);
+  if (config.flange_back_distance != untouched.flange_back_distance)
+    return unsupported("config.flange_back_distance", config.flange_back_distance, placed, "m");
+  if (config.track_gauge != untouched.track_gauge)
+    return unsupported("config.track_gauge", config.track_gauge, placed, "m");
+  if (config.gauge_depth != untouched.gauge_depth)
+    return unsupported("config.gauge_depth", config.gauge_depth, placed, "m");
+  if (config.rail_inclination != untouched.rail_inclination)
+    return unsupported("config.rail_inclination", config.rail_inclination, placed);
+  return {};
+}
+
+/// The method's own cap where the caller leaves it to the method.
+std::int32_t iteration_cap(const wrc_config& config) {
+  constexpr std::int32_t steps_of_load_search = 60;
+  if (config.max_iterations > 0) return config.max_iterations;
+  return config.normal_method == WRC_NORMAL_STRIP_HALFSPACE ? StripHalfspaceOptions{}.max_sweeps
+                                                            : steps_of_load_search;
+}
+
 /// The header of the force table tells how much memory the model needs.
 Fault read_table(const wrc_config& config, ModelOptions& options) {
   if (config.force_table == nullptr) {
@@ -233,7 +291,9 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
       check_count(config.strips, "config.strips", 4, 512, "more strips cost time in proportion"),
       check_count(config.cells, "config.cells", 4, 512, "more cells cost time in proportion"),
       check_count(config.gap_rows, "config.gap_rows", 8, 4096, "the gap is interpolated between rows"),
-      check_count(config.max_iterations, "config.max_iterations", 4, 1000, "40 are plenty"),
+      config.max_iterations == 0
+          ? Fault{}
+          : check_count(config.max_iterations, "config.max_iterations", 4, 1000, "0 is the method's own cap"),
       check_count(config.max_patches, "config.max_patches", 1, patch_capacity,
                   "a wheel touches its rail in one to three places"),
       check_count(config.warm_start, "config.warm_start", 0, 1, "0 or 1"),
@@ -261,8 +321,10 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   for (const Fault& each : checks) {
     if (each.failed()) return each;
   }
+  fault = check_unread(config);
+  if (fault.failed()) return fault;
   options.sizes = {.strips = config.strips, .cells = config.cells, .gap_rows = config.gap_rows};
-  options.max_iterations = config.max_iterations;
+  options.max_iterations = iteration_cap(config);
   options.max_patches = config.max_patches;
   options.warm_start = config.warm_start != 0;
   options.material = {config.shear_modulus, config.poisson};

@@ -150,7 +150,7 @@ void copy_field(const halfspace::Field& field, double* theirs) {
   if (theirs != nullptr) std::copy(field.begin(), field.end(), theirs);
 }
 
-/// A field of the caller before the solve: on failure it stays zero.
+/// A field of the caller as soon as its size is known: on failure it stays zero.
 void zero_field(double* theirs, std::size_t cells) {
   if (theirs != nullptr) std::fill_n(theirs, cells, 0.0);
 }
@@ -160,10 +160,12 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   Fault fault = read(theirs, "problem", ours);
   if (fault.failed()) return fault;
   halfspace::Grid grid;
-  Material material;
-  fault = first_of({read_grid(ours.grid, grid), read_materials(ours.materials, material)});
+  fault = read_grid(ours.grid, grid);
   if (fault.failed()) return fault;
   zero_field(solution.pressure, grid.cells());
+  Material material;
+  fault = read_materials(ours.materials, material);
+  if (fault.failed()) return fault;
 
   halfspace::GapProblem problem;
   fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", -1.0, 1.0, "did you pass mm?",
@@ -205,15 +207,16 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   Fault fault = read(theirs, "problem", ours);
   if (fault.failed()) return fault;
   halfspace::Grid grid;
-  Material material;
-  wrc_creepage creepage;
-  fault = first_of({read_grid(ours.grid, grid), read_materials(ours.materials, material),
-                    read(ours.creepage, "creepage", creepage)});
+  fault = read_grid(ours.grid, grid);
   if (fault.failed()) return fault;
   const std::size_t cells = grid.cells();
   for (double* each : {solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y}) {
     zero_field(each, cells);
   }
+  Material material;
+  wrc_creepage creepage;
+  fault = first_of({read_materials(ours.materials, material), read(ours.creepage, "creepage", creepage)});
+  if (fault.failed()) return fault;
 
   halfspace::RollingProblem problem;
   fault = first_of(
@@ -397,13 +400,13 @@ int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution) { 
 int32_t wrc_exact_check_result_init(wrc_exact_check_result* result) { return abi::init(result); }
 
 int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
+  wrc::halfspace::Grid ours;
+  const Fault fault = abi::read_grid(grid, ours);
+  if (!fault.failed()) abi::zero_field(gap, ours.cells());
   if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
   inside.last = abi::guarded([&]() -> Fault {
-    wrc::halfspace::Grid ours;
-    const Fault fault = abi::read_grid(grid, ours);
     if (fault.failed()) return fault;
-    abi::zero_field(gap, ours.cells());
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",

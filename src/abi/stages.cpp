@@ -35,6 +35,8 @@ Fault read_load(const wrc_load* theirs, Load& load) {
       return check(ours.normal_force, "load.normal_force", "N", 1e2, 1e6,
                    ours.normal_force < 0.0
                        ? "the normal force is compressive positive; prescribe the approach near lift-off"
+                   : ours.normal_force == 0.0
+                       ? "was it set? its default is 0; near lift-off prescribe the approach instead"
                        : "did you pass kN? near lift-off prescribe the approach instead",
                    "did you pass a pressure, or grams?");
     case WRC_PRESCRIBE_APPROACH:
@@ -314,7 +316,7 @@ Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out
   Friction friction;
   double speed = 0.0;
   outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, speed),
-                      read_friction(in.friction, friction)});
+                      read_friction(in.friction, contact.model->options.tangential_method, friction)});
   if (outcome.failed()) return outcome;
   if (in.pose != nullptr) {
     Pose pose;
@@ -471,7 +473,8 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
     wrc::Friction law;
     double speed = 0.0;
     Fault outcome =
-        abi::first_of({abi::read_creepage(creepage, ours, speed), abi::read_friction(friction, law)});
+        abi::first_of({abi::read_creepage(creepage, ours, speed),
+                       abi::read_friction(friction, contact.model->options.tangential_method, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
     if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, speed));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);

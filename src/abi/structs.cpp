@@ -86,7 +86,6 @@ wrc_config defaults<wrc_config>() {
   value.strips = 60;
   value.cells = 32;
   value.gap_rows = 256;
-  value.max_iterations = 60;
   value.max_patches = 4;
   value.warm_start = 0;
   value.shear_modulus = 80e9;

@@ -125,7 +125,7 @@ std::int32_t init(Struct* theirs) {
   return WRC_OK;
 }
 
-/// The first that failed, or none.
+/// The first that failed, or none. All are evaluated: outputs beside one that cannot be cleared are cleared.
 inline Fault first_of(std::initializer_list<Fault> faults) {
   for (const Fault& each : faults) {
     if (each.failed()) return each;

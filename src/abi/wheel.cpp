@@ -163,25 +163,18 @@ Fault read_rail(const wrc_rail_state* theirs, RailMotion& rail) {
        check(ours.roll_velocity, "rail.roll_velocity", "rad/s", -200.0, 200.0, degrees, degrees)});
 }
 
-/// One coefficient is all a wheel on a rail takes; what else a friction holds is refused.
-Fault read_coefficient(const wrc_friction* theirs, double& coefficient) {
-  coefficient = 0.0;
-  if (theirs == nullptr) return {};
-  Friction friction;
-  const Fault fault = read_friction(theirs, friction);
+/// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
+Fault read_hosted_friction(const wrc_friction* theirs, HostedWheel& hosted) {
+  hosted.frictionless = theirs == nullptr;
+  if (hosted.frictionless) return {};
+  const Fault fault = read_friction(theirs, TangentialMethod::strip_fastsim, hosted.friction);
   if (fault.failed()) return fault;
-  const auto refused = [](const char* field, double value) {
-    return Fault{.status = WRC_ERROR_UNSUPPORTED,
-                 .field = field,
-                 .value = value,
-                 .unit = "",
-                 .cause = "wrc_wheel_step takes one coefficient, constant and the same everywhere"};
-  };
-  if (friction.law.fall != FrictionLaw::Fall::none) return refused("friction.kind", theirs->kind);
-  if (friction.law.zones.count != 0)
-    return refused("friction.zones", static_cast<double>(friction.law.zones.count));
-  if (friction.slope_reduction != 1.0) return refused("friction.slope_reduction", friction.slope_reduction);
-  coefficient = friction.law.coefficient;
+  if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame != ZoneFrame::rail)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "friction.zone_frame",
+            .value = static_cast<double>(theirs->zone_frame),
+            .unit = "",
+            .cause = "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE"};
   return {};
 }
 
@@ -194,7 +187,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
   fault = first_of(
       {read_wheel(ours.wheel, height, hosted), read_rail(ours.rail, hosted.rail),
-       read_coefficient(ours.friction, hosted.friction),
+       read_hosted_friction(ours.friction, hosted),
        height
            ? check(ours.vertical_load, "input.vertical_load", "N", 0.0, 0.0,
                    "the height is prescribed: leave the load 0",

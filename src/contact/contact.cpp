@@ -262,8 +262,9 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
                             array(contact, Array::start_width),
                             array(contact, Array::start_length_squared),
                             array(contact, Array::start_shift)};
-  const Fault fault = solve_strip_halfspace(problem, {}, *contact.model->strip_kernel, workspace, start,
-                                            strips, contact.normal);
+  const Fault fault =
+      solve_strip_halfspace(problem, {.max_sweeps = options.max_iterations}, *contact.model->strip_kernel,
+                            workspace, start, strips, contact.normal);
   contact.start_strips = fault.failed() ? 0 : start.count;
   return fault;
 }
@@ -301,7 +302,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
   contact.load = load;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
-    return {.status = WRC_FLAG_NO_CONTACT, .field = "approach"};
+    return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach"};
   }
   const ModelOptions& options = contact.model->options;
   NormalProblem problem;
@@ -359,7 +360,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
     const double factor = damping_factor(load.approach_velocity, load.damping);
     if (factor < least_damping_factor) {
       back_to(contact, Stage::patch);
-      return {.status = WRC_FLAG_NO_CONTACT, .field = "approach_velocity"};
+      return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach_velocity"};
     }
     scale_pressure(contact, strips, factor);
     contact.normal.stiffness *= factor;

@@ -91,8 +91,9 @@ struct HostedWheel {
   RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
-  double friction = 0.0;       ///< 0: frictionless
-  double damping = 0.0;        ///< [s/m]
+  bool frictionless = true;
+  Friction friction;     ///< zones over the rail's y, those of the caller
+  double damping = 0.0;  ///< [s/m]
 };
 
 /// Where the point of a region lies on both bodies, in the coordinates of their profiles [m].

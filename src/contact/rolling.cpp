@@ -127,6 +127,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
+  rolling.slope_reduction = friction.slope_reduction;
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   switch (method) {
@@ -163,10 +164,9 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
     case TangentialMethod::table:
       break;  // look_up()
   }
-  patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);  // sums round
+  // A difference of sums of areas: rounding may leave it just outside.
+  patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
-  // A difference of sums of areas: rounding may leave it just below zero.
-  patch.forces.adhesion_fraction = std::max(0.0, patch.forces.adhesion_fraction);
   if (sensitivities) refer_to(patch.y_contact, *sensitivities);
 
   patch.friction = rolling.friction.mean;

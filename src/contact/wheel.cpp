@@ -122,7 +122,10 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   problem.rail = hosted.rail;
   problem.load_prescribed = hosted.load_prescribed;
   problem.vertical_load = hosted.vertical_load;
-  problem.friction = hosted.friction;
+  const FrictionLaw& law = hosted.friction.law;
+  problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
+  if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
+  problem.slope_reduction = hosted.friction.slope_reduction;
   problem.damping = hosted.damping;
   const bool left = hosted.side == Side::left;
   if (left) mirror_body(problem);

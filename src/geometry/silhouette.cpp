@@ -1,30 +1,10 @@
 #include "geometry/silhouette.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "elementary.hpp"
 
 namespace wrc {
-namespace {
-
-Fault check_bound(const char* field, double value, const char* unit, double bound, const char* cause) {
-  if (std::abs(value) <= bound) return {};
-  Fault fault{.field = field, .value = value, .unit = unit, .low = -bound, .high = bound, .cause = cause};
-  fault.status = std::isfinite(value) ? WRC_ERROR_RANGE : WRC_ERROR_NOT_FINITE;
-  return fault;
-}
-
-}  // namespace
-
-Fault check(const Pose& pose) {
-  Fault fault;
-  worsen(fault, check_bound("pose.lateral", pose.lateral, "m", 0.2, "did you pass millimetres?"));
-  worsen(fault, check_bound("pose.vertical", pose.vertical, "m", 0.2, "did you pass millimetres?"));
-  worsen(fault, check_bound("pose.roll", pose.roll, "rad", 0.3, "did you pass degrees?"));
-  worsen(fault, check_bound("pose.yaw", pose.yaw, "rad", 0.3, "did you pass degrees?"));
-  return fault;
-}
 
 Attitude attitude(const Pose& pose) {
   const auto [sy, cy] = sine_cosine(pose.yaw);

@@ -38,10 +38,6 @@ struct Pose {
   double yaw = 0.0;       ///< about z (down), right-hand rule: right wheel back, left wheel forward [rad]
 };
 
-/// The pose is finite and within what a wheelset on rails can do; outside (millimetres, degrees)
-/// WRC_ERROR_RANGE with the field's name, NaN or infinite WRC_ERROR_NOT_FINITE.
-Fault check(const Pose& pose);
-
 /// The rotation R = R_z(yaw) R_x(roll) from wheelset to track axes, worked out once per pose.
 struct Attitude {
   double r[3][3];         ///< track = r * wheelset

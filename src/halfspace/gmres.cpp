@@ -50,7 +50,7 @@ GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, cons
       column[i + 1] = cosines[i] * column[i + 1] - sines[i] * column[i];
       column[i] = upper;
     }
-    const double radius = std::hypot(column[k], column[k + 1]);
+    const double radius = std::sqrt(column[k] * column[k] + column[k + 1] * column[k + 1]);
     if (radius == 0.0) {  // the matrix maps the new direction to nothing new: no further progress possible
       break;
     }

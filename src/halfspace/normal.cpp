@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary.hpp"
+
 namespace wrc::halfspace {
 namespace {
 
@@ -123,10 +125,16 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     s.residual = std::max(total > 0.0 ? weighted / total : 0.0, overlap) / scale;
     if (s.residual <= problem.tolerance) break;
     if (s.iterations == problem.max_iterations) {
-      s.fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "halfspace.residual", .value = s.residual};
+      s.fault = {.status = WRC_FLAG_ITERATION_CAP,
+                 .field = "solution.residual",
+                 .value = s.residual,
+                 .unit = "",
+                 .low = 0.0,
+                 .high = problem.tolerance,
+                 .cause = "problem.max_iterations ended the iteration"};
       break;
     }
-    const double decades = std::log(std::min(1.0, s.residual)) / std::log(problem.tolerance);
+    const double decades = natural_log(std::min(1.0, s.residual)) / natural_log(problem.tolerance);
     if (!problem.progress.goes_on(std::clamp(decades, 0.0, 1.0))) {
       s = {};
       s.pressure.assign(n, 0.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "elementary.hpp"
 #include "halfspace/gmres.hpp"
 #include "halfspace/resample.hpp"
 #include "halfspace/row_preconditioner.hpp"
@@ -124,7 +125,7 @@ double Newton::linearise() {
     CellUnknowns& u = unknowns_[k];
     const double px = s.traction_x[c.at], py = s.traction_y[c.at];
     const double sx = s.slip_x[c.at], sy = s.slip_y[c.at];
-    const double zx = px - rho_ * sx, zy = py - rho_ * sy, z = std::hypot(zx, zy);
+    const double zx = px - rho_ * sx, zy = py - rho_ * sy, z = std::sqrt(zx * zx + zy * zy);
     const bool sticks = full() || z <= c.bound;
     s.state[c.at] = sticks ? CellState::adhesion : CellState::slip;
     u.first = rhs_.size();
@@ -143,7 +144,8 @@ double Newton::linearise() {
       radial_x_[k] = (c.bound - px * nx - py * ny) * nx;
       radial_y_[k] = (c.bound - px * nx - py * ny) * ny;
       rhs_.push_back(-(px * u.tx + py * u.ty) * z / (rho_ * c.bound));
-      error += std::pow(px - c.bound * nx, 2) + std::pow(py - c.bound * ny, 2);
+      const double ex = px - c.bound * nx, ey = py - c.bound * ny;
+      error += ex * ex + ey * ey;
     }
     // Small creepages ask for tractions far below the bound: these are what the error is compared with.
     const double p2 = px * px + py * py;
@@ -212,7 +214,7 @@ void Newton::step() {
     const double dy = u.count == 2 ? change[u.first + 1] : change[u.first] * u.ty;
     const double x = s.traction_x[at] + share * (radial_x_[k] + dx);
     const double y = s.traction_y[at] + share * (radial_y_[k] + dy);
-    const double length = std::hypot(x, y);
+    const double length = std::sqrt(x * x + y * y);
     const double cut =
         u.count == 1 ? cells_[k].bound / length : 1.0;  // from the tangent back onto the circle
     s.traction_x[at] = cut * x;
@@ -227,16 +229,18 @@ bool Newton::run(double tolerance, double begun, double done) {
     s.residual = linearise();
     if (s.residual <= tolerance) return true;
     if (s.iterations == problem_.max_iterations) break;
-    const double decades = std::log(std::max(s.residual, tolerance)) / std::log(tolerance);
+    const double decades = natural_log(std::max(s.residual, tolerance)) / natural_log(tolerance);
     if (!problem_.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0))) return false;
     step();
     update_slip();
   }
   s.fault = {.status = WRC_FLAG_ITERATION_CAP,
-             .field = "halfspace.residual",
+             .field = "solution.residual",
              .value = s.residual,
+             .unit = "",
              .low = 0.0,
-             .high = tolerance};
+             .high = tolerance,
+             .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
   return true;
 }
 
@@ -390,8 +394,8 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     Newton newton(level.grid, level.convolution, problems[l], solution);
     // Work goes with the cells: a quarter of it on each coarser grid.
     const bool coarsest = l + 1 == problems.size();
-    const double begun = coarsest ? 0.0 : std::pow(0.25, static_cast<double>(l) + 1.0);
-    const double done = std::pow(0.25, static_cast<double>(l));
+    const double done = std::ldexp(1.0, -2 * static_cast<int>(l));
+    const double begun = coarsest ? 0.0 : done / 4.0;
     if (!newton.run(l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance), begun,
                     done)) {
       clear(level.grid, solution);

@@ -59,7 +59,7 @@ Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcep
     return {.status = WRC_ERROR_RANGE, .field = "material", .value = material.shear_modulus, .unit = "Pa"};
   const bool load = problem.prescribed == Prescribed::load;
   const double given = load ? problem.normal_force : problem.approach;
-  const char* const field = load ? "normal_force" : "approach";
+  const char* const field = load ? "load.normal_force" : "load.approach";
   if (!std::isfinite(given)) return {.status = WRC_ERROR_NOT_FINITE, .field = field};
   if (load && given < 0.0)
     return {.status = WRC_ERROR_RANGE,

@@ -160,7 +160,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   if (problem.prescribed == Prescribed::approach) {
     if (problem.approach > ceiling)
       return {.status = WRC_ERROR_LOAD,
-              .field = "approach",
+              .field = "load.approach",
               .value = problem.approach,
               .unit = "m",
               .low = 0.0,
@@ -171,8 +171,9 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   }
 
   const Fault capped = {.status = WRC_FLAG_ITERATION_CAP,
-                        .field = "max_iterations",
-                        .value = static_cast<double>(problem.max_iterations)};
+                        .field = "config.max_iterations",
+                        .value = static_cast<double>(problem.max_iterations),
+                        .unit = "steps"};
   const Fault leaps = {.status = WRC_FLAG_ITERATION_CAP,
                        .field = "load.normal_force",
                        .value = problem.normal_force,
@@ -208,7 +209,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
     if (trial.normal_force < target) {
       if (approach >= ceiling)
         return {.status = WRC_ERROR_LOAD,
-                .field = "normal_force",
+                .field = "load.normal_force",
                 .value = target,
                 .unit = "N",
                 .low = 0.0,

@@ -212,7 +212,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
             .cause = "heights leap from row to row: the gap between them dips below the rows"};
   if (approach > ceiling || s.active_count == 0)
     return {.status = WRC_ERROR_LOAD,
-            .field = load ? "normal_force" : "approach",
+            .field = load ? "load.normal_force" : "load.approach",
             .value = load ? problem.normal_force : problem.approach,
             .unit = load ? "N" : "m",
             .cause = load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
@@ -232,8 +232,9 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   solution.stiffness = punch_stiffness(state.stiffness, totals(strips));
   if (!state.converged)
     worsen(fault, {.status = WRC_FLAG_ITERATION_CAP,
-                   .field = "max_sweeps",
-                   .value = static_cast<double>(options.max_sweeps)});
+                   .field = "config.max_iterations",
+                   .value = static_cast<double>(options.max_sweeps),
+                   .unit = "sweeps"});
   return fault;
 }
 

@@ -23,15 +23,15 @@ constexpr double longest_shift = 10e-3;    ///< [m]
 constexpr double coarse_tolerance = 1e-2;  ///< of the start on pairs of strips
 constexpr std::int32_t fewest_pairs = 12;
 
-/// Strips a solve works on: candidates, or pairs of them.
-struct Strips {
+/// StripSet a solve works on: candidates, or pairs of them.
+struct StripSet {
   std::int32_t count = 0;
   double *place, *width, *depth, *curvature, *middle, *ny, *nz;  ///< given; middle: x of the largest overlap
   double *L, *shift, *level, *q;                                 ///< solution; the centre is middle + shift
 };
 
 struct Scratch {
-  Strips fine, coarse;
+  StripSet fine, coarse;
   double *matrix, *r, *s;                                                              ///< the elimination's
   double *place, *centre, *inverse_length, *half_width, *factor, *strength, *ny, *nz;  ///< sources
   double *row, *l, *wanted_level, *wanted_shift, *residual;  ///< residual: of L, then of the shifts
@@ -48,7 +48,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
     at += n;
     return here;
   };
-  for (Strips* s : {&w.fine, &w.coarse})
+  for (StripSet* s : {&w.fine, &w.coarse})
     for (double** a : {&s->place, &s->width, &s->depth, &s->curvature, &s->middle, &s->ny, &s->nz, &s->L,
                        &s->shift, &s->level, &s->q})
       *a = take(padded);
@@ -91,7 +91,7 @@ void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[hist
 }
 
 /// The active strips as sources of unit q.
-simd::SurfaceSources list_sources(const Problem& problem, const Strips& s, std::int32_t kept, Scratch& w) {
+simd::SurfaceSources list_sources(const Problem& problem, const StripSet& s, std::int32_t kept, Scratch& w) {
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
     const double inverse = 1.0 / w.l[i];
@@ -113,7 +113,8 @@ simd::SurfaceSources list_sources(const Problem& problem, const Strips& s, std::
 /// Solves the contact condition at the present lengths; strips that would pull leave, strips that would
 /// overlap enter. Returns how many are in contact, whose q stands in w.r.
 /// `everywhere`: look at all strips that are not in contact, else at those next to contact.
-std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed, bool everywhere, Scratch& w) {
+std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewed, bool everywhere,
+                           Scratch& w) {
   std::int32_t kept = 0;
   for (std::int32_t round = 0; round < most_rounds; ++round) {
     kept = 0;
@@ -169,7 +170,7 @@ std::int32_t solve_contact(const Problem& problem, const Strips& s, bool skewed,
 }
 
 /// Levels and centres the edges ask for, smoothed; leaves the residuals of L and of the shifts.
-void look_at_edges(const Problem& problem, const Strips& s, std::int32_t kept, bool skewed, Scratch& w) {
+void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept, bool skewed, Scratch& w) {
   std::fill_n(s.q, s.count, 0.0);
   for (std::int32_t a = 0; a < kept; ++a) s.q[w.active[a]] = w.strength[a] = larger(w.r[a], 0.0);
   const simd::SurfaceSources unit = list_sources(problem, s, kept, w);
@@ -246,7 +247,7 @@ void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int
 }
 
 /// Sweeps from the lengths and shifts that stand in `s` to the tolerance.
-SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tolerance,
+SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double tolerance,
                              std::int32_t max_sweeps, Scratch& w) {
   SurfaceNormalResult result;
   const std::int32_t n = s.count;
@@ -314,7 +315,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const Strips& s, double tol
 
 /// Pairs of neighbouring strips, a lone one where its neighbour is missing; returns for each strip its pair
 /// in w.active.
-void pair_up(const Strips& s, std::int32_t* pair_of, const std::int32_t* number, Strips& c) {
+void pair_up(const StripSet& s, std::int32_t* pair_of, const std::int32_t* number, StripSet& c) {
   c.count = 0;
   for (std::int32_t i = 0; i < s.count;) {
     const bool two = i + 1 < s.count && number[i + 1] == number[i] + 1;
@@ -350,7 +351,7 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
   SurfaceNormalResult result;
   Scratch w;
   auto* const pair_of = reinterpret_cast<std::int32_t*>(memory + cut(memory, o.capacity, w));
-  Strips& s = w.fine;
+  StripSet& s = w.fine;
   s.count = o.count;
   bool started = false;
   for (std::int32_t i = 0; i < o.count; ++i) {
@@ -376,7 +377,7 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
         s.shift[i] = 0.0;
       }
       if (s.count >= 2 * fewest_pairs) {
-        Strips& c = w.coarse;
+        StripSet& c = w.coarse;
         pair_up(s, pair_of, o.strip, c);
         result = sweep_to(problem, c, coarse_tolerance, options.max_sweeps, w);
         for (std::int32_t i = 0; i < s.count; ++i) {

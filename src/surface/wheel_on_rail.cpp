@@ -146,9 +146,25 @@ void into_track(const Seen& s, double (&v)[3]) {
   v[2] = s.sine * y + s.cosine * z;
 }
 
+/// The law's coefficient of each strip: over its width on the rail, at the root mean square of its rigid slip
+/// times `speed` (tangential/friction.hpp).
+void find_friction(const SurfaceModel& model, const FrictionLaw& law, double speed, std::int32_t count,
+                   Work& w) {
+  for (std::int32_t k = 0; k < count; ++k) {
+    const std::int32_t j = w.overlaps.strip[w.candidate[k]];
+    const double half = 0.5 * model.rail.width[j] * magnitude(model.rail.ty[j]) + 1e-9;
+    const double at_rest = law.zones.count > 0
+                               ? mean_friction(law.zones, model.rail.y[j] - half, model.rail.y[j] + half)
+                               : law.coefficient;
+    const double turning = w.spin[k] * w.half_length[k];
+    const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
+    w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));
+  }
+}
+
 /// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
 /// slip along x and spin, change sign, and so do their forces.
-void roll(const SurfaceModel& model, std::int32_t count, bool backwards, Work& w,
+void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, Work& w,
           SurfaceRollingForces forces) {
   const auto mirror = [&](double* a) {
     for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
@@ -164,7 +180,8 @@ void roll(const SurfaceModel& model, std::int32_t count, bool backwards, Work& w
   rolls.slip_y = w.slip_y;
   rolls.spin = w.spin;
   rolls.friction = w.friction;
-  rolls.shear_modulus = rolls.normal_shear_modulus = model.material.shear_modulus;
+  rolls.normal_shear_modulus = model.material.shear_modulus;
+  rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
   rolls.coefficients = &model.coefficients;
   rolls.grid = model.grid;
   if (backwards) {
@@ -236,10 +253,11 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     w.spin[k] /= speed;
   }
   if (in.friction > 0.0) {
+    if (in.law) find_friction(model, *in.law, speed, count, w);
     const bool backwards = rolling_speed < 0.0;
-    roll(model, count, backwards, w, {w.fx, w.fy, w.mz});
+    roll(model, in, count, backwards, w, {w.fx, w.fy, w.mz});
     if (reference.other_way > 0.0) {
-      roll(model, count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
+      roll(model, in, count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
       const double other = reference.other_way;
       for (std::int32_t k = 0; k < count; ++k) {
         w.fx[k] += other * (w.other_fx[k] - w.fx[k]);

@@ -16,6 +16,7 @@
 #include <cstdint>
 
 #include "fault.hpp"
+#include "tangential/friction.hpp"
 
 namespace wrc {
 
@@ -39,10 +40,12 @@ struct RailMotion {
 struct WheelOnRail {
   WheelMotion wheel;
   RailMotion rail;
-  bool load_prescribed = false;  ///< then position[2] is a result, and `vertical_load` is given
-  double vertical_load = 0.0;    ///< the whole vertical force on the wheel, upwards positive [N]
-  double friction = 0.3;         ///< 0: frictionless
-  double damping = 0.0;          ///< Hunt and Crossley [s/m]
+  bool load_prescribed = false;      ///< then position[2] is a result, and `vertical_load` is given
+  double vertical_load = 0.0;        ///< the whole vertical force on the wheel, upwards positive [N]
+  double friction = 0.3;             ///< coefficient; 0: frictionless
+  const FrictionLaw* law = nullptr;  ///< in place of the coefficient: over the rail's y and the sliding speed
+  double slope_reduction = 1.0;      ///< of the creep curve by a layer between the bodies, 0..1
+  double damping = 0.0;              ///< Hunt and Crossley [s/m]
 };
 
 /// A run of strips in contact.

@@ -77,7 +77,7 @@ StripSolution solve_strip(const Growth& growth, double steepness, double y, doub
 /// FASTSIM's part: traction bound and flexibilities.
 struct Directions {
   Flexibility separate;
-  double single = 0.0;
+  double common = 0.0;  ///< where a strip slips as a whole
   TractionBound bound = TractionBound::elliptic;
   double load_factor = 1.0;
 };
@@ -115,7 +115,7 @@ void roll_strip(const RollingContact& contact, const StripSolution& strip, std::
       ex = strip.kappa * (1.0 - s);
       ey = strip.lambda * (1.0 - s) + strip.psi * s;
     } else {
-      // the single flexibility's tractions wait in the slip fields
+      // the common flexibility's tractions wait in the slip fields
       const double tx = slips_as_a_whole ? fields.slip_x[at] : fields.traction_x[at];
       const double ty = slips_as_a_whole ? fields.slip_y[at] : fields.traction_y[at];
       const double size = std::sqrt(tx * tx + ty * ty);
@@ -162,7 +162,7 @@ TangentialForces solve(const RollingContact& contact, const Growth& growth, cons
   TangentialProblem problem{contact.region, contact.creepage, directions.separate, friction,
                             directions.bound};
   march(problem, *contact.grid, {fields.traction_x, fields.traction_y, nullptr, nullptr});
-  const double l = directions.single;
+  const double l = directions.common;
   problem.flexibility = {l, l, l, l};
   march(problem, *contact.grid, {fields.slip_x, fields.slip_y, nullptr, nullptr});
 
@@ -190,7 +190,7 @@ TangentialForces solve(const RollingContact& contact, const Growth& growth, cons
 Directions on_ellipse(const RollingContact& contact, Fault& fault) {
   const Flexibility separate = ellipse_flexibility(contact.a, contact.b, contact.shear_modulus,
                                                    contact.linear_theory->ellipse(), fault);
-  return {separate, single_flexibility(separate, contact.a, contact.b, 0.0, contact.creepage),
+  return {separate, common_flexibility(separate, contact.a, contact.b, 0.0, contact.creepage),
           TractionBound::elliptic, 1.0};
 }
 
@@ -212,9 +212,9 @@ TangentialForces fastrip_modified(const RollingContact& contact, const Tangentia
 TangentialForces fastrip_sdec(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
   const Flexibility separate = sdec_flexibility(contact.a, contact.b, contact.shape_number,
                                                 contact.shear_modulus, *contact.linear_theory, fault);
-  const double single =
-      single_flexibility(separate, contact.a, contact.b, contact.shape_number, contact.creepage);
-  return solve(contact, growth_on_sdec(contact, fault), {separate, single, TractionBound::elliptic, 1.0},
+  const double common =
+      common_flexibility(separate, contact.a, contact.b, contact.shape_number, contact.creepage);
+  return solve(contact, growth_on_sdec(contact, fault), {separate, common, TractionBound::elliptic, 1.0},
                fields);
 }
 

@@ -16,7 +16,8 @@
 ///
 /// A strip with d >= l slips as a whole, and so does one whose stick zone would exceed the bound, which takes
 /// |psi| > 1. In the slip zone p = mu p_n e, e the direction of FASTSIM's traction in the same cell: with
-/// separate flexibilities, and with Kalker's single one in strips that slip as a whole.
+/// separate flexibilities, and with the common one of large creepages (flexibility_form.hpp) in strips that
+/// slip as a whole; Kalker's single one, up to sqrt(3) too soft, makes twice the error there.
 ///
 /// Published for ellipses, where k13 = 3 G c C23 / (2 pi a (1 - nu)). Three readings:
 ///  - fastrip: on the equivalent ellipse centred at the contact point. FASTSIM has the parabolic bound, of a
@@ -26,11 +27,12 @@
 ///  - fastrip_sdec (own): the same with the coefficients of the double ellipse, and from its linear theory
 ///    k13 = 3 G c^3 K13 / (4 pi a b^2).
 ///
-/// The weight w is 1 - nu as published (in the reference program's source, where the formulas come from). The
-/// solution of strip theory has w = 1, for which (q, r + psi d) / d is a unit vector as it stands;
-/// fastrip_sdec takes that. Not published, or not read: what cells see (here means over them), and the slip:
-/// power is the balance -(Fx nu_x + Fy nu_y + Mz phi), and the slip, in the form of Carter's solution, is
-/// scaled to dissipate that.
+/// The weight w is 1 - nu as in the reference program's source, where the formulas come from; the strip part
+/// is confirmed against its results. d belongs to w = 1 alone, for which (q, r + psi d) / d is a unit vector
+/// and the stick zone moves as a rigid body; fastrip_sdec takes that. Where the program's variants differ
+/// from ours: theory manual, section 5. Not published, or not read: what cells see (here means over them),
+/// and the slip: power is the balance -(Fx nu_x + Fy nu_y + Mz phi), and the slip, in the form of Carter's
+/// solution, is scaled to dissipate that.
 #pragma once
 
 #include "tangential/rolling_contact.hpp"

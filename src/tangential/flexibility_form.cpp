@@ -14,6 +14,8 @@ namespace {
 double lateral_of_spin(double a) { return 3.0 * pi * a / 32.0; }
 double longitudinal_of_spin(double b, double shape_number) { return 0.75 * b * shape_number; }
 
+double square(double value) { return value * value; }
+
 }  // namespace
 
 double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
@@ -27,16 +29,20 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
   return (x * separate.l11 + y * separate.l22 + s * l3) / size;
 }
 
-Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
-                                const Creepage& creepage, double limit) {
-  const auto square = [](double value) { return value * value; };
+double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+                          const Creepage& creepage) {
   const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
   const double across2 = square(lateral_of_spin(a) * creepage.spin);
   const double along2 = square(longitudinal_of_spin(b, shape_number) * creepage.spin);
   const double stiffness =
       x2 / separate.l11 + y2 / separate.l22 + across2 / separate.l23 + along2 / separate.l13;
-  if (stiffness == 0.0) return separate;
-  const double common = (x2 + y2 + across2 + along2) / stiffness;
+  return stiffness > 0.0 ? (x2 + y2 + across2 + along2) / stiffness : separate.l11;
+}
+
+Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+                                const Creepage& creepage, double limit) {
+  const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
+  const double common = common_flexibility(separate, a, b, shape_number, creepage);
   const double per_flexibility = 3.0 * limit / (8.0 * a * a * b);
   const double saturation2 = square(per_flexibility) * (square(separate.l11) + square(separate.l22));
   const double w = x2 + y2 < 9.0 * saturation2 ? std::sqrt((x2 + y2) / saturation2) / 3.0 : 1.0;
@@ -54,8 +60,9 @@ Flexibility in_form(const Flexibility& separate, const RollingContact& contact, 
       return {l, l, l, l};
     }
     case FlexibilityForm::blended:
-      return blended_flexibility(separate, contact.a, contact.b, shape_number, creepage,
-                                 contact.friction.mean * normal_force(contact.region));
+      return blended_flexibility(
+          separate, contact.a, contact.b, shape_number, creepage,
+          contact.slope_reduction * contact.friction.mean * normal_force(contact.region));
   }
   return separate;
 }

@@ -19,13 +19,19 @@ namespace wrc {
 double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage);
 
-/// Flexibilities on the way from separate to common (Vollebregt and Voltr, VSD 61 (2023) 309-317; from the
-/// formulas in the reference program's public source):
+/// The common flexibility at large creepages [m/Pa] (Vollebregt and Voltr, VSD 61 (2023) 309-317; the
+/// formulas are those of the reference program's public source),
+///     L_c = sum of n_k^2 / sum of n_k^2 / L_k over n = nu_x, nu_y, (3 pi a / 32) phi,
+/// a mean of them. For a double ellipse n has a fourth member, (3 b psi / 4) phi with L13: the creepage whose
+/// longitudinal force equals that of spin in full adhesion (own definition).
+double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+                          const Creepage& creepage);
+
+/// Flexibilities on the way from separate to common (same source):
 ///     L_i <- (1 - w) L_i + w L_c,   w = min(1, f / 3),
-///     f^2 = (nu_x^2 + nu_y^2) / (nu_x*^2 + nu_y*^2),   nu_i* = 3 mu N L_ii / (8 a^2 b),
-///     L_c = sum of n_k^2 / sum of n_k^2 / L_k over n = nu_x, nu_y, (3 pi a / 32) phi.
-/// For a double ellipse n has a fourth member, (3 b psi / 4) phi with L13: the creepage whose longitudinal
-/// force equals that of spin in full adhesion (own definition). limit: mu N [N].
+///     f^2 = (nu_x^2 + nu_y^2) / (nu_x*^2 + nu_y*^2),   nu_i* = 3 mu N L_ii / (8 a^2 b).
+/// limit: mu N, times the slope reduction k where `separate` is that of bodies softened by it (L_i / k): the
+/// weight is that of clean bodies, as in the reference program [N].
 Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                                 const Creepage& creepage, double limit);
 

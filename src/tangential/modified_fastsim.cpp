@@ -21,8 +21,9 @@ TangentialForces modified_fastsim(const RollingContact& contact, const Tangentia
   const double eps =
       contact.shear_modulus * pi * contact.a * contact.b * c11 * slip / (4.0 * std::max(limit, least_force));
   RollingContact softened = contact;
-  softened.shear_modulus *=
-      contact.slope.limit + (1.0 - contact.slope.limit) / (1.0 + contact.slope.rate * eps);
+  const double fallen = contact.slope.limit + (1.0 - contact.slope.limit) / (1.0 + contact.slope.rate * eps);
+  softened.shear_modulus *= fallen;
+  softened.slope_reduction *= fallen;
   return fastsim_eql(softened, fields, fault);
 }
 

@@ -30,6 +30,7 @@ struct RollingContact {
   TractionBound bound = TractionBound::parabolic;
   FlexibilityForm form = FlexibilityForm::separate;
   SlopeFall slope{};
+  double slope_reduction = 1.0;  ///< the factor that is in shear_modulus already [-]
 };
 
 }  // namespace wrc

@@ -182,7 +182,9 @@ TEST_F(ExactCheck, GapRefusesWhatItCannotSample) {
   std::vector<double> gap(256, 7.0);
   EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(gap[100], 0.0);
+  gap[100] = 7.0;
   EXPECT_EQ(wrc_exact_gap(nullptr, &grid, gap.data()), WRC_ERROR_NULL);
+  EXPECT_EQ(gap[100], 0.0);
   EXPECT_EQ(wrc_exact_gap(contact, nullptr, gap.data()), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_exact_gap(contact, &grid, nullptr), WRC_ERROR_NULL);
   ASSERT_EQ(step(), WRC_OK);

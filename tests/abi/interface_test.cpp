@@ -26,6 +26,12 @@ TEST_F(Interface, LoadInKilonewtonsIsNoticed) {
   expect_works();
 }
 
+TEST_F(Interface, ALoadThatWasNotSetIsNoticed) {
+  load = made<wrc_load>(wrc_load_init);
+  expect_refused(WRC_ERROR_RANGE, {"load.normal_force = 0 N", "was it set?"});
+  EXPECT_EQ(error().find("kN"), std::string::npos) << error();
+}
+
 TEST_F(Interface, NegativeAndAbsurdLoadsAreRefused) {
   load.normal_force = -80e3;
   expect_refused(WRC_ERROR_RANGE, {"load.normal_force = -80000 N", "compressive"});
@@ -351,6 +357,121 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   z = good_z;
   rail.z = nullptr;
   expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
+}
+
+/// An option without effect is a mistake: refused by name, with who would read it.
+TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
+  const wrc_config good = config;
+  const auto refused = [&](const std::vector<std::string>& words) {
+    expect_config_refused(WRC_ERROR_UNSUPPORTED, words);
+    config = good;
+  };
+  config.load_tolerance = 1e-6;
+  refused({"config.load_tolerance = 1e-06", "WRC_NORMAL_STRIP_HALFSPACE"});
+  config.normal_method = WRC_NORMAL_EKP;
+  config.warm_start = 1;
+  refused({"config.warm_start = 1", "WRC_NORMAL_STRIP_HALFSPACE"});
+  config.force_table = "force_table.bin";
+  refused({"config.force_table", "WRC_TANGENTIAL_TABLE"});
+  for (int32_t method :
+       {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_TABLE, WRC_TANGENTIAL_FASTRIP,
+        WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
+    config.tangential_method = method;
+    config.traction_bound = WRC_BOUND_ELLIPTIC;
+    refused({"config.traction_bound = 1", "FASTSIM variants"});
+    config.tangential_method = method;
+    config.flexibility = WRC_FLEXIBILITY_BLENDED;
+    refused({"config.flexibility = 2", "FASTSIM variants"});
+  }
+  wheel.smoothing = 5e-3;
+  refused({"profile.smoothing = 0.005 m", "points"});
+  wheel.smoothing = 0.0;
+
+  config.wheel = config.rail = nullptr;
+  const wrc_config without_profiles = config;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
+  config.side = WRC_SIDE_LEFT;
+  expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.side = 1", "no profiles"});
+  const struct {
+    double wrc_config::*member;
+    const char* words;
+  } placed[] = {{&wrc_config::flange_back_distance, "config.flange_back_distance = 0.4 m"},
+                {&wrc_config::track_gauge, "config.track_gauge = 0.4 m"},
+                {&wrc_config::gauge_depth, "config.gauge_depth = 0.02 m"},
+                {&wrc_config::rail_inclination, "config.rail_inclination = 0.02"}};
+  for (const auto& each : placed) {
+    config = without_profiles;
+    config.*each.member = std::string(each.words).find("0.4") != std::string::npos ? 0.4 : 0.02;
+    expect_config_refused(WRC_ERROR_UNSUPPORTED, {each.words, "no profiles"});
+  }
+}
+
+/// The cap is the one of whichever method solves, and its flag names it.
+TEST_F(Interface, TheIterationCapIsHonoured) {
+  const auto flagged = [&](int32_t cap) {
+    config.max_iterations = cap;
+    create();
+    int count = 0;
+    for (double lateral = 5.0e-3; lateral < 7.05e-3; lateral += 0.1e-3) {
+      pose.lateral = lateral;
+      const int32_t status = step();
+      EXPECT_GE(status, 0) << error();
+      if (status != WRC_FLAG_ITERATION_CAP) continue;
+      ++count;
+      expect_words(error(), {"config.max_iterations = " + std::to_string(cap)});
+    }
+    return count;
+  };
+  for (int32_t method : {WRC_NORMAL_STRIP_HALFSPACE, WRC_NORMAL_EKP}) {
+    config.normal_method = method;
+    if (method == WRC_NORMAL_EKP) config.load_tolerance = 1e-14;
+    EXPECT_GT(flagged(4), 0) << method;
+    EXPECT_EQ(flagged(0), 0) << method;
+    EXPECT_EQ(flagged(1000), 0) << method;
+  }
+  for (int32_t bad : {-1, 1, 3, 1001}) {
+    config.max_iterations = bad;
+    expect_config_refused(WRC_ERROR_RANGE, {"config.max_iterations", "4 .. 1000", "own cap"});
+  }
+}
+
+/// One output of a wrong size fails the call; it is not touched, and those beside it are zero.
+TEST_F(Interface, OutputsBesideOneOfAWrongSizeAreZero) {
+  expect_works();
+  point.struct_size = 4;
+  EXPECT_EQ(step(), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_NE(point.rolling_radius, 0.0);
+  EXPECT_EQ(patch.area, 0.0);
+  EXPECT_EQ(forces.fn, 0.0);
+  EXPECT_EQ(damage.power, 0.0);
+  point.struct_size = sizeof point;
+
+  expect_works();
+  patch.struct_size = 4;
+  EXPECT_EQ(wrc_contact_patch(contact, 0, &patch, &forces), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_NE(patch.area, 0.0);
+  EXPECT_EQ(forces.fn, 0.0);
+  patch.struct_size = sizeof patch;
+  expect_works();
+  forces.struct_size = 4;
+  EXPECT_EQ(wrc_contact_patch(contact, 0, &patch, &forces), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(patch.area, 0.0);
+  EXPECT_NE(forces.fn, 0.0);
+  forces.struct_size = sizeof forces;
+
+  wrc_view y = made<wrc_view>(wrc_view_init), z = y;
+  double deviation = 1.0;
+  for (wrc_view* wrong : {&y, &z}) {
+    ASSERT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_OK);
+    wrong->struct_size = 4;
+    deviation = 1.0;
+    EXPECT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_ERROR_STRUCT_SIZE);
+    EXPECT_NE(wrong->data, nullptr);
+    EXPECT_EQ((wrong == &y ? z : y).data, nullptr);
+    EXPECT_EQ(deviation, 0.0);
+    wrong->struct_size = sizeof *wrong;
+  }
+  expect_works();
 }
 
 TEST_F(Interface, NullIsSafeEverywhere) {

@@ -160,6 +160,7 @@ TEST_F(ExactNormal, RefusesNullAndWrongSizes) {
   grid.struct_size = sizeof grid;
   materials.struct_size = 0;
   expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_materials"});
+  EXPECT_EQ(pressure, std::vector<double>(pressure.size(), 0.0));  // the grid is known: its field is zeroed
   materials.struct_size = sizeof materials;
   problem.struct_size += 8;
   expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_exact_normal_problem"});
@@ -226,6 +227,8 @@ TEST_F(ExactNormal, IterationCapIsAFlag) {
   EXPECT_EQ(solve(), WRC_FLAG_ITERATION_CAP);
   EXPECT_GT(solution.residual, problem.tolerance);
   EXPECT_EQ(solution.iterations, 2);
+  EXPECT_NE(std::string(text).find("solution.residual = "), std::string::npos) << text;
+  EXPECT_NE(std::string(text).find("problem.max_iterations"), std::string::npos) << text;
 }
 
 TEST_F(ExactNormal, ReportsProgressAndIsCancelled) {
@@ -435,7 +438,9 @@ TEST_F(ExactRolling, RefusesNullAndWrongSizes) {
   expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_exact_rolling_problem"});
   problem.struct_size = sizeof problem;
   creepage.struct_size = 1;
+  for (auto* each : {&traction_x, &traction_y, &slip_x, &slip_y}) std::fill(each->begin(), each->end(), 7.0);
   expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_creepage"});
+  expect_fields_zero();
   creepage.struct_size = sizeof creepage;
   solution.struct_size = 1;
   EXPECT_EQ(solve(), WRC_ERROR_STRUCT_SIZE);

@@ -672,19 +672,44 @@ TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   refuse(wheel.reference, {"wheel.reference", "wrc_wheel_reference"});
   refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
   refuse(input.prescribed, {"input.prescribed", "wrc_wheel_prescribed"});
-  friction.kind = WRC_FRICTION_FALLING;
-  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.kind", "constant"});
-  friction.kind = WRC_FRICTION_CONSTANT;
-  friction.slope_reduction = 0.5;
-  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.slope_reduction", "constant"});
-  friction.slope_reduction = 1.0;
   const double at[] = {0.0}, zone[] = {0.2};
   friction.zones = 1;
   friction.zone_y = at;
   friction.zone_coefficient = zone;
-  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.zones", "same everywhere"});
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.zone_frame", "WRC_ZONES_RAIL_PROFILE"});
   friction.zones = 0;
   expect_works();
+}
+
+TEST_F(WheelOnRail, FrictionMayDependOnThePlaceAndOnTheSlidingSpeed) {
+  const auto solved = [&] {
+    wrc_wrench result = made<wrc_wrench>(wrc_wrench_init);
+    EXPECT_EQ(wrc_wheel_step(contact, &input, &result), WRC_OK);
+    return result;
+  };
+  // one coefficient in all zones is that coefficient
+  const wrc_wrench plain = solved();
+  const double at[] = {-0.01, 0.01}, same[] = {friction.coefficient, friction.coefficient};
+  friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
+  friction.zones = 2;
+  friction.zone_y = at;
+  friction.zone_coefficient = same;
+  const wrc_wrench zoned = solved();
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(zoned.force[i], plain.force[i], 1e-9 * std::abs(plain.force[2]));
+  // none where the contact lies: no creep force
+  const double none[] = {0.0, 0.0};
+  friction.zone_coefficient = none;
+  EXPECT_EQ(solved().force[0], 0.0);
+  friction.zones = 0;
+  friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
+  // a wheel that skids: friction at its sliding speed, w = V per cent of slip
+  wheel.angular_velocity[1] *= 1.1;
+  const double before = solved().force[0];
+  friction.kind = WRC_FRICTION_STATIC_KINETIC;
+  friction.kinetic_ratio = 0.5;
+  friction.half_speed = 1e-6;
+  EXPECT_NEAR(solved().force[0], 0.5 * before, 0.01 * std::abs(before));
+  friction.kind = WRC_FRICTION_CONSTANT;
 }
 
 TEST_F(WheelOnRail, OtherMethodsSayThatTheyHaveNoWheelStep) {

@@ -128,7 +128,7 @@ class Timed {
     config.struct_size = sizeof config;
     wrc_config_init(&config);
     config.tangential_method = method;
-    config.force_table = file;
+    if (method == WRC_TANGENTIAL_TABLE) config.force_table = file;
     config.strips = config.cells = 32;
     if (wrc_model_create(&config, nullptr, &model_) < 0 ||
         wrc_contact_create(model_, nullptr, &contact_) < 0) {

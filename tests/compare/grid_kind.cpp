@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "kinds.hpp"
 #include "library.hpp"
@@ -26,7 +27,7 @@ wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells
 
 }  // namespace
 
-Report compare_grid(const Csv& file) {
+Report compare_grid(const Csv& file, const Names& only) {
   constexpr int32_t finest = 512;
   constexpr int32_t sizes[] = {16, 24, 32, 48, 64, 96, 128};
   const wrc_config standard = made<wrc_config>(wrc_config_init);
@@ -42,6 +43,7 @@ Report compare_grid(const Csv& file) {
   for (int32_t size : sizes) grids.push_back({std::to_string(size) + "x" + std::to_string(size), size, size});
   report.default_variant = std::to_string(standard.strips) + "x" + std::to_string(standard.cells);
   grids.push_back({report.default_variant, standard.strips, standard.cells});
+  grids = chosen(grids, only);
   for (const Grid& grid : grids) report.variants.push_back(grid.name);
 
   for (std::size_t row = 0; row < file.rows(); ++row) {

@@ -1,4 +1,5 @@
-/// The kinds of comparison, one file each.
+/// The kinds of comparison, one file each. Each runs the variants named in `only`, or all of its own when
+/// that is empty; a name it does not know is an error that lists those it does (see chosen()).
 #pragma once
 
 #include <algorithm>
@@ -8,33 +9,35 @@
 
 namespace compare {
 
-/// What a kind may be told on the command line besides its file.
+using Names = std::vector<std::string>;
+
+/// What the wheel's kinds may be told on the command line.
 struct Options {
-  std::vector<long> only;   ///< cases to run; empty: all
-  bool list = false;        ///< print each case
+  std::vector<long> cases;    ///< to run; empty: all
+  bool list = false;          ///< print each case
   double smoothing = 4.5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
 
   bool wanted(long number) const {
-    return only.empty() || std::find(only.begin(), only.end(), number) != only.end();
+    return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
   }
 };
 
 /// Exact double ellipses with prescribed pressure: forces and power of every tangential variant.
-Report compare_sdec(const Csv& file);
+Report compare_sdec(const Csv& file, const Names& only);
 
 /// Normal contact of S1002 on the benchmark UIC60, strip by strip: every normal method.
-Report compare_normal(const Csv& file);
+Report compare_normal(const Csv& file, const Names& only);
 
 /// Wheel on rail end to end, from the pose to forces and power: normal and tangential methods together.
-Report compare_wheelrail(const Csv& file);
+Report compare_wheelrail(const Csv& file, const Names& only);
 
 /// The exact solver of wrc_offline.h on the same rows, on each row's own grid.
-Report compare_halfspace_sdec(const Csv& file);
-Report compare_halfspace_normal(const Csv& file);
+Report compare_halfspace_sdec(const Csv& file, const Names& only);
+Report compare_halfspace_normal(const Csv& file, const Names& only);
 
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
-Report compare_grid(const Csv& file);
+Report compare_grid(const Csv& file, const Names& only);
 
 /// Wheels on rails from the pose to the wrench (wrc_wheel_step): new and worn profiles at given heights;
 /// flange roots under given loads against conformal theory; second differences along lines through pose

@@ -1,115 +1,139 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
-///   wrc_compare KIND FILE.csv [--json]
-///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--json] [--only CASE,CASE] [--list] [--smoothing MM]
+///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
+///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
+#include <string>
 
 #include "kinds.hpp"
 
 namespace {
 
 using compare::Csv;
+using compare::Names;
 using compare::Options;
 using compare::Report;
 
-/// A kind that takes no options.
-template <Report (*compare_rows)(const Csv&)>
-Report plain(const Csv& file, const Options&) {
-  return compare_rows(file);
-}
-
+/// A kind has variants to choose from, or cases along which a wheel on a rail is looked at.
 struct Kind {
   const char* name;
-  Report (*run)(const Csv&, const Options&);
-  bool by_cases;  ///< takes --only and --list
-  bool smooths;   ///< takes --smoothing
+  Report (*variants)(const Csv&, const Names& only);
+  Report (*cases)(const Csv&, const Options&);
+  bool smooths;  ///< takes --smoothing
   const char* columns;
 };
 
 constexpr Kind kinds[] = {
-    {"sdec", plain<compare::compare_sdec>, false, false,
+    {"sdec", compare::compare_sdec, nullptr, false,
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
-    {"normal", plain<compare::compare_normal>, false, false,
+    {"normal", compare::compare_normal, nullptr, false,
      "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
-    {"wheelrail", plain<compare::compare_wheelrail>, false, false,
+    {"wheelrail", compare::compare_wheelrail, nullptr, false,
      "those of wheelrail_cases.csv: S1002 on UIC60 end to end"},
-    {"halfspace-sdec", plain<compare::compare_halfspace_sdec>, false, false,
+    {"halfspace-sdec", compare::compare_halfspace_sdec, nullptr, false,
      "those of sdec_cases.csv: the exact solver on each row's grid"},
-    {"halfspace-normal", plain<compare::compare_halfspace_normal>, false, false,
+    {"halfspace-normal", compare::compare_halfspace_normal, nullptr, false,
      "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
-    {"grid", plain<compare::compare_grid>, false, false,
+    {"grid", compare::compare_grid, nullptr, false,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
-    {"wheelset", compare::compare_wheelset, true, true,
+    {"wheelset", nullptr, compare::compare_wheelset, true,
      "those of wheelset_cases.csv or worn_cases.csv: pose to wrench, height prescribed"},
-    {"conformal", compare::compare_conformal, true, false,
+    {"conformal", nullptr, compare::compare_conformal, false,
      "those of conformal_cases.csv: pose to wrench, load prescribed"},
-    {"scan", compare::compare_scan, true, false,
+    {"scan", nullptr, compare::compare_scan, false,
      "those of scan_cases.csv: smoothness along lines through pose space, no reference needed"},
-    {"loop", compare::compare_loop, true, false,
+    {"loop", nullptr, compare::compare_loop, false,
      "those of loop_cases.csv: work round closed paths, no reference needed"},
 };
 
-int usage() {
-  std::fprintf(stderr,
-               "usage: wrc_compare KIND FILE.csv [options]\n\nKIND and the columns FILE must have:\n");
-  for (const Kind& kind : kinds) std::fprintf(stderr, "  %-16s %s\n", kind.name, kind.columns);
-  std::fprintf(stderr,
-               "--json            the last line of the output is one JSON object\n"
-               "wheelset, conformal, scan, loop, whose profiles lie in profiles/ beside FILE:\n"
-               "--only CASE,CASE  these cases alone\n"
-               "--list            every case as well: error, forces\n"
-               "wheelset:\n"
-               "--smoothing MM    wave length for measured profiles with noise [4.5]\n");
+void usage(FILE* to) {
+  std::fprintf(to, "usage: wrc_compare KIND FILE.csv [options]\n\nKIND and the columns FILE must have:\n");
+  for (const Kind& kind : kinds) std::fprintf(to, "  %-16s %s\n", kind.name, kind.columns);
+  std::fprintf(
+      to,
+      "--json: the last line of the output is one JSON object\n"
+      "--only VARIANT[,VARIANT]: just these, by the names in the table, as in --only strip_fastsim,table; "
+      "all of\n"
+      "        them may take minutes. A name that KIND does not know is answered with those it does\n"
+      "wheelset, conformal, scan, loop, whose profiles lie in profiles/ beside FILE, instead of --only:\n"
+      "--case N[,N]: these cases alone\n"
+      "--list: every case as well, with its error and forces\n"
+      "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n");
+}
+
+/// Refuses the command line.
+int misused(const std::string& why) {
+  std::fprintf(stderr, "wrc_compare: %s\n\n", why.c_str());
+  usage(stderr);
   return 2;
 }
 
-/// false: not an option of this kind.
-bool read_option(const Kind& kind, int argc, char** argv, int& at, Options& options, bool& json) {
-  const std::string name = argv[at];
-  if (name == "--json") {
-    json = true;
-  } else if (name == "--list" && kind.by_cases) {
-    options.list = true;
-  } else if (name == "--only" && kind.by_cases && at + 1 < argc) {
-    for (char* text = argv[++at]; *text != '\0';) {
-      char* end = text;
-      options.only.push_back(std::strtol(text, &end, 10));
-      if (end == text || (*end != ',' && *end != '\0')) return false;
-      text = *end == ',' ? end + 1 : end;
+Names split(const std::string& list) {
+  Names names(1);
+  for (const char c : list) {
+    if (c == ',') {
+      names.emplace_back();
+    } else {
+      names.back() += c;
     }
-  } else if (name == "--smoothing" && kind.smooths && at + 1 < argc) {
-    char* end = nullptr;
-    options.smoothing = 1e-3 * std::strtod(argv[++at], &end);
-    if (*end != '\0') return false;
-  } else {
-    return false;
   }
-  return true;
+  return names;
+}
+
+/// The whole of a word as a number; false: it is none.
+bool number(const std::string& word, double& value) {
+  char* end = nullptr;
+  value = std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == '\0';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return usage();
-  for (const Kind& kind : kinds) {
-    if (std::strcmp(argv[1], kind.name) != 0) continue;
-    Options options;
-    bool json = false;
-    for (int i = 3; i < argc; ++i) {
-      if (!read_option(kind, argc, argv, i, options, json)) return usage();
-    }
-    try {
-      const Report report = kind.run(Csv(argv[2]), options);
-      report.print_table();
-      if (json) report.print_json();
-      return 0;
-    } catch (const std::exception& problem) {
-      std::fprintf(stderr, "wrc_compare: %s\n", problem.what());
-      return 1;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 1 && words[0] == "--help") {
+    usage(stdout);
+    return 0;
+  }
+  if (words.size() < 2) return misused("KIND and FILE.csv are missing");
+  const Kind* kind = nullptr;
+  for (const Kind& known : kinds)
+    if (words[0] == known.name) kind = &known;
+  if (!kind) return misused("'" + words[0] + "' is no KIND");
+  bool json = false;
+  Names only;
+  Options options;
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const bool has_value = i + 1 < words.size();
+    double value = 0.0;
+    if (words[i] == "--json") {
+      json = true;
+    } else if (words[i] == "--only" && kind->variants && has_value) {
+      only = split(words[++i]);
+    } else if (words[i] == "--list" && kind->cases) {
+      options.list = true;
+    } else if (words[i] == "--case" && kind->cases && has_value) {
+      for (const std::string& word : split(words[++i])) {
+        if (!number(word, value)) return misused("'" + word + "' is no number of a case");
+        options.cases.push_back(static_cast<long>(value));
+      }
+    } else if (words[i] == "--smoothing" && kind->smooths && has_value) {
+      if (!number(words[++i], value)) return misused("'" + words[i] + "' is no length in mm");
+      options.smoothing = 1e-3 * value;
+    } else {
+      return misused("'" + words[i] + "' is no option of " + words[0] + ", or lacks its value");
     }
   }
-  return usage();
+  try {
+    const Csv file(words[1]);
+    const Report report = kind->variants ? kind->variants(file, only) : kind->cases(file, options);
+    report.print_table();
+    if (json) report.print_json();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "wrc_compare: %s\n", error.what());
+    return 1;
+  }
 }

@@ -12,7 +12,7 @@ struct Variant {
   int32_t method;
 };
 
-constexpr Variant variants[] = {
+const std::vector<Variant> every_variant = {
     {"hertz", WRC_NORMAL_HERTZ},
     {"kik_piotrowski", WRC_NORMAL_KIK_PIOTROWSKI},
     {"ekp", WRC_NORMAL_EKP},
@@ -47,7 +47,7 @@ LineLoad computed_line_load(const Solver& solver, int32_t patches) {
 
 }  // namespace
 
-Report compare_normal(const Csv& file) {
+Report compare_normal(const Csv& file, const Names& only) {
   const wrc_config standard = made<wrc_config>(wrc_config_init);
   wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
   wheel.kind = WRC_PROFILE_S1002;
@@ -58,7 +58,7 @@ Report compare_normal(const Csv& file) {
   report.kind = "normal";
   report.rows = cases.size();
   report.measures = {"peak_pressure", "area", "approach", "line_load"};
-  for (const Variant& variant : variants) {
+  for (const Variant& variant : chosen(every_variant, only)) {
     report.variants.emplace_back(variant.name);
     if (variant.method == standard.normal_method) report.default_variant = variant.name;
     wrc_config config = standard;  // G = 80 GPa, nu = 0.25, R = 460 mm: those of the reference

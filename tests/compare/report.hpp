@@ -1,7 +1,9 @@
 /// Errors of every variant over the rows of a file, and how they are printed.
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,5 +54,23 @@ struct Report {
   void print_json() const;  ///< one line: {"kind", "rows", "variants": {...}, "default", "failed"}; a measure
                             ///< without a single row is left out
 };
+
+/// The variants to run: those of `all` named in `only`, in their own order; all of them when none is named.
+/// Throws std::runtime_error with the known names when one is unknown.
+template <class Variant>
+std::vector<Variant> chosen(const std::vector<Variant>& all, const std::vector<std::string>& only) {
+  if (only.empty()) return all;
+  std::vector<Variant> found;
+  for (const Variant& variant : all)
+    if (std::find(only.begin(), only.end(), variant.name) != only.end()) found.push_back(variant);
+  for (const std::string& name : only) {
+    if (std::any_of(all.begin(), all.end(), [&](const Variant& variant) { return variant.name == name; }))
+      continue;
+    std::string message = "no variant '" + name + "'; known are";
+    for (const Variant& variant : all) message += std::string("\n  ") + variant.name;
+    throw std::runtime_error(message);
+  }
+  return found;
+}
 
 }  // namespace compare

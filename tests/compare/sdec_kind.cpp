@@ -48,7 +48,7 @@ std::vector<Variant> every_variant() {
 
 }  // namespace
 
-Report compare_sdec(const Csv& file) {
+Report compare_sdec(const Csv& file, const Names& only) {
   const wrc_config standard = made<wrc_config>(wrc_config_init);
   Report report;
   report.kind = "sdec";
@@ -56,7 +56,7 @@ Report compare_sdec(const Csv& file) {
   // The reference's power is a sum over its cells and lies up to a third below what its own forces dissipate
   // by the energy balance of steady rolling; the truth on fine grids is near the balance. Both are compared.
   report.measures = {"force", "power", "power_balance"};
-  for (const Variant& variant : every_variant()) {
+  for (const Variant& variant : chosen(every_variant(), only)) {
     report.variants.emplace_back(variant.name);
     if (variant.method == standard.tangential_method && variant.bound == standard.traction_bound &&
         variant.flexibility == standard.flexibility) {
@@ -67,7 +67,7 @@ Report compare_sdec(const Csv& file) {
       config.tangential_method = variant.method;
       config.traction_bound = variant.bound;
       config.flexibility = variant.flexibility;
-      config.force_table = WRC_FORCE_TABLE;
+      if (variant.method == WRC_TANGENTIAL_TABLE) config.force_table = WRC_FORCE_TABLE;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
       const Solver solver(config);

@@ -127,6 +127,26 @@ void make_rail(Choices& choices, ProfilePoints& rail) {
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
 
+/// What the methods do not read is refused: as the library's defaults have it.
+static void leave_unread(wrc_config& config) {
+  const wrc_config untouched = made<wrc_config>(wrc_config_init);
+  if (config.normal_method == WRC_NORMAL_STRIP_HALFSPACE)
+    config.load_tolerance = untouched.load_tolerance;
+  else
+    config.warm_start = untouched.warm_start;
+  if (config.tangential_method > WRC_TANGENTIAL_FASTSIM_SDEC &&
+      config.tangential_method != WRC_TANGENTIAL_MODIFIED_FASTSIM) {
+    config.traction_bound = untouched.traction_bound;
+    config.flexibility = untouched.flexibility;
+  }
+  if (config.wheel != nullptr) return;
+  config.side = untouched.side;
+  config.flange_back_distance = untouched.flange_back_distance;
+  config.track_gauge = untouched.track_gauge;
+  config.gauge_depth = untouched.gauge_depth;
+  config.rail_inclination = untouched.rail_inclination;
+}
+
 wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile* wheel,
                        const wrc_profile* rail) {
   // On a handful of strips and cells everything is at a border.
@@ -139,7 +159,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   config.normal_method = static_cast<std::int32_t>(choices.below(7));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
   config.tangential_method = static_cast<std::int32_t>(choices.below(WRC_TANGENTIAL_COARSE_HALFSPACE + 1));
-  config.force_table = WRC_FORCE_TABLE;
+  if (config.tangential_method == WRC_TANGENTIAL_TABLE) config.force_table = WRC_FORCE_TABLE;
   config.traction_bound = static_cast<std::int32_t>(choices.below(3));
   config.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.strips = count(4.0, finest);
@@ -163,6 +183,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
     config.wheel = wheel;
     config.rail = rail;
   }
+  if (!choices.one_in(16)) leave_unread(config);
   return config;
 }
 
@@ -233,18 +254,25 @@ wrc_creepage make_creepage(Choices& choices) {
   return creepage;
 }
 
-void make_friction(Choices& choices, FrictionArrays& arrays) {
+void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
   friction = made<wrc_friction>(wrc_friction_init);
   friction.coefficient = choices.one_in(40) ? choices.poison() : choices.magnitude(1e-4, 2.0);
   friction.kind = static_cast<std::int32_t>(choices.below(3));
   if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 3 : -1;
-  friction.kinetic_ratio = choices.one_in(4) ? 0.0 : choices.magnitude(1e-12, 1.0);
-  friction.fall_rate = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
-  friction.half_speed = choices.magnitude(1e-6, 1e2);
+  // What neither the kind nor the method reads is refused: seldom here.
+  const bool stray = choices.one_in(16);
+  if (stray || friction.kind != WRC_FRICTION_CONSTANT)
+    friction.kinetic_ratio = choices.one_in(4) ? 0.0 : choices.magnitude(1e-12, 1.0);
+  if (stray || friction.kind == WRC_FRICTION_FALLING)
+    friction.fall_rate = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+  if (stray || friction.kind == WRC_FRICTION_STATIC_KINETIC)
+    friction.half_speed = choices.magnitude(1e-6, 1e2);
   if (choices.one_in(2)) friction.slope_reduction = choices.magnitude(1e-2, 1.0);
-  friction.slope_limit = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1.0);
-  friction.slope_fall = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+  if (stray || tangential_method == WRC_TANGENTIAL_MODIFIED_FASTSIM) {
+    friction.slope_limit = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1.0);
+    friction.slope_fall = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+  }
   if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
   if (!choices.one_in(2)) return;
   std::uint32_t count = 1 + choices.below(8);

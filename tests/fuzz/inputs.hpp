@@ -39,7 +39,7 @@ wrc_load make_load(Choices& choices);
 wrc_motion make_motion(Choices& choices);
 wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
-void make_friction(Choices& choices, FrictionArrays& made);
+void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);
 wrc_patch make_patch(Choices& choices);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);

@@ -250,7 +250,7 @@ class Case {
     const wrc_load load = make_load(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, given);
+    make_friction(choices_, config_.tangential_method, given);
     const wrc_friction& friction = given.friction;
     Results results;
     const wrc_input input = {sizeof input, 0,        with_pose ? &pose : nullptr, &gap.gap, &load,
@@ -267,7 +267,7 @@ class Case {
     const wrc_patch patch = make_patch(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, given);
+    make_friction(choices_, config_.tangential_method, given);
     const wrc_friction& friction = given.friction;
     Results results;
     std::int32_t status =
@@ -282,7 +282,7 @@ class Case {
     make_strips(choices_, config_.strips, strips);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, given);
+    make_friction(choices_, config_.tangential_method, given);
     const wrc_friction& friction = given.friction;
     Results results;
     std::int32_t status = timed([&] { return wrc_regularise(contact_, &strips.strips, &results.patch); });
@@ -302,7 +302,7 @@ class Case {
       const wrc_load load = make_load(choices_);
       const wrc_creepage creepage = make_creepage(choices_);
       FrictionArrays given;
-      make_friction(choices_, given);
+      make_friction(choices_, config_.tangential_method, given);
       const wrc_friction& friction = given.friction;
       Results results;
       std::int32_t status = WRC_OK;

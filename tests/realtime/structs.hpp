@@ -18,11 +18,15 @@ inline constexpr int32_t normal_methods = WRC_NORMAL_STRIP_HALFSPACE + 1;
 inline constexpr int32_t tangential_methods = WRC_TANGENTIAL_COARSE_HALFSPACE + 1;
 static_assert(std::size(normal_names) == normal_methods && std::size(tangential_names) == tangential_methods);
 
-/// The default configuration, with the book of tables at hand for the method that asks for it.
-inline wrc_config made_config() {
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.force_table = WRC_FORCE_TABLE;
-  return config;
+/// Takes a tangential method, and the book of tables for the one that reads it.
+inline void choose_tangential(wrc_config& config, int32_t method) {
+  config.tangential_method = method;
+  config.force_table = method == WRC_TANGENTIAL_TABLE ? WRC_FORCE_TABLE : nullptr;
+}
+
+/// The modified FASTSIM's slope falls; every other method refuses a fall it does not read.
+inline double slope_fall_for(int32_t tangential_method) {
+  return tangential_method == WRC_TANGENTIAL_MODIFIED_FASTSIM ? 0.6 : 0.0;
 }
 
 /// Has this processor, and this build, the instruction set?

@@ -203,16 +203,11 @@ TEST(ContactSearch, WheelBesideTheRailIsAnError) {
   EXPECT_EQ(beside.count, 0);
 }
 
-TEST(ContactSearch, NonsenseInAPoseIsRefusedByName) {
-  EXPECT_EQ(check(Pose{}).status, WRC_OK);
-  EXPECT_EQ(check(Pose{.lateral = 5.0}).status, WRC_ERROR_RANGE);
-  EXPECT_STREQ(check(Pose{.lateral = 5.0}).field, "pose.lateral");
-  EXPECT_STREQ(check(Pose{.yaw = 2.0}).cause, "did you pass degrees?");
+TEST(ContactSearch, APoseThatIsNoNumberHasNoContact) {
   const ReferenceBodies bodies;
   for (const Pose& pose :
        {Pose{.lateral = std::nan("")}, Pose{.vertical = std::nan("")}, Pose{.roll = std::nan("")},
         Pose{.yaw = std::nan("")}, Pose{.lateral = INFINITY}}) {
-    EXPECT_EQ(check(pose).status, WRC_ERROR_NOT_FINITE);
     const Found found = find(bodies, pose);
     EXPECT_TRUE(found.fault.failed());
     EXPECT_EQ(found.count, 0);

@@ -364,7 +364,8 @@ TEST(ForceTableFile, IsNeeded) {
   EXPECT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_ERROR_FILE);
   EXPECT_EQ(bytes, 0u);
   config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it
-  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK);
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
+  expect_mentions(text, "WRC_TANGENTIAL_TABLE");
 }
 
 TEST(ForceTableFile, IsRefusedWhenShort) {

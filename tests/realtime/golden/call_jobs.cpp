@@ -177,7 +177,7 @@ void run_refused(wrc_contact* contact, Hash& hash) {
 
 void add_plain_calls(Plan& plan) {
   const std::size_t model = plan.models.size();
-  wrc_config& config = plan.models.emplace_back(made_config());
+  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
   config.wheel = &plan.profiles[0];
   config.rail = &plan.profiles[1];
   plan.jobs.push_back({"geometry", model, {}, run_geometry});

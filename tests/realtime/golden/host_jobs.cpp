@@ -56,9 +56,9 @@ HostGap by_elements(const std::vector<Bump>& bumps, int rows, int columns) {
 }
 
 wrc_config& add_model(Plan& plan, int32_t normal, int32_t tangential) {
-  wrc_config& config = plan.models.emplace_back(made_config());
+  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
   config.normal_method = normal;
-  config.tangential_method = tangential;
+  choose_tangential(config, tangential);
   config.strips = 45;
   config.cells = 24;
   return config;

@@ -8,11 +8,11 @@ constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3};
 constexpr double zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
 
 /// Friction number i: the three kinds in turn, every other time with zones, in the one frame and the other.
-wrc_friction friction_number(int i) {
+wrc_friction friction_number(int i, int32_t tangential) {
   wrc_friction friction = made<wrc_friction>(wrc_friction_init);
   friction.kind = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
-  friction.slope_fall = 0.6;
+  friction.slope_fall = slope_fall_for(tangential);
   friction.zones = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
   friction.zone_coefficient = zone_coefficient;
@@ -21,7 +21,7 @@ wrc_friction friction_number(int i) {
 }
 
 /// One patch and two; every friction number; once in a while damped.
-std::vector<Step> steps_with_laws() {
+std::vector<Step> steps_with_laws(int32_t tangential) {
   std::vector<Step> steps;
   Numbers numbers(7);
   for (int i = 0; i < 12; ++i) {
@@ -36,14 +36,14 @@ std::vector<Step> steps_with_laws() {
     step.creepage.lateral = numbers.between(-3e-3, 3e-3);
     step.creepage.spin = numbers.between(-0.6, 0.6);
     step.creepage.speed = 40.0;
-    step.friction = friction_number(i);
+    step.friction = friction_number(i, tangential);
     steps.push_back(step);
   }
   return steps;
 }
 
-void run_sensitivities(wrc_contact* contact, Hash& hash) {
-  for (const Step& step : steps_with_laws()) {
+void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Hash& hash) {
+  for (const Step& step : steps) {
     wrc_input input = made<wrc_input>(wrc_input_init);
     input.pose = &step.pose;
     input.load = &step.load;
@@ -67,14 +67,18 @@ void run_sensitivities(wrc_contact* contact, Hash& hash) {
 
 void add_laws(Plan& plan) {
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
-    wrc_config& config = plan.models.emplace_back(made_config());
+    wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
     config.normal_method = WRC_NORMAL_EKP;
-    config.tangential_method = tangential;
+    choose_tangential(config, tangential);
     config.strips = 26;
     config.cells = 18;
     config.wheel = &plan.profiles[0];
     config.rail = &plan.profiles[1];
-    plan.jobs.push_back({"friction", plan.models.size() - 1, steps_with_laws(), {}});
-    plan.jobs.push_back({"sensitivities", plan.models.size() - 1, {}, run_sensitivities});
+    const std::vector<Step> steps = steps_with_laws(tangential);
+    plan.jobs.push_back({"friction", plan.models.size() - 1, steps, {}});
+    plan.jobs.push_back(
+        {"sensitivities", plan.models.size() - 1, {}, [steps](wrc_contact* contact, Hash& hash) {
+           run_sensitivities(steps, contact, hash);
+         }});
   }
 }

@@ -75,7 +75,7 @@ wrc_config& add_model(Plan& plan) {
     plan.profiles[0].kind = WRC_PROFILE_S1002;
     plan.profiles[1].kind = WRC_PROFILE_UIC60_BENCHMARK;
   }
-  wrc_config& config = plan.models.emplace_back(made_config());
+  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
   config.wheel = &plan.profiles[0];
   config.rail = &plan.profiles[1];
   return config;
@@ -93,13 +93,14 @@ void add_methods(Plan& plan) {
     config.regularisation = normal % 2;
     add_job(plan, std::string("normal ") + normal_names[normal], poses);
   }
-  const std::vector<Step> few = {poses[0], poses[2], poses[3], poses[5]};
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+    std::vector<Step> few = {poses[0], poses[2], poses[3], poses[5]};
+    for (Step& step : few) step.friction.slope_fall = slope_fall_for(tangential);
     const std::string group = std::string("tangential ") + tangential_names[tangential];
     for (int32_t normal = 0; normal < normal_methods; ++normal) {
       wrc_config& config = add_model(plan);
       config.normal_method = normal;
-      config.tangential_method = tangential;
+      choose_tangential(config, tangential);
       config.strips = 28;
       config.cells = 16;
       config.gap_rows = 128;
@@ -108,8 +109,10 @@ void add_methods(Plan& plan) {
     for (int32_t bound : {WRC_BOUND_PARABOLIC, WRC_BOUND_ELLIPTIC}) {
       wrc_config& config = add_model(plan);
       config.normal_method = WRC_NORMAL_EKP;
-      config.tangential_method = tangential;
+      choose_tangential(config, tangential);
       config.traction_bound = bound;
+      if (wrc_config_check(&config, nullptr, 0) != WRC_OK)
+        config.traction_bound = WRC_BOUND_PARABOLIC;  // the method has a bound of its own
       config.strips = 37;
       config.cells = 21;
       add_job(plan, group, few);
@@ -123,7 +126,7 @@ void add_flexibilities(Plan& plan) {
   for (int32_t flexibility : {WRC_FLEXIBILITY_SINGLE, WRC_FLEXIBILITY_BLENDED}) {
     for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
       wrc_config& config = add_model(plan);
-      config.tangential_method = tangential;
+      choose_tangential(config, tangential);
       config.flexibility = flexibility;
       if (wrc_config_check(&config, nullptr, 0) != WRC_OK) {
         plan.models.pop_back();
@@ -139,7 +142,7 @@ void add_creepages(Plan& plan) {
   const std::vector<Step> steps = creepages();
   for (int32_t tangential : {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTSIM_SDEC}) {
     wrc_config& config = add_model(plan);
-    config.tangential_method = tangential;
+    choose_tangential(config, tangential);
     config.poisson = tangential == WRC_TANGENTIAL_STRIP_FASTSIM ? 0.28 : 0.25;
     // Contacts of one model, so that threads have something to share.
     for (std::size_t first = 0; first < steps.size(); first += 7)
@@ -155,7 +158,7 @@ void add_grids(Plan& plan) {
        {std::pair{4, 4}, {5, 7}, {7, 31}, {9, 8}, {17, 33}, {50, 60}, {64, 64}, {130, 5}}) {
     for (int32_t tangential : {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTSIM_SDEC}) {
       wrc_config& config = add_model(plan);
-      config.tangential_method = tangential;
+      choose_tangential(config, tangential);
       config.strips = strips;
       config.cells = cells;
       add_job(plan, "grids", {poses[0], poses[3]});

@@ -44,16 +44,16 @@ Wheel::Wheel(const Methods& with) : methods(with) {
   wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
   wheel.kind = WRC_PROFILE_S1002;
   rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made_config();
+  wrc_config config = made<wrc_config>(wrc_config_init);
   config.side = methods.side;
   config.normal_method = methods.normal;
-  config.tangential_method = methods.tangential;
+  choose_tangential(config, methods.tangential);
   config.strips = methods.strips;
   config.cells = methods.cells;
   config.instruction_set = methods.instruction_set;
   config.traction_bound = methods.bound;
   config.flexibility = methods.flexibility;
-  config.warm_start = 1;
+  config.warm_start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
   config.wheel = &wheel;
   config.rail = &rail;
   std::uint64_t bytes = 0, alignment = 0;
@@ -87,7 +87,7 @@ void Wheel::vary_laws(int i) {
   static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
   friction.kind = i % 3;
   friction.slope_reduction = i % 5 == 4 ? 0.4 : 1.0;
-  friction.slope_fall = 0.6;
+  friction.slope_fall = slope_fall_for(methods.tangential);
   friction.zones = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
   friction.zone_coefficient = zone_coefficient;
