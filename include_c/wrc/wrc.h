@@ -674,24 +674,32 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* 
  * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
+/** Length of a saved state, about half of the memory a contact takes.
+ * @param model the model
+ * @param[out] bytes size; zero on failure
+ * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
+WRC_API int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes);
+
 /** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
  * for any contact of the same model, in this process. After the same calls it has the same bytes.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
- * @param bytes of buffer, as from wrc_contact_size()
+ * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes);
 
-/** Puts a saved state back, bit for bit.
+/** Puts a saved state back, bit for bit; what wrc_last_error() says is part of it. A call that fails changes nothing
+ * but that sentence.
  * @param contact a contact of the model the state was saved from
  * @param buffer from wrc_contact_save()
- * @param bytes of buffer
+ * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
 /** The sentence behind the status of the last stage or step on this contact, for example
  *   "load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach instead"
- * and empty after WRC_OK. wrc_field, wrc_contact_save and wrc_contact_restore do not change it on failure.
+ * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
+ * sentence of the saved state. Calls that take a const contact (wrc_field, wrc_contact_save) do not change it.
  * @param contact the contact
  * @param[out] buffer the sentence, terminated, cut if need be
  * @param size bytes of buffer
@@ -926,6 +934,7 @@ typedef struct wrc_api {
   int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
   int32_t (*sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_sensitivities() */
   int32_t (*step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_step_sensitivities() */
+  int32_t (*contact_state_size)(const wrc_model*, uint64_t*); /**< wrc_contact_state_size() */
 } wrc_api;
 
 /** The function table of this library.
