@@ -19,11 +19,13 @@
  *
  * @par Frame, signs, units
  * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
- *  - Track frame: x rolling direction, y to the right, z down; origin between the rails, level with their tops.
- *  - Contact frame: origin at the initial contact point, x rolling direction, y lateral in the contact plane (to the
+ *  - Track frame: x forward along the track, y to the right, z down; origin between the rails, level with their tops.
+ *  - Contact frame: origin at the initial contact point, x as that of the track, y lateral in the contact plane (to the
  *    right), z normal into the rail. Right-handed. For a right wheel y > 0 is the field side, y < 0 the flange side.
+ *    Particles enter the patch at its +x end when rolling forward (speed > 0), at its -x end when rolling backwards.
  *  - Creepage: rigid slip of the wheel over the rail per unit rolled length at (x, y) is
- *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame.
+ *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame. The unit is an amount:
+ *    whichever way the wheel rolls, creepages have the signs of the sliding velocities.
  *  - Forces and tractions act ON THE WHEEL and oppose the slip: for small creepage F_x = -G a b C11 longitudinal.
  *
  * @par Conventions of the interface
@@ -186,7 +188,7 @@ enum wrc_prescribed {
 };
 
 /** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells
- * have count[0] = cells along the strip (0 is the leading edge) and count[1] = strips (by increasing y); fields over
+ * have count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by increasing y); fields over
  * strips have count[0] = strips. After wrc_tangential strips are those the tractions live on: of the ellipse, in the
  * variants that use one. */
 enum wrc_field_id {
@@ -330,16 +332,21 @@ typedef struct wrc_load {
   double damping;       /**< 0..10 s/m, with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0] */
 } wrc_load;
 
-/** Rigid slip per unit rolled length and rolling speed. A creepage below 1e-100 counts as none. */
+/** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts as
+ * none. */
 typedef struct wrc_creepage {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double longitudinal;  /**< nu_x, -10..10 [0] */
   double lateral;       /**< nu_y, -10..10 [0] */
   double spin;          /**< phi, -1000..1000 1/m [0] */
-  double speed;         /**< rolling speed V, 0..200 m/s; scales the power only [1] */
+  double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount scales
+                             the power and the sliding speed of friction that falls [1] */
   double approach_velocity; /**< result of wrc_creepages(), not read: velocity of the wheel's point along the contact
                                  normal into the rail [m/s], for wrc_load [0] */
+  double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than speed
+                             says, 0..0.5: near standstill wrc_creepages() sets it, and both ways are solved; fields,
+                             what damage and wear make of them are of the way of speed [0] */
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
@@ -419,7 +426,7 @@ typedef struct wrc_forces {
 typedef struct wrc_motion {
   uint32_t struct_size;     /**< sizeof this struct */
   uint32_t reserved;        /**< 0 */
-  double speed;             /**< of its middle along the track, 0..200 m/s [0] */
+  double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0] */
   double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
   double vertical_velocity; /**< down, -20..20 m/s [0] */
   double roll_rate;         /**< -100..100 rad/s [0] */
@@ -718,13 +725,21 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
 /** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
- * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
- * and rail material pass through the contact. All zero at standstill, but for approach_velocity. Theory manual,
- * section 7.
+ * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
+ * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
+ * standstill: -2). What it gives wrc_tangential takes, as it stands:
+ *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) / 8,
+ *    u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power right,
+ *    and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion through
+ *    V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
+ *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by it.
+ *  - |speed| ends at 200 m/s.
+ * Theory manual, section 7.
  * @param contact the contact
  * @param motion of the wheelset, track frame
- * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE.
+ * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
+ * wrc_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
 
@@ -756,7 +771,7 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
- * are usable); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
+ * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
  * wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
@@ -786,7 +801,8 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (as wrc_tangential()); WRC_ERROR_NULL, _STRUCT_SIZE,
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_tangential());
+ * WRC_ERROR_NULL, _STRUCT_SIZE,
  * _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
 WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
 

@@ -222,7 +222,7 @@ wrc_load make_load(Choices& choices) {
 
 wrc_motion make_motion(Choices& choices) {
   wrc_motion motion = made<wrc_motion>(wrc_motion_init);
-  motion.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  motion.speed = choices.signed_magnitude(1e-6, 200.0);
   motion.lateral_velocity = choices.signed_magnitude(1e-9, 20.0);
   motion.vertical_velocity = choices.signed_magnitude(1e-9, 20.0);
   motion.roll_rate = choices.signed_magnitude(1e-9, 100.0);
@@ -249,7 +249,8 @@ wrc_creepage make_creepage(Choices& choices) {
   creepage.longitudinal = choices.signed_magnitude(1e-15, most);
   creepage.lateral = choices.signed_magnitude(1e-15, most);
   creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
-  creepage.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  creepage.speed = choices.signed_magnitude(1e-6, 200.0);
+  if (choices.one_in(8)) creepage.other_way = choices.between(0.0, 0.5);
   if (choices.one_in(40)) creepage.spin = choices.poison();
   return creepage;
 }

@@ -76,6 +76,7 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_PATCH_AT_EDGE:
     case WRC_FLAG_MORE_PATCHES:
     case WRC_FLAG_TABLE_RANGE:
+    case WRC_FLAG_CREEPAGES_LIMITED:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
     case WRC_ERROR_GAP:
