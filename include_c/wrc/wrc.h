@@ -217,10 +217,13 @@ enum wrc_field_id {
 
 /* ------------------------------------------------------------------------------------------------------ structs */
 
-/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points no further than 35 mm
- * apart over 20 to 500 mm, within 1 m of the origin.
+/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm apart (closer,
+ * slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a step: 1 mm or more from one point to
+ * the next at over 79 degrees (of a rail: 56 degrees, on its upper 40 mm), between parts below 45 degrees and a fifth
+ * as steep.
  *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
- *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). */
+ *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points reach
+ *    down to config.gauge_depth at least, after canting. */
 typedef struct wrc_profile {
   uint32_t struct_size; /**< sizeof this struct */
   int32_t kind;         /**< enum wrc_profile_kind */
@@ -264,7 +267,8 @@ typedef struct wrc_config {
                                   not read by a model without profiles [1.360] */
   double track_gauge;          /**< 0.3..2.5 m [1.435] */
   double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
-  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
+  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025; must be 0
+                                    for WRC_PROFILE_UIC60_BENCHMARK, which is canted already */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */
   int32_t flexibility;         /**< enum wrc_flexibility; read by the FASTSIM variants and MODIFIED_FASTSIM [separate] */
@@ -307,11 +311,12 @@ typedef struct wrc_gap {
   uint32_t rows;           /**< 4..config.gap_rows */
   uint32_t columns;        /**< 0, or 3..100000 */
   uint32_t reserved;       /**< 0 */
-  const double* y;         /**< [m], -0.3..0.3, strictly increasing, rows of them */
+  const double* y;         /**< [m], -0.3..0.3, increasing, rows of them at least 1e-6 m apart: slopes are read off
+                                neighbours, and closer they are made of the errors of heights */
   const double* height;    /**< [m], -0.3..0.3, columns == 0 */
   const double* centre;    /**< [m], -0.3..0.3, columns == 0; NULL: zero */
   const double* curvature; /**< [1/m], 1e-3..1e6, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
-  const double* x;         /**< [m], -0.3..0.3, strictly increasing, columns > 0 */
+  const double* x;         /**< [m], -0.3..0.3, increasing, at least 1e-6 m apart, columns > 0 */
   const double* h;         /**< [m], -0.3..0.3, columns > 0 */
   uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
 } wrc_gap;

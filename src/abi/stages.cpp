@@ -88,8 +88,20 @@ Fault check_motion(const wrc_motion& motion) {
                          "did you pass rpm?", "did you pass rpm?")});
 }
 
-Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* cause) {
+/// Positions of rows or of the elements in them. `spacing`: what their distance is called.
+Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* spacing,
+                       const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
+    if (y[j] > y[j - 1] && y[j] - y[j - 1] < row_spacing_least) {
+      return {.status = WRC_ERROR_GAP,
+              .index = static_cast<std::int32_t>(j),
+              .field = spacing,
+              .value = y[j] - y[j - 1],
+              .unit = "m",
+              .low = row_spacing_least,
+              .high = 0.6,
+              .cause = "so close together, slopes are made of the errors of heights: leave one out"};
+    }
     if (!(y[j] > y[j - 1])) {
       return {.status = WRC_ERROR_GAP,
               .index = static_cast<std::int32_t>(j),
@@ -116,9 +128,9 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                 "a gap needs at least four rows", "raise config.gap_rows");
   if (fault.failed()) return fault;
   if (gap.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.y"};
-  fault = first_of(
-      {check_extent(gap.y, gap.rows, "gap.y"),
-       check_increasing(gap.y, gap.rows, "gap.y", "rows must be in order of strictly increasing y")});
+  fault = first_of({check_extent(gap.y, gap.rows, "gap.y"),
+                    check_increasing(gap.y, gap.rows, "gap.y", "spacing of gap.y",
+                                     "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::int32_t>(gap.rows);
 
@@ -130,9 +142,9 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                   check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
                         static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements")});
     if (fault.failed()) return fault;
-    fault = first_of(
-        {check_extent(gap.x, gap.columns, "gap.x"),
-         check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
+    fault = first_of({check_extent(gap.x, gap.columns, "gap.x"),
+                      check_increasing(gap.x, gap.columns, "gap.x", "spacing of gap.x",
+                                       "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
       fault = check_extent(gap.h + j * gap.row_stride, gap.columns, "gap.h");

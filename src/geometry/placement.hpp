@@ -58,7 +58,7 @@ struct Wheel {
 };
 
 /// Canted, top at z = 0, gauge face at half the gauge. The gauge face is the innermost point of the profile
-/// that lies no deeper than the gauge depth below the top.
+/// that lies no deeper than the gauge depth below the top; WRC_ERROR_PROFILE where the profile ends above.
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 
