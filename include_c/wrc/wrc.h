@@ -187,10 +187,10 @@ enum wrc_prescribed {
   WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
 };
 
-/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells
- * have count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by increasing y); fields over
- * strips have count[0] = strips. After wrc_tangential strips are those the tractions live on: of the ellipse, in the
- * variants that use one. */
+/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells have
+ * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by
+ * increasing y); fields over strips have count[0] = strips. After wrc_tangential strips are those the tractions live
+ * on: of the ellipse, in the variants that use one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
   WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
@@ -217,13 +217,13 @@ enum wrc_field_id {
 
 /* ------------------------------------------------------------------------------------------------------ structs */
 
-/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm apart (closer,
- * slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a step: 1 mm or more from one point to
- * the next at over 79 degrees (of a rail: 56 degrees, on its upper 40 mm), between parts below 45 degrees and a fifth
- * as steep.
+/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm apart
+ * (closer, slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a step: 1 mm or more from
+ * one point to the next at over 79 degrees (of a rail: 56 degrees, on its upper 40 mm), between parts below 45 degrees
+ * and a fifth as steep.
  *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
- *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points reach
- *    down to config.gauge_depth at least, after canting. */
+ *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points
+ *    reach down to config.gauge_depth at least, after canting. */
 typedef struct wrc_profile {
   uint32_t struct_size; /**< sizeof this struct */
   int32_t kind;         /**< enum wrc_profile_kind */
@@ -267,8 +267,8 @@ typedef struct wrc_config {
                                   not read by a model without profiles [1.360] */
   double track_gauge;          /**< 0.3..2.5 m [1.435] */
   double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
-  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025; must be 0
-                                    for WRC_PROFILE_UIC60_BENCHMARK, which is canted already */
+  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025; must be
+                                    0 for WRC_PROFILE_UIC60_BENCHMARK, which is canted already */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */
   int32_t flexibility;         /**< enum wrc_flexibility; read by the FASTSIM variants and MODIFIED_FASTSIM [separate] */
@@ -337,21 +337,21 @@ typedef struct wrc_load {
   double damping;       /**< 0..10 s/m, with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0] */
 } wrc_load;
 
-/** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts as
- * none. */
+/** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
+ * as none. */
 typedef struct wrc_creepage {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double longitudinal;  /**< nu_x, -10..10 [0] */
   double lateral;       /**< nu_y, -10..10 [0] */
   double spin;          /**< phi, -1000..1000 1/m [0] */
-  double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount scales
-                             the power and the sliding speed of friction that falls [1] */
+  double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount
+                             scales the power and the sliding speed of friction that falls [1] */
   double approach_velocity; /**< result of wrc_creepages(), not read: velocity of the wheel's point along the contact
                                  normal into the rail [m/s], for wrc_load [0] */
-  double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than speed
-                             says, 0..0.5: near standstill wrc_creepages() sets it, and both ways are solved; fields,
-                             what damage and wear make of them are of the way of speed [0] */
+  double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
+                             speed says, 0..0.5: near standstill wrc_creepages() sets it, and both ways are solved;
+                             fields, what damage and wear make of them are of the way of speed [0] */
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
@@ -733,16 +733,18 @@ WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_con
  * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
  * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
  * standstill: -2). What it gives wrc_tangential takes, as it stands:
- *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) / 8,
- *    u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power right,
- *    and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion through
- *    V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
- *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by it.
+ *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) /
+ *    8, u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power
+ *    right, and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
+ *    through V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
+ *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by
+ *    it.
  *  - |speed| ends at 200 m/s.
  * Theory manual, section 7.
  * @param contact the contact
  * @param motion of the wheelset, track frame
- * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not wanted
+ * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not
+ * wanted
  * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
  * wrc_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
@@ -776,8 +778,8 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
- * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
- * wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
+ * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
+ * friction zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
@@ -807,8 +809,7 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_tangential());
- * WRC_ERROR_NULL, _STRUCT_SIZE,
- * _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
 WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
