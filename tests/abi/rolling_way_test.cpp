@@ -21,10 +21,9 @@ constexpr std::array tangential_methods{
 
 class RollingWay : public testing::Test, protected ReferenceWheel {
  protected:
-  void SetUp() override { config.force_table = WRC_FORCE_TABLE; }
-
   void create_with(int32_t method) {
     config.tangential_method = method;
+    config.force_table = method == WRC_TANGENTIAL_TABLE ? WRC_FORCE_TABLE : nullptr;
     create();
   }
   std::vector<double> field(int32_t id) const {
