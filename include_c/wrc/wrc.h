@@ -19,11 +19,13 @@
  *
  * @par Frame, signs, units
  * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
- *  - Track frame: x rolling direction, y to the right, z down; origin between the rails, level with their tops.
- *  - Contact frame: origin at the initial contact point, x rolling direction, y lateral in the contact plane (to the
+ *  - Track frame: x forward along the track, y to the right, z down; origin between the rails, level with their tops.
+ *  - Contact frame: origin at the initial contact point, x as that of the track, y lateral in the contact plane (to the
  *    right), z normal into the rail. Right-handed. For a right wheel y > 0 is the field side, y < 0 the flange side.
+ *    Particles enter the patch at its +x end when rolling forward (speed > 0), at its -x end when rolling backwards.
  *  - Creepage: rigid slip of the wheel over the rail per unit rolled length at (x, y) is
- *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame.
+ *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame. The unit is an amount:
+ *    whichever way the wheel rolls, creepages have the signs of the sliding velocities.
  *  - Forces and tractions act ON THE WHEEL and oppose the slip: for small creepage F_x = -G a b C11 longitudinal.
  *
  * @par Conventions of the interface
@@ -192,10 +194,10 @@ enum wrc_prescribed {
   WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
 };
 
-/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells
- * have count[0] = cells along the strip (0 is the leading edge) and count[1] = strips (by increasing y); fields over
- * strips have count[0] = strips. After wrc_tangential strips are those the tractions live on: of the ellipse, in the
- * variants that use one. */
+/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells have
+ * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by
+ * increasing y); fields over strips have count[0] = strips. After wrc_tangential strips are those the tractions live
+ * on: of the ellipse, in the variants that use one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
   WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
@@ -222,10 +224,13 @@ enum wrc_field_id {
 
 /* ------------------------------------------------------------------------------------------------------ structs */
 
-/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points no further than 35 mm
- * apart over 20 to 500 mm, within 1 m of the origin.
+/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm apart
+ * (closer, slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a step: 1 mm or more from
+ * one point to the next at over 79 degrees (of a rail: 56 degrees, on its upper 40 mm), between parts below 45 degrees
+ * and a fifth as steep.
  *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
- *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). */
+ *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points
+ *    reach down to config.gauge_depth at least, after canting. */
 typedef struct wrc_profile {
   uint32_t struct_size; /**< sizeof this struct */
   int32_t kind;         /**< enum wrc_profile_kind */
@@ -269,7 +274,8 @@ typedef struct wrc_config {
                                   not read by a model without profiles [1.360] */
   double track_gauge;          /**< 0.3..2.5 m [1.435] */
   double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
-  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025 */
+  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025; must be
+                                    0 for WRC_PROFILE_UIC60_BENCHMARK, which is canted already */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
   const wrc_profile* rail;     /**< see wheel [NULL] */
   int32_t flexibility;         /**< enum wrc_flexibility; read by the FASTSIM variants and MODIFIED_FASTSIM [separate] */
@@ -316,11 +322,12 @@ typedef struct wrc_gap {
   uint32_t rows;           /**< 4..config.gap_rows */
   uint32_t columns;        /**< 0, or 3..100000 */
   uint32_t reserved;       /**< 0 */
-  const double* y;         /**< [m], -0.3..0.3, strictly increasing, rows of them */
+  const double* y;         /**< [m], -0.3..0.3, increasing, rows of them at least 1e-6 m apart: slopes are read off
+                                neighbours, and closer they are made of the errors of heights */
   const double* height;    /**< [m], -0.3..0.3, columns == 0 */
   const double* centre;    /**< [m], -0.3..0.3, columns == 0; NULL: zero */
   const double* curvature; /**< [1/m], 1e-3..1e6, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
-  const double* x;         /**< [m], -0.3..0.3, strictly increasing, columns > 0 */
+  const double* x;         /**< [m], -0.3..0.3, increasing, at least 1e-6 m apart, columns > 0 */
   const double* h;         /**< [m], -0.3..0.3, columns > 0 */
   uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
 } wrc_gap;
@@ -341,16 +348,21 @@ typedef struct wrc_load {
   double damping;       /**< 0..10 s/m, with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0] */
 } wrc_load;
 
-/** Rigid slip per unit rolled length and rolling speed. A creepage below 1e-100 counts as none. */
+/** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
+ * as none. */
 typedef struct wrc_creepage {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double longitudinal;  /**< nu_x, -10..10 [0] */
   double lateral;       /**< nu_y, -10..10 [0] */
   double spin;          /**< phi, -1000..1000 1/m [0] */
-  double speed;         /**< rolling speed V, 0..200 m/s; scales the power only [1] */
+  double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount
+                             scales the power and the sliding speed of friction that falls [1] */
   double approach_velocity; /**< result of wrc_creepages(), not read: velocity of the wheel's point along the contact
                                  normal into the rail [m/s], for wrc_load [0] */
+  double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
+                             speed says, 0..0.5: near standstill wrc_creepages() sets it, and both ways are solved;
+                             fields, what damage and wear make of them are of the way of speed [0] */
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
@@ -430,7 +442,7 @@ typedef struct wrc_forces {
 typedef struct wrc_motion {
   uint32_t struct_size;     /**< sizeof this struct */
   uint32_t reserved;        /**< 0 */
-  double speed;             /**< of its middle along the track, 0..200 m/s [0] */
+  double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0] */
   double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
   double vertical_velocity; /**< down, -20..20 m/s [0] */
   double roll_rate;         /**< -100..100 rad/s [0] */
@@ -685,24 +697,32 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* 
  * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
+/** Length of a saved state, about half of the memory a contact takes.
+ * @param model the model
+ * @param[out] bytes size; zero on failure
+ * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
+WRC_API int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes);
+
 /** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
  * for any contact of the same model, in this process. After the same calls it has the same bytes.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
- * @param bytes of buffer, as from wrc_contact_size()
+ * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes);
 
-/** Puts a saved state back, bit for bit.
+/** Puts a saved state back, bit for bit; what wrc_last_error() says is part of it. A call that fails changes nothing
+ * but that sentence.
  * @param contact a contact of the model the state was saved from
  * @param buffer from wrc_contact_save()
- * @param bytes of buffer
+ * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
 /** The sentence behind the status of the last stage or step on this contact, for example
  *   "load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach instead"
- * and empty after WRC_OK. wrc_field, wrc_contact_save and wrc_contact_restore do not change it on failure.
+ * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
+ * sentence of the saved state. Calls that take a const contact (wrc_field, wrc_contact_save) do not change it.
  * @param contact the contact
  * @param[out] buffer the sentence, terminated, cut if need be
  * @param size bytes of buffer
@@ -721,13 +741,23 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
 WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
 /** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
- * velocity of the wheel's material point there over the rolling speed, which is the mean of the speeds at which wheel
- * and rail material pass through the contact. All zero at standstill, but for approach_velocity. Theory manual,
- * section 7.
+ * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
+ * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
+ * standstill: -2). What it gives wrc_tangential takes, as it stands:
+ *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) /
+ *    8, u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power
+ *    right, and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
+ *    through V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
+ *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by
+ *    it.
+ *  - |speed| ends at 200 m/s.
+ * Theory manual, section 7.
  * @param contact the contact
  * @param motion of the wheelset, track frame
- * @param[out] creepage the creepages, and in its speed the rolling speed; NULL: not wanted
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_geometry before), _NOT_FINITE, _RANGE.
+ * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not
+ * wanted
+ * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
+ * wrc_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
 
@@ -759,8 +789,8 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
- * are usable); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
- * wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
+ * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
+ * friction zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
@@ -789,8 +819,8 @@ WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (as wrc_tangential()); WRC_ERROR_NULL, _STRUCT_SIZE,
- * _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_tangential());
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
 WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
@@ -941,6 +971,7 @@ typedef struct wrc_api {
   int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
   int32_t (*sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_sensitivities() */
   int32_t (*step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_step_sensitivities() */
+  int32_t (*contact_state_size)(const wrc_model*, uint64_t*); /**< wrc_contact_state_size() */
   int32_t (*wheel_state_init)(wrc_wheel_state*); /**< wrc_wheel_state_init() */
   int32_t (*rail_state_init)(wrc_rail_state*); /**< wrc_rail_state_init() */
   int32_t (*wheel_input_init)(wrc_wheel_input*); /**< wrc_wheel_input_init() */

@@ -183,8 +183,8 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
  * @param nx cells along x, 8..512 @param ny cells along y, 8..512
  * @param progress NULL: none @param user handed to progress
  * @param[out] result exact forces and the errors
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _SEQUENCE, _MEMORY,
- * _CANCELLED. @rt init @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _SEQUENCE, _UNSUPPORTED
+ * (both ways of rolling blended: creepage.other_way is not 0), _MEMORY, _CANCELLED. @rt init @thread contact */
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                                 wrc_exact_check_result* result);
 

@@ -18,6 +18,7 @@
   X(WRC_FLAG_PATCH_AT_EDGE, 3, "the patch reaches the edge of the given gap or profile")                \
   X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches exist than the configuration has room for")         \
   X(WRC_FLAG_TABLE_RANGE, 5, "the patch is more slender than the coefficient tables: their end is used") \
+  X(WRC_FLAG_CREEPAGES_LIMITED, 6, "nearly at rest, or sliding far faster than rolling: creepages are limited") \
   X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
   X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is not that of a known version of the struct")              \
   X(WRC_ERROR_NOT_FINITE, -3, "a value is NaN or infinite")                                             \

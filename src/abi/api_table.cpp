@@ -60,6 +60,7 @@ extern "C" const wrc_api* wrc_get_api(uint32_t abi_version) {
       wrc_step_sensitivity_init,
       wrc_sensitivities,
       wrc_step_sensitivities,
+      wrc_contact_state_size,
       wrc_wheel_state_init,
       wrc_rail_state_init,
       wrc_wheel_input_init,

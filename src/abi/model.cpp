@@ -245,6 +245,12 @@ void wrc_contact_destroy(wrc_contact* contact) {
   if (contact->release != nullptr) contact->release(contact->user, contact);
 }
 
+int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes) {
+  if (bytes == nullptr) return WRC_ERROR_NULL;
+  *bytes = abi::valid(model) ? wrc::state_bytes(*model->model) : 0;
+  return *bytes > 0 ? WRC_OK : WRC_ERROR_NULL;
+}
+
 int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes) {
   if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
   const std::size_t needed = wrc::state_bytes(*contact->contact->model);
@@ -254,14 +260,28 @@ int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t byte
 }
 
 int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes) {
-  if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
-  const wrc::Model* model = contact->contact->model;
-  const std::size_t needed = wrc::state_bytes(*model);
-  if (bytes < needed) return WRC_ERROR_BUFFER;
-  // The state begins with the pointer to its model.
-  if (std::memcmp(buffer, static_cast<const void*>(contact->contact), sizeof(void*)) != 0)
-    return WRC_ERROR_SEQUENCE;
-  std::memcpy(static_cast<void*>(contact->contact), buffer, needed);
+  if (!abi::valid(contact)) return WRC_ERROR_NULL;
+  void* const state = contact->contact;
+  const std::size_t needed = wrc::state_bytes(*contact->contact->model);
+  Fault fault;
+  if (buffer == nullptr) {
+    fault = {.status = WRC_ERROR_NULL, .field = "buffer"};
+  } else if (bytes < needed) {
+    fault = {.status = WRC_ERROR_BUFFER,
+             .field = "bytes",
+             .value = static_cast<double>(bytes),
+             .unit = "",
+             .cause = "a saved state is as long as wrc_contact_state_size says"};
+  } else if (std::memcmp(buffer, state, sizeof(void*)) != 0) {  // it begins with the pointer to its model
+    fault = {.status = WRC_ERROR_SEQUENCE,
+             .field = "buffer",
+             .cause = "it does not hold a state saved from a contact of this model"};
+  }
+  if (fault.failed()) {
+    contact->contact->last = fault;
+    return fault.status;
+  }
+  std::memcpy(state, buffer, needed);
   return WRC_OK;
 }
 

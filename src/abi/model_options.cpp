@@ -354,6 +354,14 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   if (!is_rail(options.rail.kind)) {
     return {.status = WRC_ERROR_PROFILE, .field = "config.rail", .cause = "this is a wheel profile"};
   }
+  if (options.rail.kind == ProfileSource::Kind::rail_uic60_benchmark && config.rail_inclination != 0.0) {
+    return {
+        .status = WRC_ERROR_UNSUPPORTED,
+        .field = "config.rail_inclination",
+        .value = config.rail_inclination,
+        .unit = "",
+        .cause = "WRC_PROFILE_UIC60_BENCHMARK is canted 1:40 already: leave it 0, or take WRC_PROFILE_60E1"};
+  }
   return {};
 }
 

@@ -227,7 +227,10 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
        check(creepage.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
              "did you pass per mille?"),
        check(creepage.spin, "creepage.spin", "1/m", -1e3, 1e3),
-       check(creepage.speed, "creepage.speed", "m/s", 0.0, 200.0, nullptr, "did you pass km/h?"),
+       check(creepage.speed, "creepage.speed", "m/s", 0.0, fastest_rolling,
+             "the exact solver rolls along x: mirror the problem", "did you pass km/h?"),
+       check(creepage.other_way, "creepage.other_way", "", 0.0, 0.0, nullptr,
+             "the exact solver rolls one way only"),
        check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
        check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
        known(ours.adhesion, "problem.adhesion", "see enum wrc_adhesion", WRC_ADHESION_FULL),
@@ -303,7 +306,19 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
         .status = WRC_ERROR_SEQUENCE, .field = "contact", .cause = "call wrc_tangential or wrc_step first"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-  const Strips strips = all_strips(contact);
+  const Rolling& rolling = contact.rolling;
+  if (rolling.other_way > 0.0) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "creepage.other_way",
+            .value = rolling.other_way,
+            .unit = "",
+            .cause = "near standstill a contact rolls both ways: there is no exact solution of that"};
+  }
+  // The solver rolls along x: rolling backwards is the mirror image.
+  Strips strips = all_strips(contact);
+  std::vector<double> centre(strips.centre, strips.centre + strips.count);
+  for (double& x : centre) x *= rolling.way;
+  strips.centre = centre.data();
   const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
   halfspace::RollingProblem problem;
   problem.pressure = halfspace::strip_pressure(strips, grid);
@@ -313,14 +328,16 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
     for (int i = 0; i < grid.nx; ++i) problem.friction[grid.index(i, j)] = friction;
   }
   problem.creepage = contact.creepage;
+  problem.creepage.longitudinal *= rolling.way;
+  problem.creepage.spin *= rolling.way;
   problem.progress = reporter.callback();
   const halfspace::RollingSolution exact =
       halfspace::RollingSolver(grid, contact.model->options.material).solve(problem);
   if (exact.fault.failed()) return exact.fault;
-  result.fx = exact.forces.fx;
+  result.fx = rolling.way * exact.forces.fx;
   result.fy = exact.forces.fy;
-  result.mz = exact.forces.mz;
-  result.power = exact.power_by_balance * contact.speed;
+  result.mz = rolling.way * exact.forces.mz;
+  result.power = exact.power_by_balance * rolling.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
   const double limit = contact.friction * contact.extent.normal_force;
   const double dx = contact.forces.fx - result.fx, dy = contact.forces.fy - result.fy;

@@ -56,24 +56,28 @@ Fault read_load(const wrc_load* theirs, Load& load) {
   }
 }
 
-Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, double& speed) {
+Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, Rolling& rolling) {
   wrc_creepage ours;
   const Fault fault = read(theirs, "creepage", ours);
   if (fault.failed()) return fault;
   creepage = {felt(ours.longitudinal), felt(ours.lateral), felt(ours.spin)};
-  speed = felt(ours.speed);
-  return first_of({check(ours.longitudinal, "creepage.longitudinal", "", -10.0, 10.0,
-                         "did you pass per mille?", "did you pass per mille?"),
-                   check(ours.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
-                         "did you pass per mille?"),
-                   check(ours.spin, "creepage.spin", "1/m", -1e3, 1e3),
-                   check(ours.speed, "creepage.speed", "m/s", 0.0, 200.0,
-                         "speed is a magnitude; x is the rolling direction", "did you pass km/h?")});
+  const double speed = felt(ours.speed);
+  rolling = {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, felt(ours.other_way)};
+  return first_of(
+      {check(ours.longitudinal, "creepage.longitudinal", "", -largest_creepage, largest_creepage,
+             "did you pass per mille?", "did you pass per mille?"),
+       check(ours.lateral, "creepage.lateral", "", -largest_creepage, largest_creepage,
+             "did you pass per mille?", "did you pass per mille?"),
+       check(ours.spin, "creepage.spin", "1/m", -largest_spin, largest_spin),
+       check(ours.speed, "creepage.speed", "m/s", -fastest_rolling, fastest_rolling, "did you pass km/h?",
+             "did you pass km/h?"),
+       check(ours.other_way, "creepage.other_way", "", 0.0, largest_share_of_other_way,
+             "it is a result of wrc_creepages", "the way of creepage.speed has the larger share")});
 }
 
 Fault check_motion(const wrc_motion& motion) {
-  return first_of({check(motion.speed, "motion.speed", "m/s", 0.0, 200.0, "x is the rolling direction",
-                         "did you pass km/h?"),
+  return first_of({check(motion.speed, "motion.speed", "m/s", -fastest_rolling, fastest_rolling,
+                         "did you pass km/h?", "did you pass km/h?"),
                    check(motion.lateral_velocity, "motion.lateral_velocity", "m/s", -20.0, 20.0),
                    check(motion.vertical_velocity, "motion.vertical_velocity", "m/s", -20.0, 20.0),
                    check(motion.roll_rate, "motion.roll_rate", "rad/s", -100.0, 100.0,
@@ -84,8 +88,20 @@ Fault check_motion(const wrc_motion& motion) {
                          "did you pass rpm?", "did you pass rpm?")});
 }
 
-Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* cause) {
+/// Positions of rows or of the elements in them. `spacing`: what their distance is called.
+Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* spacing,
+                       const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
+    if (y[j] > y[j - 1] && y[j] - y[j - 1] < row_spacing_least) {
+      return {.status = WRC_ERROR_GAP,
+              .index = static_cast<std::int32_t>(j),
+              .field = spacing,
+              .value = y[j] - y[j - 1],
+              .unit = "m",
+              .low = row_spacing_least,
+              .high = 0.6,
+              .cause = "so close together, slopes are made of the errors of heights: leave one out"};
+    }
     if (!(y[j] > y[j - 1])) {
       return {.status = WRC_ERROR_GAP,
               .index = static_cast<std::int32_t>(j),
@@ -112,9 +128,9 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                 "a gap needs at least four rows", "raise config.gap_rows");
   if (fault.failed()) return fault;
   if (gap.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.y"};
-  fault = first_of(
-      {check_extent(gap.y, gap.rows, "gap.y"),
-       check_increasing(gap.y, gap.rows, "gap.y", "rows must be in order of strictly increasing y")});
+  fault = first_of({check_extent(gap.y, gap.rows, "gap.y"),
+                    check_increasing(gap.y, gap.rows, "gap.y", "spacing of gap.y",
+                                     "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::int32_t>(gap.rows);
 
@@ -126,9 +142,9 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                   check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
                         static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements")});
     if (fault.failed()) return fault;
-    fault = first_of(
-        {check_extent(gap.x, gap.columns, "gap.x"),
-         check_increasing(gap.x, gap.columns, "gap.x", "columns must be in order of strictly increasing x")});
+    fault = first_of({check_extent(gap.x, gap.columns, "gap.x"),
+                      check_increasing(gap.x, gap.columns, "gap.x", "spacing of gap.x",
+                                       "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
       fault = check_extent(gap.h + j * gap.row_stride, gap.columns, "gap.h");
@@ -263,7 +279,7 @@ wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, dou
   ours.fy = forces.fy;
   ours.fn = normal_force;
   ours.mz = forces.mz;
-  ours.power = forces.power_per_speed * contact.speed;
+  ours.power = forces.power_per_speed * contact.rolling.speed;
   ours.adhesion_fraction = forces.adhesion_fraction;
   return ours;
 }
@@ -314,8 +330,8 @@ Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out
   Load load;
   Creepage creepage;
   Friction friction;
-  double speed = 0.0;
-  outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, speed),
+  Rolling rolling;
+  outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, rolling),
                       read_friction(in.friction, contact.model->options.tangential_method, friction)});
   if (outcome.failed()) return outcome;
   if (in.pose != nullptr) {
@@ -327,7 +343,7 @@ Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out
   }
   if (!outcome.failed()) worsen(outcome, solve_normal(contact, load));
   if (!outcome.failed()) worsen(outcome, regularise_patch(contact));
-  if (!outcome.failed()) worsen(outcome, solve_tangential(contact, creepage, friction, speed));
+  if (!outcome.failed()) worsen(outcome, solve_tangential(contact, creepage, friction, rolling));
   if (!outcome.failed()) worsen(outcome, assess_damage(contact));
   if (outcome.failed()) return outcome;
 
@@ -438,6 +454,7 @@ int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepag
     result.lateral = rigid.lateral;
     result.spin = rigid.spin;
     result.speed = rigid.rolling_speed;
+    result.other_way = rigid.other_way;
     result.approach_velocity = rigid.normal_velocity;
     abi::give(result, creepage);
     return outcome;
@@ -471,12 +488,12 @@ int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_cr
   return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
     wrc::Creepage ours;
     wrc::Friction law;
-    double speed = 0.0;
+    wrc::Rolling rolling;
     Fault outcome =
-        abi::first_of({abi::read_creepage(creepage, ours, speed),
+        abi::first_of({abi::read_creepage(creepage, ours, rolling),
                        abi::read_friction(friction, contact.model->options.tangential_method, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
-    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, speed));
+    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, rolling));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
     return outcome;
   });

@@ -214,6 +214,7 @@ Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, Rigid
   if (!contact.posed)
     return sequence("pose", "call wrc_geometry first: creepages belong to its contact point");
   rigid = creepage(posed(contact.model->wheel, contact.pose), contact.point, motion);
+  if (rigid.limited) return {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "motion"};
   return {};
 }
 

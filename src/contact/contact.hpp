@@ -64,6 +64,14 @@ struct Friction {
   SlopeFall slope;               ///< of modified FASTSIM
 };
 
+/// Which way and how fast the bodies roll. Backwards the leading edge is at -x; creepages are sliding
+/// velocities over `speed` either way.
+struct Rolling {
+  double speed = 0.0;      ///< V, its amount [m/s]
+  double way = 1.0;        ///< 1: along x; -1: backwards
+  double other_way = 0.0;  ///< share of the forces that is of rolling against `way`, near standstill
+};
+
 /// What presses the bodies together. Damping acts on a prescribed approach.
 struct Load {
   Prescribed prescribed = Prescribed::load;
@@ -156,7 +164,7 @@ struct Contact {
   double friction = 0.0;  ///< mean over the load; each strip's is in Array::strip_friction [-]
   Friction law;           ///< of the last tangential stage; its zones are the two arrays below
   double zone_y[zone_capacity] = {}, zone_coefficient[zone_capacity] = {};
-  double speed = 0.0;       ///< V [m/s]
+  Rolling rolling;
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
 
@@ -177,9 +185,9 @@ static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) +
                                      4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) +
                                      sizeof(ContactPoint) + sizeof(Load) + sizeof(NormalSolution) +
                                      sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
-                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
-                                     sizeof(TangentialForces) + sizeof(DamageNumbers) + sizeof(std::int64_t) +
-                                     sizeof(HostedWrench));
+                                     sizeof(Friction) + (2 + 2 * zone_capacity) * sizeof(double) +
+                                     sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
+                                     sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
               2 * sizeof(std::int32_t) + 15 * sizeof(double) +
@@ -216,10 +224,11 @@ Fault find_gap(Contact& contact, const Pose& pose);
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
 Fault solve_normal(Contact& contact, const Load& load);
 Fault regularise_patch(Contact& contact);
-/// Solves the tangential stage. `sensitivities`: nullptr, not wanted; in their stead no fields are computed,
-/// and they are right where the contact differentiates().
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed,
-                       TangentialSensitivities* sensitivities = nullptr);
+/// Solves the tangential stage; both ways where `rolling` has a share of the other, of which only forces and
+/// sensitivities are kept. `sensitivities`: nullptr, not wanted; in their stead no fields are computed, and
+/// they are right where the contact differentiates().
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
+                       const Rolling& rolling, TangentialSensitivities* sensitivities = nullptr);
 
 /// Does the tangential method carry exact derivatives with it? Not so FaStrip, modified FASTSIM, mixed
 /// flexibilities, the half-space on coarse grids, the book of tables, and friction that falls with speed.

@@ -26,9 +26,44 @@ bool works_on_ellipse(TangentialMethod method) {
          method == TangentialMethod::fastrip;
 }
 
+// Every method rolls along x. Rolling backwards is its mirror image: x, what points along it and what turns
+// about y or z change sign, on the way in and on the way out.
+
+double mirrored(double along_x, double way) { return way < 0.0 ? 0.0 - along_x : along_x; }
+
+Creepage mirrored(const Creepage& creepage, double way) {
+  return {mirrored(creepage.longitudinal, way), creepage.lateral, mirrored(creepage.spin, way)};
+}
+
+void mirror(TangentialForces& forces, double way) {
+  forces.fx = mirrored(forces.fx, way);
+  forces.mz = mirrored(forces.mz, way);
+}
+
+void mirror(TangentialSensitivities& sensitivities, double way) {
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 5; ++c) {
+      const bool force_changes = r != 1, input_changes = c == 0 || c == 2;
+      if (force_changes != input_changes) sensitivities.d[r][c] = mirrored(sensitivities.d[r][c], way);
+    }
+  }
+}
+
+/// What callers see of a patch that rolled backwards: its strips and cells.
+void mirror_region(Contact& contact, const Patch& patch) {
+  const Strips region = region_strips(contact, patch);
+  for (std::int32_t j = 0; j < region.count; ++j) region.centre[j] = mirrored(region.centre[j], -1.0);
+  if (!gives_fields(contact)) return;
+  const std::int32_t cells = contact.model->options.sizes.cells * region.count;
+  for (const Array which : {Array::cell_x, Array::traction_x, Array::slip_x}) {
+    double* const along_x = cell_block(contact, which, patch);
+    for (std::int32_t i = 0; i < cells; ++i) along_x[i] = mirrored(along_x[i], -1.0);
+  }
+}
+
 /// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial
 /// contact point, or about the ellipse's own centre.
-void prepare_region(Contact& contact, Patch& patch, TangentialMethod method) {
+void prepare_region(Contact& contact, Patch& patch, TangentialMethod method, double way) {
   patch.region_first = patch.first;
   patch.region_count = patch.count;
   Strips region = region_strips(contact, patch);
@@ -40,8 +75,8 @@ void prepare_region(Contact& contact, Patch& patch, TangentialMethod method) {
   }
   const Strips own = patch_strips(contact, patch);
   for (std::int32_t j = 0; j < own.count; ++j) region.y[j] = own.y[j] - patch.y_contact;
+  for (std::int32_t j = 0; j < own.count; ++j) region.centre[j] = mirrored(own.centre[j], way);
   std::copy_n(own.width, own.count, region.width);
-  std::copy_n(own.centre, own.count, region.centre);
   std::copy_n(own.half_length, own.count, region.half_length);
   std::copy_n(own.peak, own.count, region.peak);
 }
@@ -61,14 +96,15 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
 /// The variants refer everything to the patch's initial contact point, which is not the origin of the contact
 /// frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and M_z comes back
 /// by - y_contact F_x.
-Creepage creepage_at_patch(const Contact& contact, const Patch& patch) {
-  Creepage creepage = contact.creepage;
+Creepage creepage_at_patch(const Contact& contact, const Patch& patch, double way) {
+  Creepage creepage = mirrored(contact.creepage, way);
   creepage.longitudinal -= creepage.spin * patch.y_contact;
   return creepage;
 }
 
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
-StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin) {
+StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin,
+                             double way) {
   const ModelOptions& options = contact.model->options;
   FrictionFrame frame{.origin = origin};
   if (friction.zone_frame == ZoneFrame::rail) {
@@ -78,8 +114,8 @@ StripFriction strip_friction(Contact& contact, const Patch& patch, const Frictio
   const SlidingSpeed sliding = options.tangential_method == TangentialMethod::modified_fastsim
                                    ? SlidingSpeed::of_patch
                                    : SlidingSpeed::of_strip;
-  return evaluate(friction.law, region_strips(contact, patch), frame, contact.creepage, contact.speed,
-                  sliding, array(contact, Array::strip_friction) + patch.region_first);
+  return evaluate(friction.law, region_strips(contact, patch), frame, mirrored(contact.creepage, way),
+                  contact.rolling.speed, sliding, array(contact, Array::strip_friction) + patch.region_first);
 }
 
 /// Makes of the method's strips, whose y is counted from `origin`, what callers see: y in the contact frame
@@ -94,14 +130,14 @@ void show_region(Contact& contact, const Patch& patch, double origin) {
 }
 
 /// One patch by the book of tables.
-Fault look_up(Contact& contact, Patch& patch, const Friction& friction) {
+Fault look_up(Contact& contact, Patch& patch, const Friction& friction, double way) {
   const Model& model = *contact.model;
-  prepare_region(contact, patch, TangentialMethod::table);
-  patch.friction = strip_friction(contact, patch, friction, patch.y_contact).mean;
+  prepare_region(contact, patch, TangentialMethod::table, way);
+  patch.friction = strip_friction(contact, patch, friction, patch.y_contact, way).mean;
   Fault fault;
   patch.forces = table_forces(model.force_table, patch.sdec, patch.extent.normal_force,
                               model.options.material.shear_modulus * friction.slope_reduction, patch.friction,
-                              creepage_at_patch(contact, patch), fault);
+                              creepage_at_patch(contact, patch, way), fault);
   patch.forces.mz -= patch.y_contact * patch.forces.fx;
   show_region(contact, patch, patch.y_contact);
   return fault;
@@ -109,10 +145,11 @@ Fault look_up(Contact& contact, Patch& patch, const Friction& friction) {
 
 /// One patch by a method that has tractions.
 /// `sensitivities`: see solve_tangential().
-Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialSensitivities* sensitivities) {
+Fault march_over(Contact& contact, Patch& patch, const Friction& friction, double way,
+                 TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
   const TangentialMethod method = model.options.tangential_method;
-  prepare_region(contact, patch, method);
+  prepare_region(contact, patch, method, way);
   RollingContact rolling;
   rolling.region = region_strips(contact, patch);
   rolling.a = patch.sdec.a;
@@ -121,9 +158,9 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
   rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
-  rolling.creepage = creepage_at_patch(contact, patch);
+  rolling.creepage = creepage_at_patch(contact, patch, way);
   const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
-  rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre);
+  rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre, way);
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
@@ -175,6 +212,41 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, TangentialS
   return fault;
 }
 
+/// One patch, rolling along x times `way`.
+Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
+           TangentialSensitivities* sensitivities) {
+  const Fault fault = gives_fields(contact) ? march_over(contact, patch, friction, way, sensitivities)
+                                            : look_up(contact, patch, friction, way);
+  if (way > 0.0) return fault;
+  mirror(patch.forces, way);
+  mirror_region(contact, patch);
+  if (sensitivities) mirror(*sensitivities, way);
+  return fault;
+}
+
+/// One patch near standstill: a share of its forces is of rolling the other way, its fields are not.
+Fault roll_both_ways(Contact& contact, Patch& patch, const Friction& friction,
+                     TangentialSensitivities* sensitivities) {
+  const Rolling& rolling = contact.rolling;
+  TangentialSensitivities others;
+  Fault fault = roll(contact, patch, friction, -rolling.way, sensitivities ? &others : nullptr);
+  const TangentialForces other = patch.forces;
+  worsen(fault, roll(contact, patch, friction, rolling.way, sensitivities));
+  const auto blend = [&](double& own, double of_other) {
+    own = (1.0 - rolling.other_way) * own + rolling.other_way * of_other;
+  };
+  blend(patch.forces.fx, other.fx);
+  blend(patch.forces.fy, other.fy);
+  blend(patch.forces.mz, other.mz);
+  blend(patch.forces.power_per_speed, other.power_per_speed);
+  blend(patch.forces.adhesion_fraction, other.adhesion_fraction);
+  if (!sensitivities) return fault;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 5; ++c) blend(sensitivities->d[r][c], others.d[r][c]);
+  }
+  return fault;
+}
+
 /// Adds up the patches; the share that sticks is weighted by area.
 TangentialForces sum_of_patches(const Contact& contact) {
   TangentialForces sum;
@@ -202,7 +274,7 @@ void assess_patch(Contact& contact, const Patch& patch, DamageNumbers& damage) {
                             .fields = &fields,
                             .middles = &model.march_grid.middles,
                             .cells = model.options.sizes.cells,
-                            .speed = contact.speed,
+                            .speed = contact.rolling.speed,
                             .shear_yield = model.options.shear_yield,
                             .power_density = cell_block(contact, Array::power_density, patch),
                             .fatigue_index = cell_block(contact, Array::fatigue_index, patch),
@@ -242,8 +314,8 @@ Friction friction_of(const Contact& contact) {
   return friction;
 }
 
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction, double speed,
-                       TangentialSensitivities* sensitivities) {
+Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
+                       const Rolling& rolling, TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
@@ -257,7 +329,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.reached = Stage::tangential;
   contact.creepage = creepage;
   contact.friction = friction.law.coefficient;
-  contact.speed = speed;
+  contact.rolling = rolling;
   contact.forces = {};
   contact.damage = {};
   contact.worn = false;
@@ -274,8 +346,9 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
     TangentialSensitivities own;
-    worsen(fault, gives_fields(contact) ? roll(contact, patch, friction, sensitivities ? &own : nullptr)
-                                        : look_up(contact, patch, friction));
+    TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
+    worsen(fault, rolling.other_way > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
+                                          : roll(contact, patch, friction, rolling.way, wanted));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
     if (!sensitivities) continue;
@@ -287,6 +360,12 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   }
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
+  if (rolling.other_way > 0.0) {
+    worsen(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
+                   .field = "creepage.other_way",
+                   .value = rolling.other_way,
+                   .unit = ""});
+  }
   return fault;
 }
 
@@ -305,7 +384,7 @@ Fault assess_damage(Contact& contact) {
     if (gives_fields(contact)) {
       assess_patch(contact, patch, damage);
     } else {
-      damage.power += patch.forces.power_per_speed * contact.speed;
+      damage.power += patch.forces.power_per_speed * contact.rolling.speed;
     }
 
     // Variants that spread the load over the equivalent ellipse have that ellipse's peak pressure.
@@ -360,9 +439,10 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
         const double depth_rate = wear_depth_rate(laws.sheffield, work);
         sum += depth_rate;
         wear.largest_depth_rate = std::max(wear.largest_depth_rate, depth_rate);
-        wear.largest_depth_velocity = std::max(
-            wear.largest_depth_velocity,
-            wear_depth_velocity(laws.archard, pressure[at], contact.speed * std::sqrt(sx * sx + sy * sy)));
+        wear.largest_depth_velocity =
+            std::max(wear.largest_depth_velocity,
+                     wear_depth_velocity(laws.archard, pressure[at],
+                                         contact.rolling.speed * std::sqrt(sx * sx + sy * sy)));
       }
       per_width[j] = sum * 2.0 * region.half_length[j] / cells;
     }

@@ -20,7 +20,7 @@ Contact& copy_of(Contact& contact) {
 Fault step(Contact& contact, const Load& load, double shift, double (&result)[4]) {
   const Creepage creepage = contact.creepage;
   const Friction friction = friction_of(contact);
-  const double speed = contact.speed;
+  const Rolling rolling = contact.rolling;
   Fault fault;
   if (shift != 0.0) {
     Pose pose = contact.pose;
@@ -29,7 +29,7 @@ Fault step(Contact& contact, const Load& load, double shift, double (&result)[4]
   }
   if (!fault.failed()) worsen(fault, solve_normal(contact, load));
   if (!fault.failed()) worsen(fault, regularise_patch(contact));
-  if (!fault.failed()) worsen(fault, solve_tangential(contact, creepage, friction, speed));
+  if (!fault.failed()) worsen(fault, solve_tangential(contact, creepage, friction, rolling));
   result[0] = contact.forces.fx;
   result[1] = contact.forces.fy;
   result[2] = contact.forces.mz;
@@ -71,7 +71,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
       if (input == 1) creepage.lateral += change;
       if (input == 2) creepage.spin += change;
       if (input == 3) scale(friction, copy, 1.0 + change);
-      worsen(fault, solve_tangential(copy, creepage, friction, contact.speed));
+      worsen(fault, solve_tangential(copy, creepage, friction, contact.rolling));
       ends[end][0] = copy.forces.fx;
       ends[end][1] = copy.forces.fy;
       ends[end][2] = copy.forces.mz;
@@ -99,7 +99,7 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
   Contact& copy = copy_of(contact);
-  return solve_tangential(copy, contact.creepage, friction_of(copy), contact.speed, &sensitivities);
+  return solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);
 }
 
 Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities) {

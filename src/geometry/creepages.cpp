@@ -1,5 +1,8 @@
 #include "geometry/creepages.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wrc {
 
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion) {
@@ -20,12 +23,26 @@ RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, con
 
   RigidCreepage result;
   result.normal_velocity = contact.cosine * vz - contact.sine * vy;
-  const double rolling_speed = motion.speed - 0.5 * vx;
-  if (!(rolling_speed > 0.0)) return result;
-  result.rolling_speed = rolling_speed;
-  result.longitudinal = vx / rolling_speed;
-  result.lateral = (contact.cosine * vy + contact.sine * vz) / rolling_speed;
-  result.spin = (contact.cosine * wz - contact.sine * wy) / rolling_speed;
+  const double lateral = contact.cosine * vy + contact.sine * vz;
+  const double spin = contact.cosine * wz - contact.sine * wy;
+  const double rolling_speed = motion.speed - 0.5 * vx, amount = std::fabs(rolling_speed);
+  double divisor = amount;
+  if (amount < floor_speed) {
+    const double u = amount / floor_speed, u2 = u * u;
+    divisor = floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2));
+    result.other_way = std::max(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0);  // rounding
+  }
+  divisor = std::max({divisor, std::fabs(vx) / largest_creepage, std::fabs(lateral) / largest_creepage,
+                      std::fabs(spin) / largest_spin});
+  const auto over_divisor = [&](double velocity, double most) {
+    return std::clamp(velocity / divisor, -most, most);  // rounding
+  };
+  result.longitudinal = over_divisor(vx, largest_creepage);
+  result.lateral = over_divisor(lateral, largest_creepage);
+  result.spin = over_divisor(spin, largest_spin);
+  const double shown = std::min(divisor, fastest_rolling);
+  result.rolling_speed = rolling_speed < 0.0 ? -shown : shown;
+  result.limited = shown != amount;
   return result;
 }
 

@@ -23,16 +23,38 @@ struct RigidCreepage {
   double longitudinal = 0.0;   ///< nu_x [-]
   double lateral = 0.0;        ///< nu_y [-]
   double spin = 0.0;           ///< phi [1/m]
-  double rolling_speed = 0.0;  ///< V, what the velocities are divided by [m/s]
+  double rolling_speed = 0.0;  ///< what the velocities are divided by, with the sign of V [m/s]
+  double other_way = 0.0;      ///< share of the forces that is of rolling against that sign, 0 to 1/2
+  bool limited = false;        ///< is |rolling_speed| something else than |V|?
   double normal_velocity =
       0.0;  ///< of the wheel's point along the contact normal, into the rail positive [m/s]
 };
 
+/// What the tangential stage takes, and creepage() therefore gives at most.
+inline constexpr double largest_creepage = 10.0;  // longitudinal, lateral [-]
+inline constexpr double largest_spin = 1e3;       // [1/m]
+inline constexpr double fastest_rolling = 200.0;  // [m/s]
+inline constexpr double largest_share_of_other_way = 0.5;
+
+/// Below it creepages saturate and the forces of both rolling directions are blended [m/s]. Small, since
+/// numbers depend on it; but a wheel at rest answers to sliding like a damper of G a b C / (3/8 floor), which
+/// sets the step of an explicit integrator.
+inline constexpr double floor_speed = 0.1;
+
 /// Velocity of the wheel's material point at the contact, resolved in the contact frame and divided by the
-/// rolling speed V: the mean of the speeds at which rail and wheel material pass through the contact,
-///     V = ((speed) + (speed - v_x)) / 2,   v_x the longitudinal velocity of the wheel's point.
-/// The plain wheelset speed differs from it by half the longitudinal creepage (0.1 % of the creepages in
-/// normal running). V <= 0 (standstill, or a wheel locked in reverse) gives zero creepages.
+/// amount of the rolling speed V: the mean of the speeds at which rail and wheel material pass through the
+/// contact,
+///     V = ((speed) + (speed - v_x)) / 2,   v_x the longitudinal velocity of the wheel's point,
+/// negative when rolling backwards. The plain wheelset speed differs from it by half the longitudinal
+/// creepage (0.1 % of the creepages in normal running). A locked wheel has v_x = speed, V = speed / 2 and
+/// creepage 2; one that spins at standstill creepage -2; V = 0 where the materials pass in opposite
+/// directions alike.
+///
+/// With u = |V| / floor_speed < 1 the divisor is
+///     floor_speed (3 + 6 u^2 - u^4) / 8,
+/// and the share of the other way (1 - (15 u - 10 u^3 + 3 u^5) / 8) / 2: of V both are C2, also at the floor.
+/// Where creepages would still be larger than the tangential stage takes, all of them are divided by more, so
+/// that the slip keeps its direction. Divisor times creepage is the velocity always.
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion);
 
 }  // namespace wrc

@@ -18,17 +18,28 @@ void shift(const ProfileMemory& memory, const Profile& profile, double y, double
   }
 }
 
-/// y of the innermost point with z <= depth, searched from the crown inwards (towards negative y) [m].
-double gauge_face(const Profile& profile, double crown_y, double depth) {
-  std::int32_t i = piece_at(profile, crown_y);
-  while (i >= 0 && profile.z[i] <= depth) --i;
-  if (i < 0) return profile.y[0];
+/// y of the innermost point that lies no deeper than `depth` below the top, searched from there inwards
+/// (towards negative y) [m].
+Fault find_gauge_face(const Profile& profile, const ProfileTop& top, double depth, double& y) {
+  std::int32_t i = piece_at(profile, top.y);
+  while (i >= 0 && profile.z[i] <= top.z + depth) --i;
+  if (i < 0) {
+    return {
+        .status = WRC_ERROR_PROFILE,
+        .field = "depth of the rail profile at its gauge end",
+        .value = profile.z[0] - top.z,
+        .unit = "m",
+        .low = depth,
+        .high = profile_reach,
+        .cause = "it ends above config.gauge_depth, where the gauge is measured: add points further down"};
+  }
   double low = profile.y[i], high = profile.y[i + 1];
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
-    (evaluate(profile, middle).z > depth ? low : high) = middle;
+    (evaluate(profile, middle).z > top.z + depth ? low : high) = middle;
   }
-  return 0.5 * (low + high);
+  y = 0.5 * (low + high);
+  return {};
 }
 
 Fault check_range(const char* field, double value, const char* unit, double low, double high) {
@@ -81,7 +92,16 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
     memory.y[i] = c * y + s * z + placement.y;
     memory.z[i] = c * z - s * y + placement.z;
     memory.slope[i] = (c * slope - s) / (c + s * slope);
-    if (!usable(first + i) || (i > 0 && memory.y[i] <= memory.y[i - 1])) {
+    if (!usable(first + i)) {
+      return {.status = WRC_ERROR_PROFILE,
+              .index = first + i,
+              .field = "slope of the profile, after canting,",
+              .value = memory.slope[i],
+              .unit = "",
+              .cause =
+                  "it passes 89.4 degrees with flatter points on both sides: is there a step in the points?"};
+    }
+    if (i > 0 && memory.y[i] <= memory.y[i - 1]) {
       return {.status = WRC_ERROR_PROFILE,
               .index = first + i,
               .field = "rail inclination",
@@ -118,12 +138,15 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
                  Rail& rail) {
   if (const Fault fault = check(track); fault.failed()) return fault;
   Profile canted;
-  const Fault fault = place(profile, Placement{.inclination = track.rail_inclination}, memory, canted);
+  Fault fault = place(profile, Placement{.inclination = track.rail_inclination}, memory, canted);
   if (fault.failed()) return fault;
   double origin = track.rail_origin, depth = 0.0;
   if (!track.by_origin) {
     const ProfileTop top = highest_point(canted);
-    origin = 0.5 * track.gauge - gauge_face(canted, top.y, top.z + track.gauge_depth);
+    double gauge_face = 0.0;
+    fault = find_gauge_face(canted, top, track.gauge_depth, gauge_face);
+    if (fault.failed()) return fault;
+    origin = 0.5 * track.gauge - gauge_face;
     depth = -top.z;
   }
   shift(memory, canted, origin, depth);

@@ -62,7 +62,7 @@ struct Wheel {
 
 /// Canted about its origin, then top at z = 0 and gauge face at half the gauge, or the origin where it is
 /// told to lie. The gauge face is the innermost point of the profile that lies no deeper than the gauge depth
-/// below the top.
+/// below the top; WRC_ERROR_PROFILE where the profile ends above.
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wrc {
 namespace {
 
 struct Names {
-  const char *points, *y, *z;
+  const char *points, *y, *z, *spacing, *step;
 };
 Names names_of(ProfileBody body) {
-  if (body == ProfileBody::rail) return {"rail profile", "rail profile y", "rail profile z"};
-  return {"wheel profile", "wheel profile y", "wheel profile z"};
+  if (body == ProfileBody::rail) {
+    return {"rail profile", "rail profile y", "rail profile z", "spacing of rail profile y",
+            "step of rail profile z"};
+  }
+  return {"wheel profile", "wheel profile y", "wheel profile z", "spacing of wheel profile y",
+          "step of wheel profile z"};
 }
 
 Fault unusable(const char* field, double value, const char* cause, std::int32_t index = -1) {
@@ -21,6 +26,32 @@ Fault unusable(const char* field, double value, const char* cause, std::int32_t 
           .value = value,
           .unit = "m",
           .cause = cause};
+}
+
+/// A step: far between two points, steeply, between parts that are flat. Flanges and gauge faces are steep
+/// from point to point or end the profile; a flange of few points may rise by one chord, at up to
+/// 79 degrees, where a head has no such thing. Beyond the head, over the foot, a rail may do as it likes.
+Fault check_steps(ProfileBody body, std::int32_t count, const double* y, const double* z) {
+  const bool rail = body == ProfileBody::rail;
+  constexpr double least_step = 1e-3;           // [m]
+  const double least_slope = rail ? 1.5 : 5.0;  // 56 and 79 degrees
+  constexpr double flat = 1.0, flatter = 0.2;   // beside it: slope, and over the step's
+  constexpr double depth_of_a_head = 0.040;     // [m]
+  const double deepest =
+      rail ? *std::min_element(z, z + count) + depth_of_a_head : std::numeric_limits<double>::infinity();
+  const auto slope = [&](std::int32_t i) { return std::abs((z[i] - z[i - 1]) / (y[i] - y[i - 1])); };
+  for (std::int32_t i = 2; i + 1 < count; ++i) {
+    const double step = z[i] - z[i - 1], steep = slope(i);
+    if (std::abs(step) < least_step || steep < least_slope || std::max(z[i], z[i - 1]) > deepest) continue;
+    if (std::max(slope(i - 1), slope(i + 1)) < std::min(flat, flatter * steep)) {
+      return unusable(
+          names_of(body).step, step,
+          "it jumps from the point before to this one: are two measurements joined there, or is a "
+          "part of one shifted?",
+          i);
+    }
+  }
+  return {};
 }
 
 /// Mean of z over y, by trapezoids [m].
@@ -152,8 +183,13 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
       return unusable(name.y, y[i],
                       "the profile folds back or crosses itself: y must increase from point to point", i);
     }
-    if (y[i] - y[i - 1] > profile_spacing_most) {
-      Fault fault = unusable(name.y, y[i] - y[i - 1], "points are missing before this one", i);
+    const double spacing = y[i] - y[i - 1];
+    if (spacing < profile_spacing_least || spacing > profile_spacing_most) {
+      Fault fault = unusable(name.spacing, spacing,
+                             spacing > profile_spacing_most ? "points are missing before this one"
+                                                            : "leave out one of the two points",
+                             i);
+      fault.low = profile_spacing_least;
       fault.high = profile_spacing_most;
       return fault;
     }
@@ -168,6 +204,7 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
     fault.high = profile_width_most;
     return fault;
   }
+  if (const Fault fault = check_steps(body, count, y, z); fault.failed()) return fault;
   return body == ProfileBody::rail ? check_rail_orientation(count, y, z)
                                    : check_wheel_orientation(count, y, z);
 }

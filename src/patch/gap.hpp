@@ -14,6 +14,12 @@
 
 namespace wrc {
 
+/// Rows, and the elements of a row, lie at least this far apart [m]. Slopes are read off neighbouring rows:
+/// an error of 1 nm in a height is a slope of 1e-3 over a micrometre, which moves results by less than 1e-3
+/// (of ANALYN by 9 %), and of 0.1 over 10 nm, which triples the peak pressure; at 1e-15 m rounding alone
+/// lifts the surface by metres between two rows.
+inline constexpr double row_spacing_least = 1e-6;
+
 /// Rows ordered by strictly increasing y, at least four of them; memory is the owner's.
 struct GapRows {
   std::int32_t count = 0;

@@ -128,9 +128,9 @@ TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
   wrc_motion motion = made<wrc_motion>(wrc_motion_init);
   motion.vertical_velocity = 0.3;
   motion.lateral_velocity = -0.2;
-  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_OK) << error();
+  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
   EXPECT_NEAR(creepage.approach_velocity, 0.3 * std::cos(point.angle) + 0.2 * std::sin(point.angle), 1e-12);
-  EXPECT_EQ(creepage.longitudinal, 0.0);  // at standstill
+  EXPECT_EQ(creepage.longitudinal, 0.0);
 }
 
 /// A mass strikes the rail and rebounds: leapfrog, so that without damping the energy comes back.

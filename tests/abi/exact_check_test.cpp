@@ -43,6 +43,28 @@ TEST_F(ExactCheck, ErrorsAreWhatTheForcesSay) {
   EXPECT_LT(std::abs(result.power_error), 0.15);
 }
 
+TEST_F(ExactCheck, BackwardsIsTheMirrorImageOfForward) {
+  pose.yaw = 5e-3;
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  const wrc_exact_check_result forward = result;
+  pose.yaw *= -1.0;
+  creepage.longitudinal *= -1.0;
+  creepage.spin *= -1.0;
+  creepage.speed *= -1.0;
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  const double limit = 0.35 * 80e3;
+  EXPECT_NEAR(result.fx, -forward.fx, 1e-5 * limit);
+  EXPECT_NEAR(result.fy, forward.fy, 1e-5 * limit);
+  EXPECT_NEAR(result.power, forward.power, 1e-4 * forward.power);
+  EXPECT_NEAR(result.force_error, forward.force_error, 1e-5);
+  creepage.other_way = 0.1;
+  ASSERT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED);
+  EXPECT_EQ(check(), WRC_ERROR_UNSUPPORTED);
+  expect_words(error(), {"creepage.other_way = 0.1", "both ways"});
+}
+
 TEST_F(ExactCheck, LeavesTheContactAsItWas) {
   ASSERT_EQ(step(), WRC_OK);
   wrc_damage before = made<wrc_damage>(wrc_damage_init), after = before;

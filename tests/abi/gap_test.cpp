@@ -176,6 +176,40 @@ TEST_P(Gap, AbsurdSizesAreRefusedWithUnitAndLikelyCause) {
   expect_refused_gap(millimetres, WRC_ERROR_RANGE, {"gap.height[0]", "mm?"});
 }
 
+TEST_P(Gap, RowsTooCloseToReadSlopesOffAreRefused) {
+  for (double close : {5e-324, 1e-30, 1e-15, 9e-7}) {
+    Rows rows(0.02, 81, parabola);
+    rows.y[40] = 0.0;
+    rows.y[41] = close;
+    expect_refused_gap(rows, WRC_ERROR_GAP,
+                       {"spacing of gap.y[41]", "outside 1e-06 .. 0.6 m", "leave one out"});
+    Rows elements(0.02, 81, parabola);
+    elements.sample(41, 0.02);
+    elements.x[20] = 0.0;
+    elements.x[21] = close;
+    expect_refused_gap(elements, WRC_ERROR_GAP,
+                       {"spacing of gap.x[21]", "outside 1e-06 .. 0.6 m", "leave one out"});
+  }
+  // Just apart enough, a further row moves next to nothing, though its height is off by a nanometre; but for
+  // ANALYN, which reads a curvature off three heights.
+  expect_usable(Rows(0.02, 81, parabola), WRC_OK);
+  const wrc_patch without = patch;
+  Rows rows(0.02, 81, parabola);
+  const double beside = rows.y[44] + 1.01e-6;
+  rows.y.insert(rows.y.begin() + 45, beside);
+  rows.height.insert(rows.height.begin() + 45, parabola(beside) + 1e-9);
+  rows.curvature.push_back(1.0 / 0.46);
+  rows.gap.rows = 82;
+  rows.gap.y = rows.y.data();
+  rows.gap.height = rows.height.data();
+  rows.gap.curvature = rows.curvature.data();
+  expect_usable(rows, WRC_OK);
+  const double moved = GetParam() == WRC_NORMAL_ANALYN ? 0.15 : 1e-3;
+  EXPECT_NEAR(patch.approach, without.approach, moved * without.approach);
+  EXPECT_NEAR(patch.area, without.area, moved * without.area);
+  EXPECT_NEAR(patch.peak_pressure, without.peak_pressure, moved * without.peak_pressure);
+}
+
 TEST_P(Gap, HeightsToTheEndsOfTheirRangeWork) {
   Rows low(0.02, 81, [](double y) { return parabola(y) - 0.3; });
   EXPECT_GE(solve(low), WRC_OK) << error();

@@ -296,6 +296,32 @@ TEST_F(Interface, EveryInstructionSetGivesTheSameBits) {
   expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.instruction_set = 4", "enum wrc_instruction_set"});
 }
 
+TEST_F(Interface, RailsCantedTwiceOrTooShallowAreRefused) {
+  config.rail_inclination = 0.025;
+  expect_config_refused(WRC_ERROR_UNSUPPORTED,
+                        {"config.rail_inclination = 0.025", "canted 1:40 already", "WRC_PROFILE_60E1"});
+  rail.kind = WRC_PROFILE_60E1;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
+  // A head of 9 mm: where the gauge is measured, 14 mm below its top, there is no rail.
+  std::vector<double> y, z;
+  for (int i = 0; i <= 120; ++i) {
+    y.push_back(-0.03 + 5e-4 * i);
+    z.push_back(10.0 * y.back() * y.back());
+  }
+  rail.kind = WRC_PROFILE_POINTS;
+  rail.count = static_cast<uint32_t>(y.size());
+  rail.y = y.data();
+  rail.z = z.data();
+  config.rail_inclination = 0.0;
+  expect_config_refused(WRC_ERROR_PROFILE, {"depth of the rail profile at its gauge end = 0.009 m",
+                                            "0.014 .. 1 m", "config.gauge_depth"});
+  config.gauge_depth = 8.9e-3;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
+  // A step of 5 mm is a step, whatever else it makes of the profile.
+  for (std::size_t i = 70; i < z.size(); ++i) z[i] -= 5e-3;
+  expect_config_refused(WRC_ERROR_PROFILE, {"step of rail profile z[70] = -0.00495", " m: ", "jumps"});
+}
+
 TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.poisson = 0.51;
   expect_config_refused(WRC_ERROR_RANGE, {"config.poisson = 0.51", "0 .. 0.5"});
@@ -324,9 +350,10 @@ TEST_F(Interface, ConfigurationValuesAreChecked) {
 
 TEST_F(Interface, ProfilesFromPointsAreChecked) {
   std::vector<double> y, z;
-  for (int i = 0; i <= 140; ++i) {  // a rail crown of 300 mm radius
+  for (int i = 0; i <= 140; ++i) {  // a rail crown of 300 mm radius, with corners
     y.push_back(-0.035 + 0.0005 * i);
-    z.push_back(0.3 - std::sqrt(0.09 - y.back() * y.back()));
+    const double corner = std::fmax(0.0, std::fabs(y.back()) - 0.025);
+    z.push_back(0.3 - std::sqrt(0.09 - y.back() * y.back()) + 150.0 * corner * corner);
   }
   rail.kind = WRC_PROFILE_POINTS;
   const auto set = [&](std::size_t count) {

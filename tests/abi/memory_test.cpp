@@ -1,8 +1,11 @@
 /// Memory through the C interface: the caller's own, the caller's allocator, saved and restored state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "reference_contact.hpp"
@@ -88,8 +91,8 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
 
 TEST_F(Memory, SavedStateRestoresBitForBit) {
   expect_works();
-  uint64_t bytes = 0, alignment = 0;
-  ASSERT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
   std::vector<unsigned char> saved(bytes + 1);
   ASSERT_EQ(wrc_contact_save(contact, saved.data() + 1, bytes), WRC_OK);  // any alignment
   const wrc_forces before = forces;
@@ -109,9 +112,59 @@ TEST_F(Memory, SavedStateRestoresBitForBit) {
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
   wrc_contact_destroy(other);
 
-  EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
   std::vector<unsigned char> rubbish(bytes, 0x5a);
   EXPECT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
+  expect_works();
+}
+
+TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
+  uint64_t bytes = 0, of_contact = 0, alignment = 0;
+  ASSERT_EQ(wrc_contact_size(model, &of_contact, &alignment), WRC_OK);
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+  EXPECT_LE(2 * bytes, of_contact);
+  EXPECT_GE(2 * bytes, of_contact - 256);
+  EXPECT_EQ(wrc_get_api(WRC_ABI_VERSION)->contact_state_size, wrc_contact_state_size);
+
+  // Not a byte more is written, not one less is enough.
+  std::vector<unsigned char> saved(bytes + 64, 0xa5);
+  ASSERT_EQ(wrc_contact_save(contact, saved.data(), bytes), WRC_OK);
+  EXPECT_TRUE(std::all_of(saved.begin() + static_cast<std::ptrdiff_t>(bytes), saved.end(),
+                          [](unsigned char byte) { return byte == 0xa5; }));
+  EXPECT_EQ(wrc_contact_save(contact, saved.data(), bytes - 1), WRC_ERROR_BUFFER);
+
+  EXPECT_EQ(wrc_contact_state_size(nullptr, &bytes), WRC_ERROR_NULL);
+  EXPECT_EQ(bytes, 0U);
+  EXPECT_EQ(wrc_contact_state_size(model, nullptr), WRC_ERROR_NULL);
+}
+
+TEST_F(Memory, SentencesBelongToTheLastRestore) {
+  const auto sentence = [&] {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return std::string(text);
+  };
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+  std::vector<unsigned char> saved(bytes), rubbish(bytes, 0x5a);
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(wrc_contact_save(contact, saved.data(), bytes), WRC_OK);
+  load.normal_force = 80.0;
+  ASSERT_EQ(step(), WRC_ERROR_RANGE);
+  const std::string of_step = sentence();
+  EXPECT_NE(of_step.find("load.normal_force"), std::string::npos);
+  EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
+  EXPECT_EQ(sentence(), of_step);
+
+  ASSERT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
+  EXPECT_NE(sentence().find("of this model"), std::string::npos) << sentence();
+  ASSERT_EQ(wrc_contact_restore(contact, saved.data(), bytes - 1), WRC_ERROR_BUFFER);
+  EXPECT_NE(sentence().find("wrc_contact_state_size"), std::string::npos) << sentence();
+  ASSERT_EQ(wrc_contact_restore(contact, nullptr, bytes), WRC_ERROR_NULL);
+  EXPECT_NE(sentence().find("buffer"), std::string::npos) << sentence();
+  // The state saved after a step without fault has none.
+  ASSERT_EQ(wrc_contact_restore(contact, saved.data(), bytes), WRC_OK);
+  EXPECT_EQ(sentence(), "");
+  load.normal_force = 80e3;
   expect_works();
 }
 

@@ -14,8 +14,8 @@ class Sensitivities : public ReferenceContact {
  protected:
   /// Everything the contact holds.
   std::vector<char> state() const {
-    uint64_t bytes = 0, alignment = 0;
-    EXPECT_EQ(wrc_contact_size(model, &bytes, &alignment), WRC_OK);
+    uint64_t bytes = 0;
+    EXPECT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
     std::vector<char> copy(bytes);
     EXPECT_EQ(wrc_contact_save(contact, copy.data(), bytes), WRC_OK);
     return copy;

@@ -150,8 +150,12 @@ class Timed {
     patch.b = c.patch.b;
     patch.psi = c.patch.psi;
     patch.normal_force = c.normal_force;
-    wrc_creepage creepage = {
-        sizeof creepage, 0, c.creepage.longitudinal, c.creepage.lateral, c.creepage.spin, 1.0, 0.0};
+    wrc_creepage creepage{};
+    creepage.struct_size = sizeof creepage;
+    creepage.longitudinal = c.creepage.longitudinal;
+    creepage.lateral = c.creepage.lateral;
+    creepage.spin = c.creepage.spin;
+    creepage.speed = 1.0;
     wrc_friction friction;
     friction.struct_size = sizeof friction;
     wrc_friction_init(&friction);

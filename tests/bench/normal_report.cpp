@@ -54,8 +54,8 @@ class Wheel {
       std::fprintf(stderr, "no model\n");
       std::exit(2);
     }
-    uint64_t bytes = 0, alignment = 0;
-    wrc_contact_size(model_, &bytes, &alignment);
+    uint64_t bytes = 0;
+    wrc_contact_state_size(model_, &bytes);
     state_.resize(bytes);
   }
   ~Wheel() {

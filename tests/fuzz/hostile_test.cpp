@@ -1,6 +1,8 @@
 /// Thousands of hostile cases from a fixed seed.
-///   hostile_test [seconds [cases]]  as many as fit, at most `cases` (default `most_cases`)
-///   hostile_test --case NUMBER      one of them, to debug it
+///   hostile_test [seconds [cases]]               as many as fit, at most `cases` (default `most_cases`)
+///   hostile_test seconds cases finest calls first   many inputs: grids up to finest x finest, up to `calls`
+///                                                   calls on each contact, from case `first` on
+///   hostile_test --case NUMBER [finest calls]    one of them, to debug it
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -17,28 +19,36 @@ constexpr long most_cases = 20000;
 // machine is a hundred times slower than a release build alone.
 constexpr double longest_call = 120.0;  // [s]
 
-hostile::Verdict play(long number) {
+struct Size {
+  std::int32_t finest = 512;
+  std::uint32_t calls = 5;
+};
+
+hostile::Verdict play(long number, const Size& size) {
   hostile::Choices choices(seed + static_cast<std::uint64_t>(number) * 1000003U);
-  return hostile::play(choices, 512);
+  return hostile::play(choices, size.finest, size.calls);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::strcmp(argv[1], "--case") == 0) {
-    const hostile::Verdict verdict = play(std::atol(argv[2]));
+  Size size;
+  if (argc > 4) size = {std::atoi(argv[3]), static_cast<std::uint32_t>(std::atol(argv[4]))};
+  if (argc > 2 && std::strcmp(argv[1], "--case") == 0) {
+    const hostile::Verdict verdict = play(std::atol(argv[2]), size);
     std::printf("%s\n", verdict.broken.empty() ? "holds" : verdict.broken.c_str());
     return verdict.broken.empty() ? 0 : 1;
   }
   const double seconds = argc > 1 ? std::atof(argv[1]) : 20.0;
   const long limit = argc > 2 ? std::atol(argv[2]) : most_cases;
+  const long first = argc > 5 ? std::atol(argv[5]) : 0;
   const auto start = std::chrono::steady_clock::now();
   long cases = 0, models = 0, calls = 0, solved = 0, failed = 0;
   double slowest = 0.0;
   for (; cases < limit; ++cases) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (spent.count() > seconds) break;
-    hostile::Verdict verdict = play(cases);
+    hostile::Verdict verdict = play(first + cases, size);
     if (verdict.broken.empty() && verdict.slowest_call > longest_call)
       verdict.broken = "a call took too long";
     models += verdict.model_made;
@@ -47,7 +57,7 @@ int main(int argc, char** argv) {
     slowest = std::max(slowest, verdict.slowest_call);
     if (!verdict.broken.empty()) {
       ++failed;
-      std::printf("case %ld: %s\n", cases, verdict.broken.c_str());
+      std::printf("case %ld: %s\n", first + cases, verdict.broken.c_str());
       std::fflush(stdout);
     }
   }

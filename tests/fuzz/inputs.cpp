@@ -11,6 +11,12 @@ void poison_one(Choices& choices, std::vector<double>& values) {
   values[choices.below(static_cast<std::uint32_t>(values.size()))] = choices.poison();
 }
 
+/// A number that is larger by next to nothing, or by what is just enough.
+double next_to(Choices& choices, double from) {
+  const double next = from + choices.magnitude(choices.one_in(2) ? 1e-18 : 1e-7, 1e-5);
+  return choices.one_in(4) || !(next > from) ? std::nextafter(from, 1.0) : next;
+}
+
 /// Simple tread with a flange [m]; no standard's shape.
 double wheel_height(double y) {
   if (y < -0.058) return 0.028 - 20.0 * (y + 0.058) * (y + 0.058);
@@ -19,7 +25,7 @@ double wheel_height(double y) {
 }
 double rail_height(double y) {
   const double over = std::fmax(0.0, std::fabs(y) - 0.025);
-  return 0.5 * y * y / 0.3 + 60.0 * over * over;
+  return 0.5 * y * y / 0.3 + 150.0 * over * over;
 }
 
 /// Measured, worn, edited by hand or simply wrong: the ways a profile file can be.
@@ -47,7 +53,7 @@ void spoil_profile(Choices& choices, std::vector<double>& y, std::vector<double>
     }
     case 5: {  // a vertical part
       const std::uint32_t at = 1 + choices.below(count - 1);
-      y[at] = y[at - 1] + choices.magnitude(1e-15, 1e-6);
+      y[at] = y[at - 1] + choices.magnitude(1e-15, 1e-4);
       break;
     }
     case 6: {  // a hollow or a groove
@@ -222,7 +228,7 @@ wrc_load make_load(Choices& choices) {
 
 wrc_motion make_motion(Choices& choices) {
   wrc_motion motion = made<wrc_motion>(wrc_motion_init);
-  motion.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  motion.speed = choices.signed_magnitude(1e-6, 200.0);
   motion.lateral_velocity = choices.signed_magnitude(1e-9, 20.0);
   motion.vertical_velocity = choices.signed_magnitude(1e-9, 20.0);
   motion.roll_rate = choices.signed_magnitude(1e-9, 100.0);
@@ -249,7 +255,8 @@ wrc_creepage make_creepage(Choices& choices) {
   creepage.longitudinal = choices.signed_magnitude(1e-15, most);
   creepage.lateral = choices.signed_magnitude(1e-15, most);
   creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
-  creepage.speed = choices.one_in(8) ? 0.0 : choices.magnitude(1e-6, 200.0);
+  creepage.speed = choices.signed_magnitude(1e-6, 200.0);
+  if (choices.one_in(8)) creepage.other_way = choices.between(0.0, 0.5);
   if (choices.one_in(40)) creepage.spin = choices.poison();
   return creepage;
 }
@@ -310,7 +317,7 @@ wrc_patch make_patch(Choices& choices) {
 void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   std::uint32_t rows = 4 + choices.below(static_cast<std::uint32_t>(room) - 3);
   if (choices.one_in(40)) rows = choices.one_in(2) ? 3 : static_cast<std::uint32_t>(room) + 1;
-  const double width = choices.magnitude(1e-7, 0.3);
+  const double width = choices.magnitude(1e-5, 0.3);
   const double middle = choices.between(-0.1, 0.1) * (choices.one_in(4) ? 1.0 : 0.0);
   const double curvature = choices.one_in(4) ? choices.magnitude(1e-3, 1e6) : 1.0 / 0.46;
   const double lateral_curvature = choices.magnitude(1e-3, 1e5);
@@ -360,6 +367,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   }
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
+  if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
   gap.gap = made<wrc_gap>(wrc_gap_init);
   gap.gap.rows = rows;
   gap.gap.y = gap.y.data();
@@ -374,7 +382,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   }
   // The same surface, element by element; rows may stand apart in memory.
   const std::uint32_t columns = 3 + choices.below(60), stride = columns + choices.below(5);
-  const double length = choices.magnitude(1e-6, 0.3);
+  const double length = choices.magnitude(1e-5, 0.3);
   gap.x.resize(columns);
   gap.h.assign(static_cast<std::size_t>(rows) * stride, std::numeric_limits<double>::quiet_NaN());
   for (std::uint32_t i = 0; i < columns; ++i)
@@ -389,6 +397,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
     }
   }
   if (choices.one_in(24)) gap.h[special * stride] = choices.poison();
+  if (choices.one_in(24)) gap.x[1] = next_to(choices, gap.x[0]);
   poison_one(choices, gap.x);
   gap.gap.columns = columns;
   gap.gap.x = gap.x.data();

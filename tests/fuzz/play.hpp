@@ -16,7 +16,7 @@ struct Verdict {
   double slowest_call = 0.0;  ///< [s]
 };
 
-/// Grids are at most `finest` by `finest` cells.
-Verdict play(Choices& choices, std::int32_t finest);
+/// Grids are at most `finest` by `finest` cells; at most `most_calls` hostile calls on the contact.
+Verdict play(Choices& choices, std::int32_t finest, std::uint32_t most_calls = 5);
 
 }  // namespace hostile

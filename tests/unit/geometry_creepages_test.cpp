@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/creepages.hpp"
@@ -110,14 +111,87 @@ TEST(Creepages, LeftWheelIsTheMirrorImage) {
   EXPECT_NEAR(cb.normal_velocity, ca.normal_velocity, 1e-9);
 }
 
-TEST(Creepages, StandstillHasNone) {
+TEST(Creepages, VelocitiesOverTheRollingSpeedFromTheFloorOn) {
+  // From the floor speed on the divisor is V itself, and nothing is limited, to the last bit.
+  const ReferenceBodies bodies;
+  const Running running(bodies, Pose{});
+  for (const double speed : {floor_speed * (1.0 + 1e-6), 0.2, 1.0, 90.0, -0.2, -90.0}) {
+    const RigidCreepage c = creepage(
+        running.wheel, running.contact,
+        {.speed = speed, .lateral_velocity = 0.01, .pitch_rate = -speed / running.contact.rolling_radius});
+    EXPECT_FALSE(c.limited) << speed;
+    EXPECT_EQ(c.other_way, 0.0);
+    EXPECT_NEAR(c.rolling_speed, speed, 1e-12);
+    EXPECT_EQ(c.lateral, 0.01 * running.contact.cosine / std::fabs(c.rolling_speed));
+  }
+}
+
+TEST(Creepages, AreTwiceDifferentiableThroughStandstill) {
+  // Divisor and share have the values, slopes and curvatures of their pieces at the floor and at V = 0:
+  // second differences of a step of floor / 200 stay those of the polynomials.
+  const ReferenceBodies bodies;
+  const Running running(bodies, Pose{});
+  const double step = floor_speed / 200.0;
+  const auto at = [&](int i) {
+    return creepage(running.wheel, running.contact,
+                    {.speed = i * step, .pitch_rate = -i * step / running.contact.rolling_radius});
+  };
+  double previous[2] = {}, largest_change[2] = {};
+  for (int i = -400; i <= 400; ++i) {
+    const RigidCreepage before = at(i - 1), here = at(i), after = at(i + 1);
+    const auto forward_share = [](const RigidCreepage& c) {
+      return std::signbit(c.rolling_speed) ? c.other_way : 1.0 - c.other_way;
+    };
+    const double second[] = {std::fabs(after.rolling_speed) - 2.0 * std::fabs(here.rolling_speed) +
+                                 std::fabs(before.rolling_speed),
+                             forward_share(after) - 2.0 * forward_share(here) + forward_share(before)};
+    for (int k = 0; k < 2; ++k) {
+      const double curvature = second[k] * (k == 0 ? floor_speed : floor_speed * floor_speed) / (step * step);
+      if (i > -400) largest_change[k] = std::max(largest_change[k], std::fabs(curvature - previous[k]));
+      previous[k] = curvature;
+    }
+  }
+  // Curvatures of (3 + 6 u^2 - u^4) / 8 and of the share change by no more than their slope times du = 1 /
+  // 200.
+  EXPECT_LT(largest_change[0], 3.0 / 200.0 * 1.1);
+  EXPECT_LT(largest_change[1], 7.5 / 200.0 * 1.1);
+}
+
+TEST(Creepages, SaturateAtStandstillAndKeepTheVelocity) {
   const ReferenceBodies bodies;
   const Running running(bodies, Pose{});
   const RigidCreepage c = creepage(running.wheel, running.contact, {.lateral_velocity = 0.1});
   EXPECT_EQ(c.longitudinal, 0.0);
-  EXPECT_EQ(c.lateral, 0.0);
-  EXPECT_EQ(c.spin, 0.0);
-  EXPECT_EQ(c.rolling_speed, 0.0);
+  EXPECT_NEAR(c.rolling_speed, 0.375 * floor_speed, 1e-15);
+  EXPECT_NEAR(c.lateral * c.rolling_speed, 0.1 * running.contact.cosine, 1e-15);
+  EXPECT_NEAR(c.other_way, 0.5, 1e-15);
+  EXPECT_TRUE(c.limited);
+  // All of them shrink together where one would be too large.
+  const RigidCreepage fast =
+      creepage(running.wheel, running.contact, {.lateral_velocity = 20.0, .yaw_rate = 0.1});
+  EXPECT_NEAR(fast.lateral, largest_creepage, 1e-12);
+  EXPECT_NEAR(fast.lateral * fast.rolling_speed, 20.0 * running.contact.cosine, 1e-9);
+  EXPECT_NEAR(fast.spin * fast.rolling_speed, 0.1 * running.contact.cosine, 1e-9);
+  const RigidCreepage none = creepage(running.wheel, running.contact, {});
+  EXPECT_EQ(none.lateral, 0.0);
+  EXPECT_EQ(none.spin, 0.0);
+}
+
+TEST(Creepages, RollingSpeedIsTheMeanOfBothMaterials) {
+  const ReferenceBodies bodies;
+  const Running running(bodies, Pose{});
+  const double radius = running.contact.rolling_radius;
+  struct Case {
+    double speed, circumference, rolling, longitudinal;
+  };
+  for (const Case& k :
+       {Case{10.0, 0.0, 5.0, 2.0}, Case{-10.0, 0.0, -5.0, -2.0}, Case{0.0, 10.0, 5.0, -2.0},
+        Case{0.0, -10.0, -5.0, 2.0}, Case{10.0, -6.0, 2.0, 8.0}, Case{-10.0, 6.0, -2.0, -8.0}}) {
+    const RigidCreepage c =
+        creepage(running.wheel, running.contact, {.speed = k.speed, .pitch_rate = -k.circumference / radius});
+    EXPECT_NEAR(c.rolling_speed, k.rolling, 1e-9);
+    EXPECT_NEAR(c.longitudinal, k.longitudinal, 1e-9);
+  }
 }
 
 TEST(OverlapWeightedPoint, TendsToTheFirstContactForSmallOverlap) {

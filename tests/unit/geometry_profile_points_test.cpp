@@ -152,6 +152,59 @@ TEST(ProfilePoints, FoldsRepeatsAndReversedOrderAreNamed) {
   expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "reverse their order");
 }
 
+TEST(ProfilePoints, PointsCloserThanRoundingAllowsAreTold) {
+  for (double close : {1e-15, 9e-13}) {
+    Points points = rail_points();
+    points.y[40] = points.y[39] + close;
+    expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "leave out one", 40);
+  }
+  Points points = rail_points();
+  points.y[40] = points.y[39] + 1.1e-12;
+  points.z[40] = points.z[39];
+  EXPECT_EQ(check(ProfileBody::rail, points).status, WRC_OK);
+}
+
+TEST(ProfilePoints, AStepIsCalledAStep) {
+  // Up or down, anywhere across the head or the tread, on coarse and fine points.
+  const auto head = [](double y) { return rail_head(rail_60e1, y); };
+  struct Body {
+    ProfileBody body;
+    Points points;
+    double least;  ///< [m]
+  };
+  for (const Body& each : {Body{ProfileBody::rail, rail_points(), 1.5e-3},
+                           Body{ProfileBody::rail, sampled(head, -0.0355, 0.0355, 49), 5e-3},
+                           Body{ProfileBody::rail, sampled(head, -0.0355, 0.0355, 1421), 1.5e-3},
+                           Body{ProfileBody::wheel, wheel_points(), 5e-3}}) {
+    for (const double step : {5e-3, -5e-3, 1.5e-3, -1.5e-3}) {
+      for (const double share : {0.15, 0.4, 0.5, 0.7}) {
+        if (std::fabs(step) < each.least) continue;
+        Points points = each.points;
+        const auto from = static_cast<std::size_t>(share * static_cast<double>(points.y.size()));
+        for (std::size_t i = from; i < points.y.size(); ++i) points.z[i] += step;
+        expect_fault(check(each.body, points), WRC_ERROR_PROFILE, "jumps", static_cast<std::int32_t>(from));
+      }
+    }
+  }
+}
+
+TEST(ProfilePoints, SteepFlangesAndGaugeFacesAreNoSteps) {
+  // A gauge face of four points, nearly vertical, and a flange of 75 degrees between two arcs, every 1.5 mm.
+  Points rail = rail_points();
+  const double y = rail.y.front(), z = rail.z.front();
+  for (int i = 1; i <= 4; ++i) {
+    rail.y.insert(rail.y.begin(), y - 1e-4 * i);
+    rail.z.insert(rail.z.begin(), z + 6e-3 * i);
+  }
+  EXPECT_EQ(check(ProfileBody::rail, rail).status, WRC_OK);
+  Points wheel;
+  for (double s = -0.060; s <= 0.060; s += 1.5e-3) {
+    wheel.y.push_back(s);
+    wheel.z.push_back(s < -0.0412 ? 0.027 : s < -0.034 ? 0.027 - 3.7 * (s + 0.0412) : 0.0);
+  }
+  EXPECT_EQ(check(ProfileBody::wheel, wheel).status, WRC_OK);
+}
+
 TEST(ProfilePoints, UpsideDownAndMirroredBodiesAreTold) {
   Points rail = rail_points(), wheel = wheel_points();
   for (double& z : rail.z) z = -z;

@@ -448,7 +448,12 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   sdec.b = patch.b;
   sdec.psi = patch.psi;
   sdec.normal_force = N;
-  wrc_creepage creepage = {sizeof creepage, 0, 1e-3, -5e-4, 0.2, 20.0, 0.0};
+  wrc_creepage creepage{};
+  creepage.struct_size = sizeof creepage;
+  creepage.longitudinal = 1e-3;
+  creepage.lateral = -5e-4;
+  creepage.spin = 0.2;
+  creepage.speed = 20.0;
   wrc_friction friction = {};
   friction.struct_size = sizeof friction;
   wrc_friction_init(&friction);

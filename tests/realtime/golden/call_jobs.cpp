@@ -1,4 +1,5 @@
-/// Calls beside the step: creepages from a motion, wear, profiles as placed, plain numbers, refused input.
+/// Calls beside the step: creepages from a motion, rolling backwards and through standstill, wear, profiles
+/// as placed, plain numbers, refused input.
 #include <limits>
 
 #include "golden/plan.hpp"
@@ -43,6 +44,40 @@ void run_motion(wrc_contact* contact, Hash& hash) {
     hash.add(wrc_creepages(contact, &motion, &creepage));
     for (double number : {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed})
       hash.add(number);
+  }
+}
+
+/// From the motion to the forces, backwards and through standstill.
+void run_standstill(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(8);
+  for (int i = 0; i < 16; ++i) {
+    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    pose.lateral = numbers.between(-4e-3, 5e-3);
+    pose.yaw = numbers.between(-0.02, 0.02);
+    wrc_load load = made<wrc_load>(wrc_load_init);
+    load.normal_force = 70e3;
+    const double fastest = i % 4 == 0 ? 80.0 : 0.15;
+    wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+    motion.speed = i == 1 ? 0.0 : numbers.between(-fastest, fastest);
+    motion.pitch_rate = -motion.speed / numbers.between(0.459, 0.461);
+    motion.lateral_velocity = numbers.between(-0.01, 0.01) * (i % 3);
+    motion.yaw_rate = numbers.between(-0.05, 0.05);
+    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+    wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+    wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
+    hash.add(wrc_geometry(contact, &pose, nullptr));
+    hash.add(wrc_normal(contact, nullptr, &load, nullptr));
+    hash.add(wrc_creepages(contact, &motion, &creepage));
+    for (double number :
+         {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed, creepage.other_way})
+      hash.add(number);
+    hash.add(wrc_tangential(contact, nullptr, &creepage, &friction, &forces));
+    hash_forces(forces, hash);
+    hash_fields(contact, hash);
+    hash.add(wrc_sensitivities(contact, &sensitivity));
+    for (const auto& row : sensitivity.forces)
+      for (double number : row) hash.add(number);
   }
 }
 
@@ -185,6 +220,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"wear", model, {}, run_wear});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});
+  plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, run_wheels});
 }
 

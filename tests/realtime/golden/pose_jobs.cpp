@@ -189,7 +189,7 @@ void add_profiles(Plan& plan) {
     return list;
   };
   const auto wheel_height = [](double y) { return y * (-0.025 + y * (0.4 - 20.0 * y)); };
-  const auto rail_height = [](double y) { return y * y * (1.7 + y * (4.0 + 900.0 * y)); };
+  const auto rail_height = [](double y) { return y * y * (1.7 + y * (4.0 + 10e3 * y)); };
   for (double smoothing : {0.0, 5e-3}) {
     const std::vector<double>& on_wheel = points(-0.055, 0.055, wheel_height);
     const std::vector<double>& on_rail = points(-0.035, 0.035, rail_height);

@@ -24,7 +24,7 @@ std::vector<Configuration> configurations() {
     wheel_y.push_back(-0.05 + 0.001 * i);
     wheel_z.push_back(-0.025 * wheel_y.back());
     rail_y.push_back(-0.03 + 0.0006 * i);
-    rail_z.push_back(1.7 * rail_y.back() * rail_y.back());
+    rail_z.push_back(20.0 * rail_y.back() * rail_y.back());
   }
   for (wrc_profile& profile : profiles) profile = made<wrc_profile>(wrc_profile_init);
   profiles[0].kind = WRC_PROFILE_S1002;

@@ -46,11 +46,12 @@ class Twins {
   explicit Twins(const Methods& methods) : wheel_(methods) {
     wrc_contact_destroy(wheel_.contact);
     for (int k = 0; k < 2; ++k) {
-      memory_[k].resize(wheel_.state.size() + alignment);
+      memory_[k].resize(wheel_.contact_bytes + alignment);
       char* first = memory_[k].data();
       first += alignment - reinterpret_cast<std::uintptr_t>(first) % alignment;
-      std::memset(first, fillings[k], wheel_.state.size());
-      if (wrc_contact_init(wheel_.model, first, wheel_.state.size(), &contact_[k]) < 0) contact_[k] = nullptr;
+      std::memset(first, fillings[k], wheel_.contact_bytes);
+      if (wrc_contact_init(wheel_.model, first, wheel_.contact_bytes, &contact_[k]) < 0)
+        contact_[k] = nullptr;
       saved_[k].resize(wheel_.state.size());
     }
     wheel_.contact = nullptr;

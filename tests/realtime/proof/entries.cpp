@@ -118,7 +118,7 @@ int32_t save_and_restore(Wheel& wheel) {
 /// A contact in the wheel's spare memory.
 int32_t contact_init(Wheel& wheel) {
   wrc_contact* another = nullptr;
-  return wrc_contact_init(wheel.model, wheel.spare, wheel.state.size(), &another);
+  return wrc_contact_init(wheel.model, wheel.spare, wheel.contact_bytes, &another);
 }
 
 int32_t regularise_strips(Wheel& wheel) {
@@ -232,9 +232,10 @@ int32_t model_profile(Wheel& wheel) {
   return wrc_model_profile(wheel.model, WRC_BODY_RAIL, &y, &z, &deviation);
 }
 
-int32_t contact_size(Wheel& wheel) {
+int32_t contact_sizes(Wheel& wheel) {
   std::uint64_t bytes = 0, alignment = 0;
-  return wrc_contact_size(wheel.model, &bytes, &alignment);
+  return std::min(wrc_contact_size(wheel.model, &bytes, &alignment),
+                  wrc_contact_state_size(wheel.model, &bytes));
 }
 
 int32_t plain_numbers(Wheel&) {
@@ -291,7 +292,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_step refused, wrc_last_error", refused_input},
       {"wrc_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
-      {"wrc_contact_size", contact_size},
+      {"wrc_contact_size, _state_size", contact_sizes},
       {"wrc_linear_coefficients, ...", plain_numbers},
       {"defaults, names, versions", defaults_and_names},
   };

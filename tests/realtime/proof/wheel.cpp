@@ -56,12 +56,13 @@ Wheel::Wheel(const Methods& with) : methods(with) {
   config.warm_start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
   config.wheel = &wheel;
   config.rail = &rail;
-  std::uint64_t bytes = 0, alignment = 0;
+  std::uint64_t alignment = 0, state_bytes = 0;
   if (wrc_model_create(&config, nullptr, &model) < 0 || wrc_contact_create(model, nullptr, &contact) < 0 ||
-      wrc_contact_size(model, &bytes, &alignment) < 0)
+      wrc_contact_size(model, &contact_bytes, &alignment) < 0 ||
+      wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
-  state.resize(bytes);
-  spare_memory_.resize(bytes + alignment);
+  state.resize(state_bytes);
+  spare_memory_.resize(contact_bytes + alignment);
   const auto first = reinterpret_cast<std::uintptr_t>(spare_memory_.data());
   spare = spare_memory_.data() + (alignment - first % alignment);
 }

@@ -67,8 +67,9 @@ class Wheel {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-  std::vector<char> state;  ///< room for a saved contact
-  char* spare = nullptr;    ///< room for another contact, aligned as contacts are
+  std::vector<char> state;          ///< room for a saved contact
+  char* spare = nullptr;            ///< room for another contact, aligned as contacts are
+  std::uint64_t contact_bytes = 0;  ///< of that room
 
  private:
   std::vector<char> spare_memory_;
