@@ -54,7 +54,7 @@
 #include "wrc_status.h"
 
 /** @cond */
-#if defined(_WIN32)
+#if defined(_WIN32) || defined(WRC_STATIC) /* the static library: who links it need not export it */
 #define WRC_API
 #elif defined(__GNUC__)
 #define WRC_API __attribute__((visibility("default")))
