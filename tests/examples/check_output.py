@@ -5,7 +5,8 @@
 
 Words must be equal, blanks apart. Numbers may differ by one unit of the last digit the file has: results are the same bits
 everywhere, but for the exact solver's, which use the C library's functions. In the file * stands for any number, and a
-line of three dots for any number of lines. The program must end with status 0.
+line of three dots for any number of lines. The program must end with status 0. Where results moved on purpose, the file is
+written anew with what the program prints.
 """
 import re
 import subprocess
