@@ -9,6 +9,9 @@
 ///                                              on CELLS x 2 CELLS cells [160]: of the true surfaces, of the
 ///                                              rows
 ///
+///     normal_report trips                      load -> approach -> load of the methods that search the
+///                                              approach: what leaps, and what does not come back
+///
 ///     normal_report speed                      microseconds per solve of every method, 60 strips
 ///
 ///     normal_report solves METHOD cold|warm N  N solves of one method and nothing else, for a profiler
@@ -40,12 +43,15 @@ class Wheel {
  public:
   wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  double tolerance = 0.0;  ///< of a prescribed load [-]
 
-  Wheel(int32_t method, bool warm) {
+  Wheel(int32_t method, bool warm, int32_t rail_kind = WRC_PROFILE_UIC60_BENCHMARK) {
     wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
     wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    rail.kind = rail_kind;
     wrc_config config = made<wrc_config>(wrc_config_init);
+    if (rail_kind == WRC_PROFILE_60E1) config.rail_inclination = 0.025;
+    tolerance = config.load_tolerance;
     config.normal_method = method;
     config.warm_start = warm ? 1 : 0;
     config.wheel = &wheel;
@@ -74,6 +80,17 @@ class Wheel {
     return wrc_geometry(contact_, &pose, &point);
   }
   int32_t solve() { return wrc_normal(contact_, nullptr, &load_, &patch); }
+  int32_t solve_load(double normal_force) {
+    wrc_load load = made<wrc_load>(wrc_load_init);
+    load.normal_force = normal_force;
+    return wrc_normal(contact_, nullptr, &load, &patch);
+  }
+  int32_t solve_approach(double approach) {
+    wrc_load load = made<wrc_load>(wrc_load_init);
+    load.prescribed = WRC_PRESCRIBE_APPROACH;
+    load.approach = approach;
+    return wrc_normal(contact_, nullptr, &load, &patch);
+  }
 
   /// Takes over the rows of another wheel's gap, as the caller's.
   int32_t take_rows(const Wheel& other) {
@@ -414,6 +431,65 @@ int flange(uint32_t cells) {
   return 0;
 }
 
+// ------------------------------------------------------------------------------------------------- trips
+
+/// From a load to its approach and back, of the methods that search the approach: the load comes back, or a
+/// flag says that the method's load leaps. Fails where neither is so.
+int trips() {
+  std::printf(
+      "load -> approach -> load, lateral -6..+6 mm by 0.05 mm, yaw -5, 0, 15 mrad, eleven loads of 0.5..150 "
+      "kN\n"
+      "%-16s %-10s %8s %8s %8s %8s %8s   %s\n",
+      "method", "rail", "trips", "leaps", "capped", "failed", "lost", "largest error without a flag");
+  const struct {
+    const char* name;
+    int32_t kind;
+  } rails[] = {{"benchmark", WRC_PROFILE_UIC60_BENCHMARK}, {"60E1", WRC_PROFILE_60E1}};
+  int bad = 0;
+  for (int32_t method = 0; method < WRC_NORMAL_STRIP_HALFSPACE; ++method)
+    for (const auto& rail : rails) {
+      Wheel wheel(method, false, rail.kind);
+      int count = 0, leaps = 0, capped = 0, failed = 0, lost = 0;
+      double worst = 0.0, worst_lateral = 0.0, worst_yaw = 0.0, worst_load = 0.0;
+      for (const double yaw : {-5e-3, 0.0, 15e-3})
+        for (int i = -120; i <= 120; ++i) {
+          const double lateral = 0.05e-3 * i;
+          if (wheel.place(lateral, yaw) < 0) ++failed;
+          double load = 500.0;
+          for (int k = 0; k <= 10; ++k, load *= std::pow(300.0, 0.1)) {
+            ++count;
+            const int32_t status = wheel.solve_load(load);
+            if (status < 0) {
+              ++failed;
+              continue;
+            }
+            const double found = wheel.patch.approach;
+            if (status == WRC_FLAG_ITERATION_CAP || status == WRC_FLAG_LOAD_LEAPS) {
+              ++(status == WRC_FLAG_LOAD_LEAPS ? leaps : capped);
+              continue;
+            }
+            if (wheel.solve_approach(found) < 0) {
+              ++failed;
+              continue;
+            }
+            const double error = std::fabs(wheel.patch.normal_force / load - 1.0);
+            lost += error > wheel.tolerance;
+            if (error > worst) {
+              worst = error;
+              worst_lateral = lateral;
+              worst_yaw = yaw;
+              worst_load = load;
+            }
+          }
+        }
+      bad += failed + lost;
+      std::printf("%-16s %-10s %8d %8d %8d %8d %8d   %.2e (%+5.2f mm %+3.0f mrad %.1f kN)\n",
+                  method_names[method], rail.name, count, leaps, capped, failed, lost, worst,
+                  1e3 * worst_lateral, 1e3 * worst_yaw, 1e-3 * worst_load);
+    }
+  return bad == 0 ? 0 : 1;
+}
+
 // ------------------------------------------------------------------------------------------------- speed
 
 double quantile(std::vector<double> values, double share) {
@@ -493,12 +569,13 @@ int main(int argc, char** argv) {
     const int cells = argc > 2 ? std::atoi(argv[2]) : 160;
     if (cells >= 4 && cells <= 512) return flange(static_cast<uint32_t>(cells));
   }
+  if (what == "trips") return trips();
   if (what == "speed") return speed(json);
   if (what == "solves" && argc > 4)
     return solves(argv[2], std::strcmp(argv[3], "warm") == 0, std::atoi(argv[4]));
   std::fprintf(
       stderr,
       "usage: normal_report sweep [--rows FILE] [--limits SHARE] [--json] | jumps [--limits SHARE] | "
-      "flange [CELLS 4..512] | speed [--json] | solves METHOD cold|warm N\n");
+      "flange [CELLS 4..512] | trips | speed [--json] | solves METHOD cold|warm N\n");
   return 2;
 }
