@@ -54,7 +54,7 @@
 #include "wrc_status.h"
 
 /** @cond */
-#if defined(_WIN32)
+#if defined(_WIN32) || defined(WRC_STATIC) /* the static library: who links it need not export it */
 #define WRC_API
 #elif defined(__GNUC__)
 #define WRC_API __attribute__((visibility("default")))
@@ -107,7 +107,7 @@ enum wrc_normal_method {
   WRC_NORMAL_HERTZ = 0,           /**< one ellipse; lateral curvature from the chord of the gap at half the approach */
   WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
   WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
-  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< EKP, threshold varying over y: exact for elliptic gaps (CONTACT's KPEC) */
+  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< threshold varying over y, every region of overlap: CONTACT's KPEC, to 0.02 % */
   WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
   WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
   WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
@@ -265,9 +265,11 @@ typedef struct wrc_config {
                                   between calls. 0: results depend on the inputs of the call alone [0] */
   double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
   double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
-  double load_tolerance;       /**< of the search for a prescribed load: relative error its next step would leave, 1e-14..
-                                  1e-2; not read by WRC_NORMAL_STRIP_HALFSPACE, which meets it to rounding [1e-10] */
-  double gap_limit;            /**< rows reach to where the gap exceeds this, 1e-5..0.02 m [1e-3] */
+  double load_tolerance;       /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below
+                                  1e-12 as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to
+                                  rounding [1e-10] */
+  double gap_limit;            /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches are
+                                  not solved but continued, WRC_FLAG_BEYOND_GAP [1e-3] */
   double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
   double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46] */
   double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; this, side and the next three are
@@ -768,8 +770,11 @@ WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wr
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
- * _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and the contact has none),
- * _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
+ * _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_LEAPS (HERTZ to STRIPES: between two loads
+ * the method has no solution; the approach is that of the larger, and prescribed gives that one), _BEYOND_GAP (load
+ * or approach is more than the gap carries, at most config.gap_limit of a pose's: load and pressures go on in a
+ * straight line with the last stiffness, the patch stays); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and
+ * the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
 WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.

@@ -11,6 +11,8 @@
 #include "normal/ekp.hpp"
 #include "normal/hertz.hpp"
 #include "normal/kik_piotrowski.hpp"
+#include "normal/load_search.hpp"
+#include "normal/penetration.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal/stripes.hpp"
 
@@ -253,7 +255,8 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
 
 namespace {
 
-/// The strip half-space solver with its scratch memory, from its last solution where the model asks for that.
+/// The strip half-space solver with its scratch memory, from its last solution where the model asks for that;
+/// beyond what the gap carries it is continued as the other methods are.
 Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
   const ModelOptions& options = contact.model->options;
   NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace_bytes};
@@ -263,9 +266,24 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
                             array(contact, Array::start_width),
                             array(contact, Array::start_length_squared),
                             array(contact, Array::start_shift)};
-  const Fault fault =
-      solve_strip_halfspace(problem, {.max_sweeps = options.max_iterations}, *contact.model->strip_kernel,
-                            workspace, start, strips, contact.normal);
+  const auto solve = [&](const NormalProblem& posed) {
+    return solve_strip_halfspace(posed, {.max_sweeps = options.max_iterations}, *contact.model->strip_kernel,
+                                 workspace, start, strips, contact.normal);
+  };
+  bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
+  Fault fault;
+  if (!beyond) {
+    fault = solve(problem);
+    beyond = fault.status == WRC_ERROR_LOAD || (!fault.failed() && contact.normal.approach > problem.deepest);
+    if (beyond) start.count = 0;  // what is beyond the gap is no start
+  }
+  if (beyond) {
+    NormalProblem end = problem;
+    end.prescribed = Prescribed::approach;
+    end.approach = std::min(deepest_approach(problem.gap, minimum(problem.gap)), problem.deepest);
+    fault = solve(end);
+    if (!fault.failed()) fault = continue_beyond(problem, strips, contact.normal);
+  }
   contact.start_strips = fault.failed() ? 0 : start.count;
   return fault;
 }
@@ -311,6 +329,8 @@ Fault solve_normal(Contact& contact, const Load& load) {
   problem.material = options.material;
   problem.prescribed = load.prescribed;
   (load.prescribed == Prescribed::load ? problem.normal_force : problem.approach) = load.value;
+  // Rows of a pose are looked for up to the limit; how far the last lie above it is chance.
+  if (contact.posed) problem.deepest = options.gap_limit;
   problem.strips = options.sizes.strips;
   problem.max_iterations = options.max_iterations;
   problem.force_tolerance = options.load_tolerance;

@@ -5,6 +5,14 @@
 
 namespace wrc {
 
+RollingReference rolling_reference(double rolling_speed) {
+  const double amount = std::fabs(rolling_speed);
+  if (amount >= floor_speed) return {amount, 0.0};
+  const double u = amount / floor_speed, u2 = u * u;
+  return {floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2)),
+          std::max(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0)};  // rounding
+}
+
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion) {
   const auto& r = wheel.attitude.r;
   // Angular velocity in track axes: yaw about z, roll about the first axis of the wheelset (roll does not
@@ -26,13 +34,9 @@ RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, con
   const double lateral = contact.cosine * vy + contact.sine * vz;
   const double spin = contact.cosine * wz - contact.sine * wy;
   const double rolling_speed = motion.speed - 0.5 * vx, amount = std::fabs(rolling_speed);
-  double divisor = amount;
-  if (amount < floor_speed) {
-    const double u = amount / floor_speed, u2 = u * u;
-    divisor = floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2));
-    result.other_way = std::max(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0);  // rounding
-  }
-  divisor = std::max({divisor, std::fabs(vx) / largest_creepage, std::fabs(lateral) / largest_creepage,
+  const RollingReference reference = rolling_reference(rolling_speed);
+  result.other_way = reference.other_way;
+  const double divisor = std::max({reference.divisor, std::fabs(vx) / largest_creepage, std::fabs(lateral) / largest_creepage,
                       std::fabs(spin) / largest_spin});
   const auto over_divisor = [&](double velocity, double most) {
     return std::clamp(velocity / divisor, -most, most);  // rounding

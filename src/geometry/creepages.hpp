@@ -41,6 +41,17 @@ inline constexpr double largest_share_of_other_way = 0.5;
 /// sets the step of an explicit integrator.
 inline constexpr double floor_speed = 0.1;
 
+/// What sliding velocities are divided by, and the share of rolling the other way than the speed says.
+/// With u = |V| / floor_speed < 1 the divisor is
+///     floor_speed (3 + 6 u^2 - u^4) / 8,
+/// and the share (1 - (15 u - 10 u^3 + 3 u^5) / 8) / 2: of V both are C2, also at the floor, above which they
+/// are |V| and 0.
+struct RollingReference {
+  double divisor = 0.0;    ///< [m/s]
+  double other_way = 0.0;  ///< 0..1/2
+};
+RollingReference rolling_reference(double rolling_speed);
+
 /// Velocity of the wheel's material point at the contact, resolved in the contact frame and divided by the
 /// amount of the rolling speed V: the mean of the speeds at which rail and wheel material pass through the
 /// contact,
@@ -50,9 +61,7 @@ inline constexpr double floor_speed = 0.1;
 /// creepage 2; one that spins at standstill creepage -2; V = 0 where the materials pass in opposite
 /// directions alike.
 ///
-/// With u = |V| / floor_speed < 1 the divisor is
-///     floor_speed (3 + 6 u^2 - u^4) / 8,
-/// and the share of the other way (1 - (15 u - 10 u^3 + 3 u^5) / 8) / 2: of V both are C2, also at the floor.
+/// Near standstill the divisor is that of rolling_reference().
 /// Where creepages would still be larger than the tangential stage takes, all of them are divided by more, so
 /// that the slip keeps its direction. Divisor times creepage is the velocity always.
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion);

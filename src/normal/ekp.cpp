@@ -6,6 +6,7 @@
 #include "normal/contact_condition.hpp"
 #include "normal/hertz_theory.hpp"
 #include "normal/load_search.hpp"
+#include "normal/overlap_regions.hpp"
 #include "normal/penetration.hpp"
 
 namespace wrc {
@@ -32,14 +33,22 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
   const GapRow contact = interpolate(rows, lowest.y);
   const double coefficient_x = 0.5 * contact.curvature;
 
+  const bool every_region = options.scale == EkpScale::ellipse;
   const auto scale_at = [&](double approach) {
-    const LateralCurvature lateral = lateral_curvature(rows, lowest, approach);
+    const LateralCurvature lateral = every_region ? curvature_of_all_regions(rows, lowest, approach)
+                                                  : lateral_curvature(rows, lowest, approach);
     return penetration_scale(options.scale, coefficient_x, lateral, approach);
   };
   bool at_edge = false;
   const auto force = [&](double approach, const PenetrationScale& scale, const Span& span) {
     at_edge = span.at_edge;
-    divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    if (every_region) {
+      const OverlapRegions regions = overlap_regions(rows, lowest, scale, approach, span, problem.strips / 2);
+      at_edge = regions.at_edge;
+      divide_regions(*problem.kernels, rows, lowest, scale, approach, regions, problem.strips, strips);
+    } else {
+      divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    }
     return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
   fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,

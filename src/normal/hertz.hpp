@@ -14,7 +14,7 @@
 namespace wrc {
 
 /// Solves the problem and cuts the ellipse into strips (patch/sdec.hpp: their load is the ellipse's,
-/// exactly). Real-time: no allocation; at most problem.max_iterations + 2 evaluations.
+/// exactly). Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
 Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept;
 
 }  // namespace wrc

@@ -25,7 +25,7 @@ struct KikPiotrowskiOptions {
   bool shape_correction = false;
 };
 
-/// Real-time: no allocation; at most problem.max_iterations + 2 evaluations.
+/// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
 Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options, Strips& strips,
                            NormalSolution& solution) noexcept;
 

@@ -51,6 +51,32 @@ bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noe
   return true;
 }
 
+Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+  const bool load = problem.prescribed == Prescribed::load;
+  const double deepest = solution.approach, most = solution.normal_force;
+  // A leap just before the end is not to be continued, nor a load that falls.
+  const double chord = most / deepest;
+  solution.stiffness = std::clamp(solution.stiffness, chord, steepest_power * chord);
+  if (load) {
+    solution.normal_force = problem.normal_force;
+    solution.approach = deepest + (problem.normal_force - most) / solution.stiffness;
+  } else {
+    solution.approach = problem.approach;
+    solution.normal_force = most + solution.stiffness * (problem.approach - deepest);
+  }
+  const double share = solution.normal_force / most;
+  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
+  solution.peak_pressure *= share;
+  return {.status = WRC_FLAG_BEYOND_GAP,
+          .field = load ? "load.normal_force" : "load.approach",
+          .value = load ? problem.normal_force : problem.approach,
+          .unit = load ? "N" : "m",
+          .low = 0.0,
+          .high = load ? most : deepest,
+          .cause = load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
+                        : "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
+}
+
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
                        Fault& fault) noexcept {
   const StripTotals sum = totals(strips);

@@ -19,6 +19,11 @@ double first_guess(const NormalProblem& problem, double coefficient_x) noexcept;
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
                        Fault& fault) noexcept;
 
+/// Goes on from the solution at the deepest approach the rows describe to the load or approach prescribed
+/// beyond it: linearly, with its stiffness there, every pressure in proportion to the load. Takes approach,
+/// normal_force and stiffness of the solution, and the strips; returns WRC_FLAG_BEYOND_GAP.
+Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept;
+
 /// A straightened measure of the load: N grows like approach^1.5 on elliptic gaps and like approach^1.4 on
 /// worn ones, so N^{11/16} grows almost like the approach itself and the secant rule on it needs four
 /// evaluations.
@@ -123,27 +128,38 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
   }
 }
 
+/// Power p in N ~ approach^p beyond which the load leaps; 1.5 is Hertz's, 1 that of a patch which cannot
+/// grow.
+inline constexpr double steepest_power = 6.0;
+
+/// The load leaps between two states of a search, low below high.
+inline bool leaps_between(const Trial& low, const Trial& high) noexcept {
+  return low.normal_force > 0.0 && (high.normal_force - low.normal_force) * low.approach >
+                                       steepest_power * low.normal_force * (high.approach - low.approach);
+}
+
 /// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps
 /// kept inside the bracket of what is known, bisection where they leave it. A method is two functions:
 /// `scale_at` gives the scale of the penetration at an approach [m], and `force` (approach, scale, extent of
 /// the patch) the patch's load [N], filling `strips`. Fills approach, normal_force, stiffness and iterations
 /// (calls of `force`) of the solution. `start` > 0: first guess of the approach.
 ///
-/// The search ends when its next step would be right to problem.force_tolerance: secant steps square the
-/// error. That step is taken without another evaluation: the approach moves by it and the pressures are
-/// scaled to the load.
+/// The search ends at a load within problem.force_tolerance of the one prescribed. The last secant step is
+/// taken without another evaluation: the approach moves by it and the pressures are scaled to the load.
 ///
-/// WRC_ERROR_LOAD when the ceiling cannot carry the load. Where the load leaps past the target, the answer is
-/// join_gradually(). WRC_FLAG_ITERATION_CAP if that is not possible, or the cap ended the search: the patch
-/// is then that of the last trial, scaled to the load.
+/// WRC_FLAG_BEYOND_GAP past the ceiling, continue_beyond(). WRC_FLAG_LOAD_LEAPS where the load leaps past the
+/// target: join_gradually(), or where that is not possible the patch after the leap, scaled to the load.
+/// WRC_FLAG_ITERATION_CAP if the cap ended the search: the patch is then that of the last trial, scaled.
 template <class ScaleAt, class Force>
 Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, double start,
                       ScaleAt&& scale_at, Force&& force, Strips& strips, NormalSolution& solution) noexcept {
-  constexpr double probe = 1e-4;          // relative step of a stiffness that no two iterates give
-  constexpr double steepest_power = 6.0;  // N ~ approach^power: 1.5 is Hertz's; beyond, the load leaps
-  constexpr double least_share = 1e-12;   // of the ceiling: below, halving would go on to denormal approaches
+  constexpr double probe = 1e-4;         // relative step of a stiffness that no two iterates give
+  constexpr double least_share = 1e-12;  // of the ceiling: below, halving would go on to denormal approaches
+  constexpr double least_step = 1e-7;    // relative: over less, rounding is felt in a secant's slope
+  constexpr double rounding = 1e-12;     // of a load, from where the borders' root search ends
+  constexpr int most_leaps = 4;          // looked into
   const GapRows& rows = problem.gap;
-  const double ceiling = deepest_approach(rows, lowest);
+  const double ceiling = std::min(deepest_approach(rows, lowest), problem.deepest);
   const auto evaluate = [&](double approach) {
     ++solution.iterations;
     const auto scale = scale_at(approach);
@@ -158,48 +174,33 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   };
 
   if (problem.prescribed == Prescribed::approach) {
-    if (problem.approach > ceiling)
-      return {.status = WRC_ERROR_LOAD,
-              .field = "load.approach",
-              .value = problem.approach,
-              .unit = "m",
-              .low = 0.0,
-              .high = ceiling,
-              .cause = "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
-    settle(problem.approach);
-    return {};
+    settle(std::min(problem.approach, ceiling));
+    return problem.approach > ceiling ? continue_beyond(problem, strips, solution) : Fault{};
   }
 
-  const Fault capped = {.status = WRC_FLAG_ITERATION_CAP,
-                        .field = "config.max_iterations",
-                        .value = static_cast<double>(problem.max_iterations),
-                        .unit = "steps"};
-  const Fault leaps = {.status = WRC_FLAG_ITERATION_CAP,
-                       .field = "load.normal_force",
-                       .value = problem.normal_force,
-                       .unit = "N",
-                       .cause =
-                           "no approach carries it: this method's load leaps as the patch grows; the patch "
-                           "beyond is scaled to it, and more iterations do not help"};
   const double target = problem.normal_force;
   const double x_target = straightened(target);
+  const double tolerance = std::max(problem.force_tolerance, rounding);
   const auto scale_to_target = [&](double from) {
     for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= target / from;
     solution.normal_force = target;
   };
   Trial low, high;
   high.approach = ceiling;
-  bool bracketed = false, may_leap = true;
+  bool bracketed = false;
+  int leaps = 0;
   double approach = std::min(start, ceiling);
   double previous = 0.0, x_previous = 0.0;  // the unloaded state is a point of the curve
+  double slope = 0.0;
   for (std::int32_t i = 0; i < problem.max_iterations; ++i) {
     const Trial trial = evaluate(approach);
     const double x = straightened(trial.normal_force);
-    double slope = approach != previous ? (x - x_previous) / (approach - previous) : 0.0;
+    if (std::abs(approach - previous) > least_step * approach)
+      slope = (x - x_previous) / (approach - previous);
     // A step across a merging patch may have misled the secant.
     if (!(slope > 0.0) && approach > 0.0) slope = x / approach;
     const double error = trial.normal_force / target - 1.0;
-    if (error * error <= problem.force_tolerance && i > 0) {
+    if (std::abs(error) <= tolerance && i > 0) {
       solution.approach = approach + (x_target - x) / slope;
       // dN/d(approach) = (16/11) (N / x) dx/d(approach)
       solution.stiffness = 16.0 / 11.0 * target / x_target * slope;
@@ -207,14 +208,10 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
       return {};
     }
     if (trial.normal_force < target) {
-      if (approach >= ceiling)
-        return {.status = WRC_ERROR_LOAD,
-                .field = "load.normal_force",
-                .value = target,
-                .unit = "N",
-                .low = 0.0,
-                .high = trial.normal_force,
-                .cause = "the gap given, or the profiles, are too narrow to carry it"};
+      if (approach >= ceiling) {
+        settle(ceiling);
+        return continue_beyond(problem, strips, solution);
+      }
       low = trial;
     } else {
       high = trial;
@@ -226,38 +223,48 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
     if (!bracketed && next >= ceiling) next = ceiling;
     if (bracketed && !(next > low.approach && next < high.approach))
       next = 0.5 * (low.approach + high.approach);
-    const bool steep = bracketed && low.normal_force > 0.0 &&
-                       (high.normal_force - low.normal_force) * low.approach >
-                           steepest_power * low.normal_force * (high.approach - low.approach);
+    const bool steep = bracketed && leaps_between(low, high);
     if (steep) next = 0.5 * (low.approach + high.approach);
-    if (steep && may_leap) {
-      may_leap = false;
+    if (steep && leaps < most_leaps) {
+      ++leaps;
       // The slope of the larger patch, as far as one is known.
       const double chord = high.normal_force / high.approach;
       Trial before = low, after = high;
       narrow_leap(rows, lowest, scale_at, before, after);
       before = evaluate(before.approach);
       after = evaluate(after.approach);
-      if (before.normal_force < target && target <= after.normal_force) {
+      const bool reached_before = before.normal_force >= target, reached_after = after.normal_force >= target;
+      if (!reached_before && reached_after && leaps_between(before, after)) {
         const double rise = high.normal_force - after.normal_force;
         const double run = high.approach - after.approach;
         solution.approach = after.approach;
         solution.stiffness = run > probe * high.approach && rise > 0.0 ? rise / run : chord;
-        if (!join_gradually({before.span, before.normal_force}, target, strips)) {
+        if (join_gradually({before.span, before.normal_force}, target, strips))
+          solution.normal_force = target;
+        else
           scale_to_target(after.normal_force);
-          return leaps;
-        }
-        solution.normal_force = target;
-        return {};
+        return {
+            .status = WRC_FLAG_LOAD_LEAPS,
+            .field = "load.normal_force",
+            .value = target,
+            .unit = "N",
+            .cause =
+                "as the approach grows a second region joins the patch, or its curvature changes, at once; "
+                "the patch after that carries the load, and more iterations do not help"};
       }
       // The load is reached on one side of the leap, where the search goes on from that side's end: by the
       // chord of what is left, and then by secants through the end, which is near.
-      const bool beyond = before.normal_force < target;
-      const Trial& end = beyond ? after : before;
-      (beyond ? low : high) = end;
+      if (reached_before) {
+        high = before;
+      } else if (reached_after) {
+        low = before;
+        high = after;
+      } else {
+        low = after;
+      }
       const double x_low = straightened(low.normal_force), x_high = straightened(high.normal_force);
-      previous = end.approach;
-      x_previous = beyond ? x_low : x_high;
+      previous = reached_before ? high.approach : low.approach;
+      x_previous = reached_before ? x_high : x_low;
       approach = low.approach + (x_target - x_low) / (x_high - x_low) * (high.approach - low.approach);
       continue;
     }
@@ -267,7 +274,10 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   }
   settle(bracketed ? high.approach : approach);
   scale_to_target(solution.normal_force);
-  return capped;
+  return {.status = WRC_FLAG_ITERATION_CAP,
+          .field = "config.max_iterations",
+          .value = static_cast<double>(problem.max_iterations),
+          .unit = "steps"};
 }
 
 }  // namespace wrc

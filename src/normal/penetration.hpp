@@ -117,7 +117,7 @@ inline constexpr double least_half_chord = 1e-12;
 
 /// Lateral curvature of the gap as the patch sees it: the coefficient B of h = B (y - middle)^2 [1/m] through
 /// the ends of the region below half the approach. A local second derivative would jump on every curvature
-/// step of a standard profile; a chord over the patch does not. CONTACT's KPEC uses the same chord.
+/// step of a standard profile; a chord over the patch does not.
 struct LateralCurvature {
   double coefficient = 0.0;  ///< B [1/m]
   double middle = 0.0;       ///< [m]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "fault.hpp"
 #include "normal/simd/kernels.hpp"
@@ -22,9 +23,12 @@ struct NormalProblem {
   double normal_force = 0.0;  ///< [N], prescribed == load
   double approach = 0.0;      ///< [m], prescribed == approach: how far the bodies are pressed together beyond
                               ///< first touch (gap minimum taken as zero)
-  std::int32_t strips = 0;    ///< strips to divide the patch into
-  std::int32_t max_iterations = 0;  ///< cap of the root find
-  double force_tolerance = 0.0;     ///< relative error of the load at which the root find stops
+  double deepest =
+      std::numeric_limits<double>::max();  ///< approach the rows are good for, if they do not end
+                                           ///< before [m]; beyond, the solution goes on linearly
+  std::int32_t strips = 0;                 ///< strips to divide the patch into
+  std::int32_t max_iterations = 0;         ///< cap of the root find
+  double force_tolerance = 0.0;            ///< relative error of the load at which the root find stops
   const NormalKernels* kernels = &normal_kernels(InstructionSet::baseline);  ///< that the processor has
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elementary.hpp"
+#include "geometry/creepages.hpp"
 #include "number.hpp"
 #include "surface/surface_model.hpp"
 
@@ -15,24 +16,6 @@ constexpr std::int32_t most = most_overlapping_strips;
 /// Prescribed loads are met to this part; the normal problem is solved that much finer for them.
 constexpr double load_tolerance = 1e-8, tolerance_for_load = 1e-8;
 constexpr std::int32_t most_load_steps = 30;
-
-/// Below this rolling speed [m/s] slips are referred to a smooth continuation of it, and both ways of rolling
-/// are blended: a wheel at rest answers to sliding, and nothing jumps where rolling turns round.
-constexpr double floor_speed = 0.1;
-
-/// What slips are referred to, and the share of rolling the other way than the rolling speed says. Both are
-/// C2.
-struct RollingReference {
-  double divisor = 0.0, other_way = 0.0;
-};
-
-RollingReference rolling_reference(double speed) {
-  const double amount = magnitude(speed);
-  if (amount >= floor_speed) return {amount, 0.0};
-  const double u = amount / floor_speed, u2 = u * u;
-  return {floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2)),
-          larger(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0)};
-}
 
 struct Work {
   Overlaps overlaps;

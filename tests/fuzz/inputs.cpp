@@ -185,6 +185,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   if (choices.one_in(8)) config.gauge_depth = choices.magnitude(5e-3, 0.04);
   if (choices.one_in(2)) config.rail_inclination = 0.025;
   if (choices.one_in(8)) config.rail_inclination = choices.between(-0.2, 0.2);
+  // Canted twice is refused: seldom here.
+  if (rail->kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.rail_inclination = 0.0;
   if (!choices.one_in(8)) {
     config.wheel = wheel;
     config.rail = rail;
@@ -425,6 +427,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
     strips.peak[j] = choices.one_in(8) ? 0.0 : peak * choices.between(0.0, 1.0);
   }
   poison_one(choices, strips.y);
+  poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
   strips.strips = made<wrc_strips>(wrc_strips_init);

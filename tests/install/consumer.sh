@@ -1,22 +1,35 @@
 #!/usr/bin/env bash
-# Builds and runs an example against the installed tree, the way one kind of user would.
-#   consumer.sh build_directory source_directory tree|cmake|pkgconfig|plain|dlopen|fortran
-# "tree" makes the tree first: installed to one place, then moved, so that nothing in it may name its own path.
+# Builds and runs an example the way one kind of user would.
+#   consumer.sh build_directory source_directory WAY
+#     tree                                     installs to one place and moves all to another: no file may name its own path
+#     cmake pkgconfig plain dlopen fortran     against that tree
+#     subdirectory                             the sources in a CMake project with settings that would harm the library
+#     fetchcontent                             the sources by FetchContent, as static library
+#     static                                   against a tree installed and moved by that project
 set -euo pipefail
 build=$1 source=$2 way=$3
 prefix=$build/installed/moved
 example=$source/examples_c/first_step.c
-scratch=$build/installed/$way
+case $way in
+  subdirectory | fetchcontent | static) scratch=$build/embedded/$way ;;
+  *) scratch=$build/installed/$way ;;
+esac
 # Nothing from outside, least of all the build directory, may help to find header or library.
 unset LD_LIBRARY_PATH CPATH C_INCLUDE_PATH LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
 
 need() { command -v "$1" >/dev/null || { echo "skipped: $1 is not installed"; exit 77; }; }
 library_directory() { dirname "$(find "$prefix" -name libwrc.so)"; }
-runs() { # the program says what it computed, and with the library of this tree
-  local said
-  said=$("$@")
-  echo "$said"
-  grep -q 'patch .* mm' <<<"$said" && grep -q 'forces .* N' <<<"$said"
+runs() { # the program prints what first_step prints everywhere
+  "$@" | tee "$scratch/printed"
+  diff "$source/tests/examples/first_step.txt" "$scratch/printed"
+}
+consumer_project() { # WAY options: a CMake project that uses the library, built in $scratch/project
+  cmake -S "$source/tests/install" -B "$scratch/project" -DWAY="$1" -DWRC_CHECKOUT="$source" -DFIRST_STEP="$example" \
+    "${@:2}" >"$scratch/project.log" 2>&1 && cmake --build "$scratch/project" -j 2 >>"$scratch/project.log" 2>&1 ||
+    { cat "$scratch/project.log"; return 1; }
+}
+names_no_path() { # of the trees they were made in
+  if grep -rlI -e "$build" -e "$source" "$1"; then echo "these files name a path of the build"; return 1; fi
 }
 
 rm -rf "$scratch"
@@ -29,14 +42,17 @@ case $way in
     (cd "$prefix" && find . -type f -o -type l | sort)
     test -f "$prefix/include/wrc/wrc.h" && test -f "$prefix/include/wrc/wrc_status.h"
     test -L "$(library_directory)/libwrc.so" && test -L "$(library_directory)/libwrc.so.1"
-    if grep -rlI -e "$build" -e "$source" "$prefix"; then echo "these files name a path of the build"; exit 1; fi
+    for file in LICENSE CHANGELOG.md README.md docs/third_party.md docs/embedding.md; do
+      test -f "$prefix/share/doc/wrc/$file" || { echo "$file is missing"; exit 1; }
+    done
+    names_no_path "$prefix"
+    if readelf -d "$(library_directory)/libwrc.so" | grep -E 'R(UN)?PATH'; then echo "the library has a path"; exit 1; fi
     ;;
   cmake)
     need cmake
-    cmake -S "$source/tests/install" -B "$scratch" -DCMAKE_PREFIX_PATH="$prefix" -DFIRST_STEP="$example" >/dev/null
-    cmake --build "$scratch" >/dev/null
-    ldd "$scratch/first_step" | grep -F "$prefix"
-    runs "$scratch/first_step"
+    consumer_project installed -DCMAKE_PREFIX_PATH="$prefix"
+    ldd "$scratch/project/first_step" | grep -F "$prefix"
+    runs "$scratch/project/first_step"
     ;;
   pkgconfig)
     need pkg-config
@@ -61,6 +77,44 @@ case $way in
     gfortran -c "$prefix/share/wrc/fortran/wrc.f90"
     gfortran "$source/bindings/fortran/main_case.f90" wrc.o -L"$(library_directory)" -lwrc -o main_case
     LD_LIBRARY_PATH=$(library_directory) ./main_case
+    ;;
+  subdirectory)
+    need cmake
+    # Its flags, standard and warnings are the parent's own affair: the library builds, and has the same bits.
+    consumer_project subdirectory -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_STANDARD=14 \
+      -DCMAKE_C_FLAGS=-O1 -DCMAKE_CXX_FLAGS='-O1 -ffast-math -flto -Werror -Wold-style-cast -Wuseless-cast'
+    runs "$scratch/project/first_step"
+    export LD_LIBRARY_PATH=$scratch/project/wrc
+    ldd "$build/tests/realtime/golden_hash" | grep -F "$scratch/project/wrc"
+    "$build/tests/realtime/golden_hash" check "$source/tests/realtime/golden_hashes.txt" shortly
+    ;;
+  fetchcontent)
+    need cmake
+    consumer_project fetchcontent -DFETCHCONTENT_SOURCE_DIR_WRC="$source" -DBUILD_SHARED_LIBS=OFF -DWRC_INSTALL=ON \
+      -DCMAKE_BUILD_TYPE=Debug
+    runs "$scratch/project/first_step"
+    if ldd "$scratch/project/first_step" | grep libwrc; then echo "not the static library"; exit 1; fi
+    ;;
+  static)
+    need pkg-config
+    cmake --install "$build/embedded/fetchcontent/project" --prefix "$scratch/first" >/dev/null
+    prefix=$scratch/moved
+    mv "$scratch/first" "$prefix"
+    names_no_path "$prefix"
+    library=$(find "$prefix" -name libwrc.a)
+    foreign=$(nm -g --defined-only "$library" | awk 'NF == 3 && $3 !~ /^wrc_/')
+    test -z "$foreign" || { echo "global names beside wrc_: $foreign"; exit 1; }
+    consumer_project installed -DCMAKE_PREFIX_PATH="$prefix"
+    runs "$scratch/project/first_step"
+    PKG_CONFIG_PATH=$(dirname "$library")/pkgconfig
+    export PKG_CONFIG_PATH
+    # shellcheck disable=SC2046 # the flags are words
+    cc -std=c99 "$example" $(pkg-config --cflags --libs --static wrc) -o "$scratch/first_step"
+    runs "$scratch/first_step"
+    # In a shared library of a vendor's, it exports nothing.
+    echo 'const void* wrc_get_api(unsigned); const void* of_vendor(void) { return wrc_get_api(1); }' >"$scratch/vendor.c"
+    cc -shared -fPIC "$scratch/vendor.c" "$library" -lstdc++ -lm -o "$scratch/libvendor.so"
+    test "$(nm -D --defined-only "$scratch/libvendor.so" | awk '$2 == "T" { print $3 }')" = of_vendor
     ;;
   *)
     echo "unknown way '$way'"

@@ -1,0 +1,37 @@
+# Sourced by test.sh: what ran and how it went, added up so that nothing fails unseen.
+passed=0 failed=0 skipped=0
+
+# count_ctest LOG OPTIONS...: runs ctest, prints a line per test and adds its counts. A run that ends with an error but
+# names no failed test is a failure, and so is one in which no test passed.
+count_ctest() {
+  local log=$1 status=0 failures total passes skips
+  ctest "${@:2}" --no-tests=error >"$log" 2>&1 || status=$?
+  grep -vE '^(Test project|    Start|Total Test time)' "$log" || true
+  read -r failures total < <(
+    sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log"; echo 0 0)
+  skips=$(grep -cE '^[[:space:]]+[0-9]+ - .* \((Skipped|Disabled)\)$' "$log" || true)
+  passes=$((total - failures - skips))
+  if [ "$failures" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$passes" -le 0 ]; }; then
+    echo "ctest ended with status $status after $total tests, $skips of them skipped: counted as a failure"
+    failures=1
+  fi
+  passed=$((passed + passes)) failed=$((failed + failures)) skipped=$((skipped + skips))
+}
+
+# count_check NAME COMMAND...: one check that passes or fails; status 77: it could not be made here.
+count_check() {
+  echo "== $1"
+  local status=0
+  "${@:2}" || status=$?
+  case $status in
+    0) passed=$((passed + 1)) ;;
+    77) skipped=$((skipped + 1)) ;;
+    *) failed=$((failed + 1)) ;;
+  esac
+}
+
+# The last line, and the exit status that goes with it.
+say_counts() {
+  echo "$passed passed, $failed failed, $skipped skipped"
+  [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+}
