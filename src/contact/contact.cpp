@@ -115,7 +115,9 @@ Fault sequence(const char* field, const char* cause) {
 
 std::size_t state_bytes(const Model& model) { return model.layout.bytes; }
 
-std::size_t contact_bytes(const Model& model) { return 2 * state_bytes(model); }
+std::size_t contact_bytes(const Model& model) {
+  return state_bytes(model) + std::max(state_bytes(model), model.layout.behind);
+}
 
 Contact& make_contact(const Model& model, void* memory) {
   auto* bytes = static_cast<unsigned char*>(memory);

@@ -27,12 +27,20 @@ std::size_t rounded_up(std::size_t bytes) {
 
 }  // namespace
 
+static_assert(static_cast<std::size_t>(Array::surface_workspace) + 1 == array_count,
+              "it lies behind all others");
+
 ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes) {
   ArrayLayout layout;
   std::size_t at = rounded_up(header_bytes);
   for (std::size_t i = 0; i < array_count; ++i) {
     layout.offset[i] = at;
-    at += rounded_up(length(static_cast<Array>(i), sizes) * sizeof(double));
+    const std::size_t bytes = rounded_up(length(static_cast<Array>(i), sizes) * sizeof(double));
+    if (static_cast<Array>(i) == Array::surface_workspace) {
+      layout.behind = bytes;
+    } else {
+      at += bytes;
+    }
   }
   layout.bytes = at;
   return layout;

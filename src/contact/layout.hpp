@@ -47,7 +47,7 @@ enum class Array : std::size_t {
   normal_workspace,
   tangential_workspace,
   surface_state,
-  surface_workspace,
+  surface_workspace,  ///< behind the state, where copies of it go: nothing in it outlives a call
   count_
 };
 
@@ -61,7 +61,8 @@ struct ArraySizes {
 
 struct ArrayLayout {
   std::array<std::size_t, array_count> offset{};  ///< bytes from the start of the contact block
-  std::size_t bytes = 0;                          ///< of the whole block
+  std::size_t bytes = 0;                          ///< of the state: what is saved and restored
+  std::size_t behind = 0;                         ///< of the work space behind it
 };
 
 /// Lays the arrays out behind a header of `header_bytes`, each on a cache line.

@@ -135,9 +135,14 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   Wrench& wrench = result.wrench;
   const Fault fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
                                           array(contact, Array::surface_workspace), wrench);
-  if (fault.failed()) {
+  if (fault.failed() || (hosted.load_prescribed && wrench.regions == 0)) {
     result = {};
-    return fault;
+    if (fault.failed()) return fault;
+    return {.status = WRC_ERROR_LOAD,
+            .field = "input.vertical_load",
+            .value = hosted.vertical_load,
+            .unit = "N",
+            .cause = "at no height does the rail carry this: is the wheel beside it?"};
   }
   problem.wheel.position[2] = wrench.height;
   result.steepest_angle = steepest(*model.surface, wrench, problem.rail.roll);

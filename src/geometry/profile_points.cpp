@@ -184,7 +184,7 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
                       "the profile folds back or crosses itself: y must increase from point to point", i);
     }
     const double spacing = y[i] - y[i - 1];
-    if (spacing < profile_spacing_least || spacing > profile_spacing_most) {
+    if ((noise == 0.0 && spacing < profile_spacing_least) || spacing > profile_spacing_most) {
       Fault fault = unusable(name.spacing, spacing,
                              spacing > profile_spacing_most ? "points are missing before this one"
                                                             : "leave out one of the two points",

@@ -486,6 +486,15 @@ TEST_F(WheelOnRail, APrescribedLoadFindsItsHeight) {
   }
 }
 
+TEST_F(WheelOnRail, BesideTheRailNoHeightCarriesALoad) {
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  wheel.y = 0.2;
+  expect_refused(WRC_ERROR_LOAD, {"input.vertical_load = 80000 N", "beside"});
+  wheel.y = 0.0;
+  expect_works();
+}
+
 TEST_F(WheelOnRail, WithoutFrictionNothingIsDissipated) {
   input.friction = nullptr;
   wheel.yaw = 0.0;

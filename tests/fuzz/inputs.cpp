@@ -187,6 +187,14 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
   if (choices.one_in(8)) config.rail_inclination = choices.between(-0.2, 0.2);
   // Canted twice is refused: seldom here.
   if (rail->kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.rail_inclination = 0.0;
+  if (choices.one_in(3)) {  // those of a wheel on a rail in one call
+    config.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
+    config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
+  }
+  if (choices.one_in(4)) {
+    config.profile_placement = WRC_PLACEMENT_ORIGIN;
+    config.rail_origin = choices.one_in(2) ? 0.7605 : choices.between(0.2, 1.5);
+  }
   if (!choices.one_in(8)) {
     config.wheel = wheel;
     config.rail = rail;
@@ -204,6 +212,62 @@ wrc_pose make_pose(Choices& choices) {
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
   return pose;
+}
+
+void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
+  wrc_wheel_state& wheel = structs.wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_rail_state& rail = structs.rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wrc_friction& friction = structs.friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input& input = structs.input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  const bool far = choices.one_in(4);
+  wheel.side = static_cast<std::int32_t>(choices.below(2));
+  wheel.reference = static_cast<std::int32_t>(choices.below(2));
+  wheel.angular_axes = static_cast<std::int32_t>(choices.below(2));
+  wheel.y = far ? choices.between(-0.2, 0.2) : choices.between(-0.01, 0.01);
+  wheel.z = far ? choices.between(-0.5, 0.2) : choices.between(-2e-3, 3e-3);
+  wheel.roll = choices.signed_magnitude(1e-9, far ? 0.5 : 0.01);
+  wheel.yaw = choices.signed_magnitude(1e-9, far ? 0.5 : 0.05);
+  wheel.velocity[0] = choices.signed_magnitude(1e-9, 200.0);
+  wheel.velocity[1] = choices.signed_magnitude(1e-9, 50.0);
+  wheel.velocity[2] = choices.signed_magnitude(1e-9, 50.0);
+  wheel.angular_velocity[0] = choices.signed_magnitude(1e-9, 200.0);
+  wheel.angular_velocity[1] = choices.signed_magnitude(1e-9, 2000.0);
+  wheel.angular_velocity[2] = choices.signed_magnitude(1e-9, 200.0);
+  if (choices.one_in(4)) {  // a turn by the pitch alone, as good as none
+    const double sine = choices.between(-1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
+    const double turn[9] = {cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine};
+    std::copy(turn, turn + 9, structs.rotation);
+    wheel.rotation = structs.rotation;
+    wheel.roll = wheel.yaw = 0.0;
+    if (choices.one_in(8)) structs.rotation[choices.below(9)] = choices.poison();
+  }
+  rail.y = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
+  rail.z = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
+  rail.roll = choices.signed_magnitude(1e-9, far ? 0.5 : 0.02);
+  rail.y_velocity = choices.signed_magnitude(1e-9, 50.0);
+  rail.z_velocity = choices.signed_magnitude(1e-9, 50.0);
+  rail.roll_velocity = choices.signed_magnitude(1e-9, 200.0);
+  friction.coefficient = choices.magnitude(1e-4, 2.0);
+  input.wheel = &wheel;
+  input.rail = choices.one_in(3) ? nullptr : &rail;
+  input.friction = choices.one_in(6) ? nullptr : &friction;
+  if (choices.one_in(3)) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = choices.magnitude(1e2, 1e6);
+  } else {
+    input.damping = choices.one_in(2) ? 0.0 : choices.magnitude(1e-9, 10.0);
+  }
+  double* const numbers[] = {&wheel.y,
+                             &wheel.z,
+                             &wheel.yaw,
+                             &wheel.velocity[0],
+                             &rail.roll,
+                             &rail.z_velocity,
+                             &friction.coefficient,
+                             &wheel.angular_velocity[1],
+                             &input.vertical_load,
+                             &input.damping};
+  if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
 }
 
 wrc_load make_load(Choices& choices) {

@@ -41,6 +41,15 @@ wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);
 wrc_patch make_patch(Choices& choices);
+/// A wheel on a rail, anywhere between the usual and the ends of the ranges.
+struct WheelStructs {
+  wrc_wheel_state wheel{};
+  wrc_rail_state rail{};
+  wrc_friction friction{};
+  wrc_wheel_input input{};  ///< points to these
+  double rotation[9] = {};
+};
+void make_wheel_on_rail(Choices& choices, WheelStructs& made);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);
 void make_strips(Choices& choices, std::int32_t room, StripArrays& made);

@@ -235,7 +235,11 @@ class Case {
 
   void call() {
     ++verdict_.calls;
-    switch (choices_.below(8)) {
+    switch (choices_.below(11)) {
+      case 8:
+      case 9:
+      case 10:
+        return wheel_on_rail();
       case 0:
         return caller_patch();
       case 1:
@@ -268,6 +272,53 @@ class Case {
     check_step(status, results, load, creepage, given.most());
     if (choices_.one_in(2)) wear();
     if (choices_.one_in(2)) creepages();
+  }
+
+  /// A wheel on a rail, one call or two: the same twice has the same bits.
+  void wheel_on_rail() {
+    where_ = "wheel on rail";
+    WheelStructs given;
+    make_wheel_on_rail(choices_, given);
+    wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init), again = wrench;
+    const std::int32_t status = timed([&] { return wrc_wheel_step(contact_, &given.input, &wrench); });
+    const bool supported = config_.wheel != nullptr && config_.normal_method == WRC_NORMAL_STRIP_HALFSPACE &&
+                           config_.tangential_method == WRC_TANGENTIAL_STRIP_FASTSIM;
+    expect(documented(status), "the status is documented for this call");
+    expect(supported || status < 0, "other methods refuse");
+    const std::vector<double> all = doubles_from(wrench, wrench.force[0]);
+    expect(all_finite(all), "every output is finite");
+    const auto zero = [](double value) { return value == 0.0; };
+    if (status < 0) {
+      expect(std::all_of(all.begin(), all.end(), zero) && wrench.regions == 0,
+             "outputs of a failed call are zero");
+      char text[256] = "";
+      expect(wrc_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+             "an error has a sentence");
+      return;
+    }
+    expect(wrench.power >= 0.0 && wrench.area >= 0.0 && wrench.peak_pressure >= 0.0 &&
+               wrench.normal_force >= 0.0,
+           "areas, pressures and power are not negative");
+    expect((wrench.regions > 0) == (status != WRC_FLAG_NO_CONTACT), "bodies that touch do so in regions");
+    if (status == WRC_FLAG_NO_CONTACT) {
+      expect(std::all_of(wrench.force, wrench.force + 3, zero), "apart there is no force");
+    }
+    if (wrench.normal_force > 0.0) ++verdict_.solved;
+    double force[3] = {};
+    for (std::int32_t i = 0; i < wrench.regions; ++i) {
+      wrc_region region = made<wrc_region>(wrc_region_init);
+      expect(wrc_wheel_region(contact_, i, &region) == WRC_OK, "every region can be seen");
+      expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
+      for (int k = 0; k < 3; ++k) force[k] += region.force[k];
+    }
+    const double size = std::fabs(wrench.force[0]) + std::fabs(wrench.force[1]) + std::fabs(wrench.force[2]);
+    for (int k = 0; k < 3; ++k) {
+      expect(status == WRC_FLAG_MORE_PATCHES || std::fabs(force[k] - wrench.force[k]) <= 1e-9 * size,
+             "regions add up to the wrench");
+    }
+    if (config_.warm_start != 0 || !choices_.one_in(4)) return;
+    expect(wrc_wheel_step(contact_, &given.input, &again) == status, "the same call has the same status");
+    expect(std::memcmp(&wrench, &again, sizeof wrench) == 0, "the same call gives the same bits");
   }
 
   void caller_patch() {

@@ -256,5 +256,29 @@ TEST(Placement, GaugeFaceStandsAtHalfTheGauge) {
   }
 }
 
+/// Whatever was worn off: the origin of the points lies where it is told to, canting turns the profile about
+/// it.
+TEST(Placement, ByOriginARailStaysWhereItsPointsAre) {
+  for (const Side side : {Side::right, Side::left}) {
+    const double outward = side == Side::left ? -1.0 : 1.0;
+    for (const double inclination : {0.0, 1.0 / 40.0}) {
+      ProfileStore upright, placed;
+      Profile profile;
+      Rail rail;
+      sample_rail_head(rail_60e1, upright.memory(), profile);
+      for (std::int32_t i = 0; i < profile.count; ++i) upright.memory().z[i] += 0.8 * mm;  // worn down
+      profile = profile_in(upright.memory(), profile.count);
+      const TrackDimensions track{.rail_inclination = inclination, .by_origin = true, .rail_origin = 0.7605};
+      ASSERT_EQ(place_rail(profile, track, side, placed.memory(), rail).status, WRC_OK);
+      EXPECT_EQ(rail.origin_y, outward * 0.7605);
+      EXPECT_EQ(rail.origin_z, 0.0);
+      // the crown, 0.8 mm below the origin, moves sideways by the cant
+      const double sine = inclination / std::sqrt(1.0 + inclination * inclination);
+      const double y = outward * (0.7605 + 0.8 * mm * sine);
+      EXPECT_NEAR(evaluate(rail.profile, y).z, 0.8 * mm * std::sqrt(1.0 - sine * sine), 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wrc

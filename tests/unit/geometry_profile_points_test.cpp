@@ -203,6 +203,22 @@ TEST(ProfilePoints, SteepFlangesAndGaugeFacesAreNoSteps) {
     wheel.z.push_back(s < -0.0412 ? 0.027 : s < -0.034 ? 0.027 - 3.7 * (s + 0.0412) : 0.0);
   }
   EXPECT_EQ(check(ProfileBody::wheel, wheel).status, WRC_OK);
+
+TEST(ProfilePoints, PointsToBeSmoothedMayStepBackByTheirNoise) {
+  Points points = rail_points();
+  const auto count = static_cast<std::int32_t>(points.y.size());
+  const auto checked = [&] {
+    return check_points(ProfileBody::rail, count, points.y.data(), points.z.data(), profile_noise_most);
+  };
+  points.y[2] = points.y[1] - 3e-6;
+  expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "folds back", 2);
+  EXPECT_EQ(checked().status, WRC_OK);
+  points.y[2] = points.y[1];
+  EXPECT_EQ(checked().status, WRC_OK);
+  points.z[2] = points.z[1];
+  expect_fault(checked(), WRC_ERROR_PROFILE, "same y", 2);
+  points.y[2] = points.y[1] - 2.0 * profile_noise_most;
+  expect_fault(checked(), WRC_ERROR_PROFILE, "folds back", 2);
 }
 
 TEST(ProfilePoints, UpsideDownAndMirroredBodiesAreTold) {
