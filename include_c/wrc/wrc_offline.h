@@ -121,6 +121,22 @@ typedef struct wrc_exact_rolling_solution {
   double* slip_y;             /**< [-] */
 } wrc_exact_rolling_solution;
 
+/** What half-space coefficients on a curved surface are. */
+enum wrc_surface_influence {
+  WRC_INFLUENCE_TURNED = 0, /**< turned between the normals of the two cells: the choice for answers */
+  WRC_INFLUENCE_PLAIN = 1   /**< a plane's over arc length, the plain conformal setting of CONTACT: for comparisons */
+};
+
+/** How finely a wheel on a rail is solved exactly. */
+typedef struct wrc_exact_wheel_options {
+  uint32_t struct_size; /**< sizeof this struct */
+  int32_t collocation;  /**< enum wrc_collocation [quarter point] */
+  int32_t influence;    /**< enum wrc_surface_influence [turned] */
+  uint32_t reserved;    /**< 0 */
+  double cell_x;        /**< length of a cell along x, 2e-5..2e-3 m [2e-4] */
+  double cell_s;        /**< the same along the rail's arc length [2e-4] */
+} wrc_exact_wheel_options;
+
 /** A real-time result against the exact one. */
 typedef struct wrc_exact_check_result {
   uint32_t struct_size;     /**< sizeof this struct */
@@ -143,6 +159,7 @@ WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem)
 WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution);         /**< Defaults of a solution. */
 WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem);          /**< Defaults of a problem. */
 WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution);       /**< Defaults of a solution. */
+WRC_API int32_t wrc_exact_wheel_options_init(wrc_exact_wheel_options* options);              /**< Defaults of options. */
 WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result);                 /**< Defaults of a result. */
 /** @} */
 
@@ -187,6 +204,23 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
  * (both ways of rolling blended: creepage.other_way is not 0), _MEMORY, _CANCELLED. @rt init @thread contact */
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                                 wrc_exact_check_result* result);
+
+/** What wrc_wheel_step() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
+ * the gap of every cell along its own normal, the sliding of its own surface points, and half-space coefficients over
+ * arc length between frames turned against each other, so that pressure and tractions act on one another. Takes from a
+ * tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
+ * wrc_wheel_step().
+ * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
+ * @param input as for wrc_wheel_step(); the wheel rolls forwards (velocity[0] > 0) where there is friction; damping
+ * must be 0
+ * @param options NULL: the defaults
+ * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
+ * counted, wrc_wheel_region() does not have them
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile);
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY.
+ * @rt init @thread contact */
+WRC_API int32_t wrc_exact_wheel(wrc_contact* contact, const wrc_wheel_input* input,
+                                const wrc_exact_wheel_options* options, wrc_wrench* wrench);
 
 #ifdef __cplusplus
 }

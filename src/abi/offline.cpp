@@ -4,15 +4,19 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "abi/fp_environment.hpp"
 #include "abi/handles.hpp"
 #include "abi/message.hpp"
 #include "abi/structs.hpp"
+#include "abi/wheel.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
+#include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
+#include "surface/surface_model.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace wrc::abi {
@@ -24,6 +28,7 @@ WRC_STRUCT(wrc_exact_normal_solution, 56)
 WRC_STRUCT(wrc_exact_rolling_problem, 88)
 WRC_STRUCT(wrc_exact_rolling_solution, 96)
 WRC_STRUCT(wrc_exact_check_result, 64)
+WRC_STRUCT(wrc_exact_wheel_options, 32)
 
 WRC_EMPTY_BY_DEFAULT(wrc_grid)
 WRC_EMPTY_BY_DEFAULT(wrc_exact_normal_solution)
@@ -50,6 +55,12 @@ wrc_exact_rolling_problem defaults<wrc_exact_rolling_problem>() {
   value.tolerance = 1e-4;
   value.coefficient = 0.3;
   return value;
+}
+
+template <>
+wrc_exact_wheel_options defaults<wrc_exact_wheel_options>() {
+  return {
+      sizeof(wrc_exact_wheel_options), WRC_COLLOCATION_QUARTER_POINT, WRC_INFLUENCE_TURNED, 0, 2e-4, 2e-4};
 }
 
 namespace {
@@ -369,6 +380,105 @@ void sample_gap(const Contact& contact, const halfspace::Grid& grid, double* gap
   }
 }
 
+/// The knots of a curve of the real-time side, as the exact solver's own curve; z from that of the profile's
+/// origin, which is the nominal radius in the wheel's curve.
+halfspace::SectionCurve section_of(const Curve& curve, double z_of_origin) {
+  std::vector<double> y, z;
+  for (std::int32_t k = 0; k <= curve.pieces; ++k) {
+    const std::int32_t piece = std::min(k, curve.pieces - 1);
+    const CurvePoint point = evaluate(curve, piece, curve.s[k] - curve.s[piece]);
+    y.push_back(point.y);
+    z.push_back(point.z - z_of_origin);
+  }
+  return {y, z};
+}
+
+Fault read_options(const wrc_exact_wheel_options* theirs, halfspace::SurfaceOptions& options) {
+  wrc_exact_wheel_options ours = defaults<wrc_exact_wheel_options>();
+  if (theirs != nullptr) {
+    const Fault fault = read(theirs, "options", ours);
+    if (fault.failed()) return fault;
+  }
+  options.cell_x = ours.cell_x;
+  options.cell_s = ours.cell_s;
+  options.collocation = ours.collocation == WRC_COLLOCATION_REFERENCE
+                            ? halfspace::Collocation::reference_program
+                            : halfspace::Collocation::quarter_point;
+  options.turned = ours.influence == WRC_INFLUENCE_TURNED;
+  return first_of({check(ours.collocation, "options.collocation", "", 0.0, 1.0),
+                   check(ours.influence, "options.influence", "", 0.0, 1.0),
+                   check(ours.cell_x, "options.cell_x", "m", 2e-5, 2e-3, nullptr, "did you pass mm?"),
+                   check(ours.cell_s, "options.cell_s", "m", 2e-5, 2e-3, nullptr, "did you pass mm?")});
+}
+
+Fault solve_exact_wheel(const Model& model, const wrc_wheel_input* input,
+                        const wrc_exact_wheel_options* options, wrc_wrench& ours) {
+  HostedWheel hosted;
+  halfspace::SurfaceOptions solver;
+  PlacedWheel placed;
+  Fault fault = first_of({read_hosted(input, hosted), read_options(options, solver)});
+  if (fault.failed()) return fault;
+  if (hosted.damping != 0.0) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.damping",
+            .value = hosted.damping,
+            .unit = "s/m",
+            .cause = "the exact solution has no damping: leave it 0"};
+  }
+  fault = place_wheel(model, hosted, placed);
+  if (fault.failed()) return fault;
+  if (placed.problem.law != nullptr || placed.problem.slope_reduction != 1.0) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.friction",
+            .cause =
+                "wrc_exact_wheel takes one coefficient, constant and the same everywhere: leave kind, "
+                "zones and slope_reduction as they are by default"};
+  }
+  const SurfaceModel& surface = *model.surface;
+  const double radius = model.wheel.nominal_radius;
+  const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),
+                                           .rail = section_of(surface.rail_curve, 0.0),
+                                           .nominal_radius = radius,
+                                           .rail_y = surface.rail_origin_y,
+                                           .rail_z = surface.rail_origin_z,
+                                           .material = surface.material},
+                                          solver);
+  const halfspace::SurfaceSolution found = contact.solve({.state = placed.problem});
+  if (found.fault.failed()) return found.fault;
+
+  HostedWrench result;
+  Wrench& wrench = result.wrench;
+  for (int k = 0; k < 3; ++k) {
+    wrench.force[k] = found.force[k];
+    wrench.moment[k] = found.moment[k];
+  }
+  wrench.height = found.height;
+  wrench.area = found.area;
+  wrench.peak_pressure = found.peak_pressure;
+  wrench.power = found.power;
+  wrench.sweeps = found.turns + found.heights;
+  // Regions are runs of rows; the normal force is the sum of their resultants.
+  double along = 0.0, across = 0.0, end = -1.0;
+  for (const halfspace::RowForces& row : found.row_forces) {
+    if (row.s > end) {
+      wrench.normal_force += std::hypot(along, across);
+      along = across = 0.0;
+      ++wrench.regions;
+    }
+    end = row.s + 1.5 * solver.cell_s;
+    along += row.normal_force * solver.cell_s * std::cos(row.angle);
+    across += row.normal_force * solver.cell_s * std::sin(row.angle);
+    result.steepest_angle = std::max(result.steepest_angle, std::abs(row.angle));
+  }
+  wrench.normal_force += std::hypot(along, across);
+  const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
+  hand_back(model, placed, result);
+  ours = wrench_of(result);
+  ours.regions = regions;
+  if (!hosted.load_prescribed) ours.z = hosted.z;
+  return found.fault;
+}
+
 /// Only where the caller wants the fields; every number zero.
 wrc_exact_normal_solution emptied(const wrc_exact_normal_solution& theirs) {
   wrc_exact_normal_solution ours = defaults<wrc_exact_normal_solution>();
@@ -414,6 +524,7 @@ int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem) { retur
 int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution) { return abi::init(solution); }
 int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem) { return abi::init(problem); }
 int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution) { return abi::init(solution); }
+int32_t wrc_exact_wheel_options_init(wrc_exact_wheel_options* options) { return abi::init(options); }
 int32_t wrc_exact_check_result_init(wrc_exact_check_result* result) { return abi::init(result); }
 
 int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
@@ -456,6 +567,21 @@ int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_prog
     wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
     const Fault fault = abi::check_contact(inside, nx, ny, reporter, ours);
     if (!fault.failed()) abi::write(ours, result);
+    return fault;
+  });
+  return inside.last.status;
+}
+
+int32_t wrc_exact_wheel(wrc_contact* contact, const wrc_wheel_input* input,
+                        const wrc_exact_wheel_options* options, wrc_wrench* wrench) {
+  const Fault cleared = abi::clear(wrench);
+  if (!abi::valid(contact) || wrench == nullptr) return WRC_ERROR_NULL;
+  wrc::Contact& inside = *contact->contact;
+  inside.last = abi::guarded([&]() -> Fault {
+    if (cleared.failed()) return cleared;
+    wrc_wrench ours = abi::empty<wrc_wrench>();
+    const Fault fault = abi::solve_exact_wheel(*inside.model, input, options, ours);
+    if (!fault.failed()) abi::write(ours, wrench);
     return fault;
   });
   return inside.last.status;

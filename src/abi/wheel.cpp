@@ -1,4 +1,6 @@
 /// The wheel on a rail: arguments checked and translated, results handed back.
+#include "abi/wheel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -178,6 +180,8 @@ Fault read_hosted_friction(const wrc_friction* theirs, HostedWheel& hosted) {
   return {};
 }
 
+}  // namespace
+
 Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
@@ -208,9 +212,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   return {};
 }
 
-/// struct_size of the local results is that of today's structs; write() keeps the caller's.
-wrc_wrench wrench_of(const Contact& contact) {
-  const HostedWrench& hosted = contact.wheel;
+wrc_wrench wrench_of(const HostedWrench& hosted) {
   const Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
   ours.regions = wrench.regions;
@@ -229,6 +231,8 @@ wrc_wrench wrench_of(const Contact& contact) {
   ours.steepest_angle = hosted.steepest_angle;
   return ours;
 }
+
+namespace {
 
 wrc_region region_of(const Contact& contact, std::int32_t index) {
   const SurfaceRegion& region = contact.wheel.wrench.region[index];
@@ -258,7 +262,7 @@ std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_w
     HostedWheel hosted;
     Fault outcome = read_hosted(input, hosted);
     if (!outcome.failed()) outcome = solve_wheel(contact, hosted);
-    if (!outcome.failed()) write(wrench_of(contact), wrench);
+    if (!outcome.failed()) write(wrench_of(contact.wheel), wrench);
     return outcome;
   });
 }
@@ -345,7 +349,7 @@ int32_t wrc_wheel_step_flat(wrc_contact* handle, const double* in, double* out) 
     wrc::Fault outcome = abi::read_hosted(&input, hosted);
     if (!outcome.failed()) outcome = wrc::solve_wheel(contact, hosted);
     if (outcome.failed()) return outcome;
-    const wrc_wrench wrench = abi::wrench_of(contact);
+    const wrc_wrench wrench = abi::wrench_of(contact.wheel);
     std::copy_n(wrench.force, 3, out);
     std::copy_n(wrench.moment, 3, out + 3);
     std::copy_n(wrench.rail_force, 3, out + 6);

@@ -235,6 +235,22 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
 /// flexibilities, the half-space on coarse grids, the book of tables, and friction that falls with speed.
 bool differentiates(const Contact& contact);
 
+/// A hosted wheel as the right-hand one of src/surface, and what leads back.
+struct PlacedWheel {
+  WheelOnRail problem;
+  bool left = false;         ///< `problem` is its mirror image
+  double arm[3] = {};        ///< from the reference point to that of the wheel, host's track axes [m]
+  double reference[3] = {};  ///< the reference point, its height as given [m]
+  double rail[2] = {};       ///< y and z of the displaced origin of the rail's profile [m]
+};
+
+/// WRC_ERROR_UNSUPPORTED where the model has no surfaces: no profiles, or another normal method. The problem
+/// points to `hosted` where friction has a law.
+Fault place_wheel(const Model& model, const HostedWheel& hosted, PlacedWheel& placed);
+
+/// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
+void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result);
+
 /// A wheel on a rail, from the pose to the wrench in one; the stages above are not touched (wheel.cpp).
 Fault solve_wheel(Contact& contact, const HostedWheel& hosted);
 

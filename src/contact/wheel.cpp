@@ -83,42 +83,36 @@ double steepest(const SurfaceModel& surface, const Wrench& wrench, double roll) 
 
 }  // namespace
 
-Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
-  contact.wheel_solved = 0;
-  contact.wheel = {};
-  const Model& model = *contact.model;
+Fault place_wheel(const Model& model, const HostedWheel& hosted, PlacedWheel& placed) {
   if (model.surface == nullptr) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "contact",
-            .cause = model.has_geometry ? "wrc_wheel_step needs a model of config.normal_method = "
-                                          "WRC_NORMAL_STRIP_HALFSPACE"
-                                        : "wrc_wheel_step needs a model with profiles: give config.wheel and "
-                                          "config.rail"};
-  }
-  if (model.options.tangential_method != TangentialMethod::strip_fastsim) {
     return {
         .status = WRC_ERROR_UNSUPPORTED,
         .field = "contact",
-        .cause = "wrc_wheel_step needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+        .cause = model.has_geometry
+                     ? "a wheel on a rail needs a model of config.normal_method = "
+                       "WRC_NORMAL_STRIP_HALFSPACE"
+                     : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
   }
-
-  const double outward = hosted.side == Side::left ? -1.0 : 1.0;
+  placed = {};
+  placed.left = hosted.side == Side::left;
+  const double outward = placed.left ? -1.0 : 1.0;
   const double half_base = outward * std::abs(model.wheel.origin_y);
-  double arm[3] = {};  // from the reference point to that of the wheel
   if (hosted.of_wheelset) {
-    for (int i = 0; i < 3; ++i) arm[i] = hosted.rotation[i][1] * half_base;
+    for (int i = 0; i < 3; ++i) placed.arm[i] = hosted.rotation[i][1] * half_base;
   }
-  const double reference[3] = {0.0, hosted.y + (hosted.of_wheelset ? 0.0 : half_base),
-                               hosted.z - model.wheel.nominal_radius};
+  placed.reference[1] = hosted.y + (hosted.of_wheelset ? 0.0 : half_base);
+  placed.reference[2] = hosted.z - model.wheel.nominal_radius;
+  placed.rail[0] = outward * std::abs(model.rail.origin_y) + hosted.rail.y;
+  placed.rail[1] = model.rail.origin_z + hosted.rail.z;
 
-  WheelOnRail problem;
+  WheelOnRail& problem = placed.problem;
   for (int i = 0; i < 3; ++i) {
-    problem.wheel.position[i] = reference[i] + arm[i];
+    problem.wheel.position[i] = placed.reference[i] + placed.arm[i];
     problem.wheel.velocity[i] = hosted.velocity[i];
     problem.wheel.angular_velocity[i] = hosted.angular_velocity[i];
     for (int k = 0; k < 3; ++k) problem.wheel.rotation[i][k] = hosted.rotation[i][k];
   }
-  add_cross(problem.wheel.velocity, hosted.angular_velocity, arm);
+  add_cross(problem.wheel.velocity, hosted.angular_velocity, placed.arm);
   problem.rail = hosted.rail;
   problem.load_prescribed = hosted.load_prescribed;
   problem.vertical_load = hosted.vertical_load;
@@ -127,14 +121,42 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.damping = hosted.damping;
-  const bool left = hosted.side == Side::left;
-  if (left) mirror_body(problem);
+  if (placed.left) mirror_body(problem);
+  return {};
+}
+
+void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result) {
+  Wrench& wrench = result.wrench;
+  if (placed.left) mirror_wrench(wrench);
+  add_cross(wrench.moment, placed.arm, wrench.force);
+  const double z = placed.problem.load_prescribed ? wrench.height - placed.arm[2] : placed.reference[2];
+  wrench.height = z + model.wheel.nominal_radius;
+  const double from_rail[3] = {placed.reference[0], placed.reference[1] - placed.rail[0], z - placed.rail[1]};
+  double about_rail[3] = {wrench.moment[0], wrench.moment[1], wrench.moment[2]};
+  add_cross(about_rail, from_rail, wrench.force);
+  for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
+}
+
+Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
+  contact.wheel_solved = 0;
+  contact.wheel = {};
+  const Model& model = *contact.model;
+  PlacedWheel placed;
+  Fault fault = place_wheel(model, hosted, placed);
+  if (fault.failed()) return fault;
+  if (model.options.tangential_method != TangentialMethod::strip_fastsim) {
+    return {
+        .status = WRC_ERROR_UNSUPPORTED,
+        .field = "contact",
+        .cause = "wrc_wheel_step needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+  }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostedWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
-  const Fault fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
-                                          array(contact, Array::surface_workspace), wrench);
+  WheelOnRail& problem = placed.problem;
+  fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
+                              array(contact, Array::surface_workspace), wrench);
   if (fault.failed() || (hosted.load_prescribed && wrench.regions == 0)) {
     result = {};
     if (fault.failed()) return fault;
@@ -148,17 +170,8 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   result.steepest_angle = steepest(*model.surface, wrench, problem.rail.roll);
   for (std::int32_t i = 0; i < wrench.regions; ++i)
     result.place[i] = place_of(model, problem, wrench.region[i].point);
-  if (left) mirror_wrench(wrench);
-
-  add_cross(wrench.moment, arm, wrench.force);
-  const double reference_z = hosted.load_prescribed ? wrench.height - arm[2] : reference[2];
-  wrench.height = hosted.load_prescribed ? reference_z + model.wheel.nominal_radius : hosted.z;
-  const double from_rail[3] = {reference[0],
-                               reference[1] - (outward * std::abs(model.rail.origin_y) + hosted.rail.y),
-                               reference_z - (model.rail.origin_z + hosted.rail.z)};
-  double about_rail[3] = {wrench.moment[0], wrench.moment[1], wrench.moment[2]};
-  add_cross(about_rail, from_rail, wrench.force);
-  for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
+  hand_back(model, placed, result);
+  if (!hosted.load_prescribed) wrench.height = hosted.z;
   contact.wheel_solved = 1;
   return fault;
 }

@@ -42,6 +42,7 @@ RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& 
 SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double wheel_s) const {
   constexpr int cap = 100;
   constexpr double longest_step = 1e-3, tolerance = 1e-13;
+  constexpr double farthest = 0.02;     // beyond it a ray meets another face of the wheel [m]
   constexpr double least_cosine = 0.1;  // of the angle between the ray and the wheel's normal
   const Vector3 n = normal_of(row);
   const Vector3 start =
@@ -68,7 +69,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
     found.wheel_s += factor * s_step;
     if (found.wheel_s < 0.0 || found.wheel_s > bodies_.wheel.length()) return found;
     if (std::abs(gap_step) + std::abs(s_step) <= tolerance) {
-      found.found = true;
+      found.found = std::abs(found.gap) < farthest;
       return found;
     }
   }

@@ -36,7 +36,7 @@ struct SurfacePoint {
   double gap = 0.0;       ///< from the rail along -normal to the wheel; negative: overlap [m]
   double normal[3] = {};  ///< of the wheel, into the rail, track axes
   double wheel_s = 0.0;   ///< on the wheel's profile [m]
-  bool found = false;     ///< the normal meets the wheel's facing side
+  bool found = false;     ///< the normal meets the wheel's facing side near by
 };
 
 /// A wheel over a rail. Axes: x from the wheel's reference point, y and z of the track.

@@ -44,12 +44,15 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
   constexpr int border = 2;
   constexpr double farthest = 0.1;  // from a row's middle along x [m]
   int first = lattice, last = -1;
-  double low = 1.0, high = -1.0;
   for (int j = 0; j < lattice; ++j) {
-    const Candidate& c = candidates[j];
-    if (!c.found || c.middle.gap > margin) continue;
+    if (!candidates[j].found || candidates[j].middle.gap > margin) continue;
     first = std::min(first, j);
     last = j;
+  }
+  double low = 1.0, high = -1.0;
+  for (int j = first; j <= last && !cells.too_many; ++j) {
+    const Candidate& c = candidates[j];
+    if (!c.found || c.middle.gap > margin) continue;
     for (const double direction : {-1.0, 1.0}) {
       SurfacePoint p = c.middle;
       double x = c.row.middle;
@@ -60,6 +63,8 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
       low = std::min(low, x);
       high = std::max(high, x);
     }
+    cells.too_many =
+        (high - low) / options.cell_x * (last - first + 1) > static_cast<double>(options.max_cells);
   }
   first = std::max(first - border, 0);
   last = std::min(last + border, lattice - 1);
@@ -71,7 +76,6 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
                 .dy = options.cell_s,
                 .x0 = left * options.cell_x,
                 .y0 = (first + 0.5) * options.cell_s};
-  cells.too_many = cells.grid.cells() > options.max_cells;
   if (cells.too_many) return cells;
   cells.points.resize(cells.grid.cells());
   for (int j = 0; j < cells.grid.ny; ++j) {

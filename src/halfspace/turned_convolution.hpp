@@ -3,9 +3,9 @@
 ///
 /// Row j has the angle a_j about x: e_y = (0, cos a, sin a), e_n = (0, -sin a, cos a) in axes common to all
 /// rows. A traction of cell j displaces as if all of the half-space lay in cell j's frame; cell i feels the
-/// component of that displacement along its own axes (Blanco-Lorenzo et al., Wear 2016; "half-space
-/// coefficients with angle correction" of CONTACT). Displacements u = u(wheel) - u(rail), p the pressure (the
-/// traction on the wheel is -p e_n), d = a_i - a_j:
+/// component of that displacement along its own axes (Blanco-Lorenzo et al., Tribology Int. 103, 2016;
+/// "half-space coefficients with angle correction" of CONTACT). Displacements u = u(wheel) - u(rail), p the
+/// pressure (the traction on the wheel is -p e_n), d = a_i - a_j:
 ///     -u_n,i = sum_j  cos d K_zz p_j + sin d (K_xy p_x,j + K_yy p_y,j)
 ///      u_y,i = sum_j -sin d K_zz p_j + cos d (K_xy p_x,j + K_yy p_y,j)
 ///      u_x,i = sum_j  K_xx p_x,j + K_xy p_y,j

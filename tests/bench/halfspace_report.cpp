@@ -4,10 +4,6 @@
 //     halfspace_report kalker            linear theory against Kalker's printed coefficients
 //     halfspace_report sdec FILE.csv     against reference cases with prescribed SDEC pressure
 //     halfspace_report balance FILE.csv  dissipation over the cells against the energy balance, finer grids
-//     halfspace_report surface FILE.csv SETTING,... [MM]  on the curved surface, against reference cases end
-//     to
-//                                        end with their profiles beside the file; cells of MM millimetres
-//                                        (0.2)
 //     halfspace_report paper             the source paper's cases, finer grids
 //     halfspace_report speed             cost against grid size
 #include "bench/halfspace_report.hpp"
@@ -34,9 +30,6 @@ int main(int argc, char** argv) {
       json = sdec(words[1].c_str());
     } else if (what == "balance" && with_file) {
       json = balance(words[1].c_str());
-    } else if (what == "surface" && words.size() >= 3 && words.size() <= 4) {
-      json =
-          surface(words[1].c_str(), words[2].c_str(), words.size() == 4 ? 1e-3 * std::stod(words[3]) : 2e-4);
     } else if (what == "kalker") {
       json = kalker();
     } else if (what == "hertz") {
@@ -51,7 +44,7 @@ int main(int argc, char** argv) {
       std::fprintf(
           stderr,
           "usage: halfspace_report hertz | carter | kalker | paper | speed | sdec FILE.csv | balance "
-          "FILE.csv | surface FILE.csv SETTING,... [MM] [--json]\n");
+          "FILE.csv [--json]\n");
       return 2;
     }
   } catch (const std::exception& problem) {

@@ -49,7 +49,5 @@ Json hertz();           ///< peak, axes and approach of Hertz's contact, and the
 Json carter();          ///< the middle of a long contact against Carter's closed solution
 Json paper();           ///< the source paper's two cases on finer and finer grids
 Json speed();           ///< cost against grid size
-Json surface(const char* path, const char* only_settings,
-             double cell);  ///< on the rail's curved surface, against reference cases end to end
 
 }  // namespace wrc::halfspace::report

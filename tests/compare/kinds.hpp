@@ -16,6 +16,7 @@ struct Options {
   std::vector<long> cases;    ///< to run; empty: all
   bool list = false;          ///< print each case
   double smoothing = 4.5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
+  double cell = 2e-4;         ///< of the exact solver [m]
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
@@ -46,5 +47,9 @@ Report compare_wheelset(const Csv& file, const Options& options);
 Report compare_conformal(const Csv& file, const Options& options);
 Report compare_scan(const Csv& file, const Options& options);
 Report compare_loop(const Csv& file, const Options& options);
+
+/// The exact solver on the rail's surface (wrc_exact_wheel) against the rows of wheelset and conformal files,
+/// and wrc_wheel_step against that solver on the same poses.
+Report compare_exact_wheel(const Csv& file, const Options& options);
 
 }  // namespace compare

@@ -2,6 +2,7 @@
 ///
 ///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
 ///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
+///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,36 +17,51 @@ using compare::Names;
 using compare::Options;
 using compare::Report;
 
+/// An option with a length in mm.
+struct Length {
+  const char* name;
+  double Options::*value;
+};
+constexpr Length none{nullptr, nullptr};
+
 /// A kind has variants to choose from, or cases along which a wheel on a rail is looked at.
 struct Kind {
   const char* name;
   Report (*variants)(const Csv&, const Names& only);
   Report (*cases)(const Csv&, const Options&);
-  bool smooths;  ///< takes --smoothing
+  Length length;  ///< that it takes
   const char* columns;
 };
 
 constexpr Kind kinds[] = {
-    {"sdec", compare::compare_sdec, nullptr, false,
+    {"sdec", compare::compare_sdec, nullptr, none,
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
-    {"normal", compare::compare_normal, nullptr, false,
+    {"normal", compare::compare_normal, nullptr, none,
      "those of normal_rows.csv: S1002 on UIC60, CONTACT's pressure strip by strip"},
-    {"wheelrail", compare::compare_wheelrail, nullptr, false,
+    {"wheelrail", compare::compare_wheelrail, nullptr, none,
      "those of wheelrail_cases.csv: S1002 on UIC60 end to end"},
-    {"halfspace-sdec", compare::compare_halfspace_sdec, nullptr, false,
+    {"halfspace-sdec", compare::compare_halfspace_sdec, nullptr, none,
      "those of sdec_cases.csv: the exact solver on each row's grid"},
-    {"halfspace-normal", compare::compare_halfspace_normal, nullptr, false,
+    {"halfspace-normal", compare::compare_halfspace_normal, nullptr, none,
      "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
-    {"grid", compare::compare_grid, nullptr, false,
+    {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
-    {"wheelset", nullptr, compare::compare_wheelset, true,
+    {"wheelset",
+     nullptr,
+     compare::compare_wheelset,
+     {"--smoothing", &Options::smoothing},
      "those of wheelset_cases.csv or worn_cases.csv: pose to wrench, height prescribed"},
-    {"conformal", nullptr, compare::compare_conformal, false,
+    {"conformal", nullptr, compare::compare_conformal, none,
      "those of conformal_cases.csv: pose to wrench, load prescribed"},
-    {"scan", nullptr, compare::compare_scan, false,
+    {"scan", nullptr, compare::compare_scan, none,
      "those of scan_cases.csv: smoothness along lines through pose space, no reference needed"},
-    {"loop", nullptr, compare::compare_loop, false,
+    {"loop", nullptr, compare::compare_loop, none,
      "those of loop_cases.csv: work round closed paths, no reference needed"},
+    {"exact-wheel",
+     nullptr,
+     compare::compare_exact_wheel,
+     {"--cell", &Options::cell},
+     "those of wheelset_cases.csv or conformal_cases.csv: the exact solver on the rail's surface"},
 };
 
 void usage(FILE* to) {
@@ -57,10 +73,12 @@ void usage(FILE* to) {
       "--only VARIANT[,VARIANT]: just these, by the names in the table, as in --only strip_fastsim,table; "
       "all of\n"
       "        them may take minutes. A name that KIND does not know is answered with those it does\n"
-      "wheelset, conformal, scan, loop, whose profiles lie in profiles/ beside FILE, instead of --only:\n"
+      "wheelset, conformal, scan, loop, exact-wheel, whose profiles lie in profiles/ beside FILE, instead of "
+      "--only:\n"
       "--case N[,N]: these cases alone\n"
       "--list: every case as well, with its error and forces\n"
-      "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n");
+      "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
+      "--cell MM (exact-wheel): cells of the exact solver [0.2]\n");
 }
 
 /// Refuses the command line.
@@ -119,9 +137,9 @@ int main(int argc, char** argv) {
         if (!number(word, value)) return misused("'" + word + "' is no number of a case");
         options.cases.push_back(static_cast<long>(value));
       }
-    } else if (words[i] == "--smoothing" && kind->smooths && has_value) {
+    } else if (kind->length.name && words[i] == kind->length.name && has_value) {
       if (!number(words[++i], value)) return misused("'" + words[i] + "' is no length in mm");
-      options.smoothing = 1e-3 * value;
+      options.*kind->length.value = 1e-3 * value;
     } else {
       return misused("'" + words[i] + "' is no option of " + words[0] + ", or lacks its value");
     }

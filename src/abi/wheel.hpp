@@ -1,0 +1,15 @@
+/// The wheel on a rail at the C boundary, for the calls that solve it one way or the other.
+#pragma once
+
+#include "abi/structs.hpp"
+#include "contact/contact.hpp"
+
+namespace wrc::abi {
+
+/// What the caller asks for, checked.
+Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted);
+
+/// struct_size of the result is that of today's struct; write() keeps the caller's.
+wrc_wrench wrench_of(const HostedWrench& hosted);
+
+}  // namespace wrc::abi

@@ -1,0 +1,157 @@
+/// A wheel on a rail, exactly: wrc_exact_wheel against the reference program, and beside wrc_wheel_step.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "made.hpp"
+#include "reference_contact.hpp"
+#include "wrc/wrc_offline.h"
+
+namespace {
+
+/// S1002 on the benchmark UIC60 as the reference results have them: frictionless, 80 kN.
+class ExactWheel : public testing::Test {
+ protected:
+  wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init);
+  wrc_profile rail_profile = made<wrc_profile>(wrc_profile_init);
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  wrc_exact_wheel_options options = made<wrc_exact_wheel_options>(wrc_exact_wheel_options_init);
+  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init), fast = made<wrc_wrench>(wrc_wrench_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  ExactWheel() {
+    wheel_profile.kind = WRC_PROFILE_S1002;
+    rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.wheel = &wheel_profile;
+    config.rail = &rail_profile;
+    config.shear_modulus = 82e9;
+    config.poisson = 0.28;
+    config.profile_placement = WRC_PLACEMENT_ORIGIN;
+    config.rail_origin = 0.7605325577;
+    wheel.velocity[0] = 20.0;
+    wheel.angular_velocity[1] = -20.0 / 0.46;
+    input.wheel = &wheel;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    options.cell_x = options.cell_s = 4e-4;
+  }
+  void SetUp() override {
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  }
+  ~ExactWheel() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  int32_t solve() { return wrc_exact_wheel(contact, &input, &options, &wrench); }
+  std::string error() const {
+    char text[256];
+    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    return text;
+  }
+};
+
+// CONTACT 25.2, conformal with turned coefficients, 0.2 mm, without friction: lateral force at 80 kN.
+TEST_F(ExactWheel, LateralForcesAreThoseOfConformalTheory) {
+  const struct {
+    double y, yaw, force;
+  } cases[] = {{2e-3, 0.0, 6157.0}, {5.3e-3, 0.0, 20368.0}, {6e-3, 0.0, 30866.0}, {5.3e-3, 0.01, 19854.0}};
+  for (const auto& each : cases) {
+    wheel.y = each.y;
+    wheel.yaw = each.yaw;
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    EXPECT_NEAR(std::abs(wrench.force[1]) / each.force, 1.0, 4e-3) << each.y;
+    EXPECT_NEAR(wrench.force[2], -80e3, 10.0);
+    EXPECT_EQ(wrench.power, 0.0);
+  }
+}
+
+TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
+  input.friction = &friction;
+  wheel.y = 3e-3;
+  wheel.yaw = 2e-3;
+  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    wheel.side = side;
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    ASSERT_EQ(wrc_wheel_step(contact, &input, &fast), WRC_OK) << error();
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(wrench.force[i], fast.force[i], 0.01 * 80e3) << i;
+      EXPECT_NEAR(wrench.moment[i], fast.moment[i], 0.01 * 80e3 * 0.75) << i;
+      EXPECT_NEAR(wrench.rail_moment[i], fast.rail_moment[i], 0.01 * 80e3 * 0.75) << i;
+    }
+    EXPECT_NEAR(wrench.z, fast.z, 1e-6);
+    EXPECT_NEAR(wrench.peak_pressure / fast.peak_pressure, 1.0, 0.02);
+    EXPECT_NEAR(wrench.normal_force / fast.normal_force, 1.0, 0.01);
+    EXPECT_NEAR(wrench.power / fast.power, 1.0, 0.1);
+    EXPECT_EQ(wrench.regions, fast.regions);
+  }
+}
+
+// The mirror image of a pose has the mirror image of the wrench; the height found gives the load it came of.
+TEST_F(ExactWheel, SidesAreMirrorImagesAndHeightGivesTheLoadBack) {
+  input.friction = &friction;
+  wheel.y = 5e-3;
+  wheel.yaw = 3e-3;
+  wheel.angular_velocity[2] = 0.02;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench right = wrench;
+  wheel.side = WRC_SIDE_LEFT;
+  wheel.y = -5e-3;
+  wheel.yaw = -3e-3;
+  wheel.angular_velocity[2] = -0.02;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(wrench.force[i], i == 1 ? -right.force[i] : right.force[i]);
+    EXPECT_DOUBLE_EQ(wrench.moment[i], i == 1 ? right.moment[i] : -right.moment[i]);
+  }
+  input.prescribed = WRC_PRESCRIBE_HEIGHT;
+  input.vertical_load = 0.0;
+  wheel.z = wrench.z;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  EXPECT_NEAR(wrench.force[2] / -80e3, 1.0, 1e-4);
+  EXPECT_EQ(wrench.z, wheel.z);
+}
+
+TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
+  const auto expect = [&](int32_t status, const std::vector<std::string>& words) {
+    wrench.force[2] = 1.0;
+    EXPECT_EQ(solve(), status) << error();
+    EXPECT_EQ(wrench.force[2], 0.0);
+    ReferenceWheel::expect_words(error(), words);
+  };
+  options.cell_s = 0.4;
+  expect(WRC_ERROR_RANGE, {"options.cell_s", "0.4", "mm"});
+  options.cell_s = std::numeric_limits<double>::quiet_NaN();
+  expect(WRC_ERROR_NOT_FINITE, {"options.cell_s"});
+  options.cell_s = 4e-4;
+  options.influence = 2;
+  expect(WRC_ERROR_RANGE, {"options.influence"});
+  options.influence = WRC_INFLUENCE_TURNED;
+  input.friction = &friction;
+  wheel.velocity[0] = -20.0;
+  expect(WRC_ERROR_RANGE, {"forwards"});
+  wheel.velocity[0] = 20.0;
+  input.prescribed = WRC_PRESCRIBE_HEIGHT;
+  input.vertical_load = 0.0;
+  input.damping = 0.1;
+  expect(WRC_ERROR_UNSUPPORTED, {"input.damping"});
+  input.damping = 0.0;
+  wheel.z = 0.02;
+  options.cell_x = 2e-5;
+  expect(WRC_ERROR_RANGE, {"cells"});
+  wheel.z = -0.02;
+  EXPECT_EQ(solve(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrench.force[2], 0.0);
+  EXPECT_EQ(wrc_exact_wheel(contact, nullptr, nullptr, &wrench), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_wheel(nullptr, &input, nullptr, &wrench), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_wheel(contact, &input, nullptr, nullptr), WRC_ERROR_NULL);
+}
+
+}  // namespace
