@@ -39,6 +39,12 @@ if [ "${1:-}" != quick ]; then
   suite clang
   suite sanitize
   suite tsan  # threads that share a model
+  # Nothing else needs the cross compiler and wine.
+  if (need_packages g++-mingw-w64-x86-64-posix wine wine64 googletest); then
+    suite mingw
+  else
+    count_check "mingw: skipped, wrc.dll cannot be built and run without these packages" sh -c 'exit 77'
+  fi
   count_check "golden hashes of other builds" golden
   count_check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
   count_check "clang-format" formatted

@@ -1,26 +1,53 @@
 /* load_at_run_time.c - how a host that is not linked to wrc uses it: dlopen, one dlsym, then the function
- * table.
+ * table. On Windows LoadLibrary, one GetProcAddress, then the same table.
  *
  *   ./load_at_run_time path/to/libwrc.so.1
+ *   load_at_run_time.exe path\to\wrc.dll
  */
+#if defined(_WIN32)
+#include <windows.h>
+#else
 #include <dlfcn.h>
+#endif
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "wrc/wrc.h"
 
-int main(int argc, char** argv) {
-  const char* path = argc > 1 ? argv[1] : "libwrc.so.1";
+#if defined(_WIN32)
+static const char* const usual_name = "wrc.dll";
+static void* open_library(const char* path) {
+  HMODULE library = LoadLibraryA(path);
+  if (library == NULL) fprintf(stderr, "%s: Windows error %lu\n", path, GetLastError());
+  return library;
+}
+static void* find(void* library, const char* name) {
+  FARPROC function = GetProcAddress(library, name);
+  void* symbol = NULL;
+  memcpy(&symbol, &function, sizeof symbol);
+  return symbol;
+}
+static void close_library(void* library) { FreeLibrary(library); }
+#else
+static const char* const usual_name = "libwrc.so.1";
+static void* open_library(const char* path) {
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-  if (library == NULL) {
-    fprintf(stderr, "%s\n", dlerror());
-    return EXIT_FAILURE;
-  }
+  if (library == NULL) fprintf(stderr, "%s\n", dlerror());
+  return library;
+}
+static void* find(void* library, const char* name) { return dlsym(library, name); }
+static void close_library(void* library) { dlclose(library); }
+#endif
+
+int main(int argc, char** argv) {
+  const char* path = argc > 1 ? argv[1] : usual_name;
+  void* library = open_library(path);
+  if (library == NULL) return EXIT_FAILURE;
 
   /* ISO C has no cast from an object pointer to a function pointer; POSIX says that copying it works. */
   const wrc_api* (*get_api)(uint32_t) = NULL;
-  void* symbol = dlsym(library, "wrc_get_api");
+  void* symbol = find(library, "wrc_get_api");
   if (symbol == NULL) {
     fprintf(stderr, "%s has no wrc_get_api: is it libwrc?\n", path);
     return EXIT_FAILURE;
@@ -68,6 +95,6 @@ int main(int argc, char** argv) {
 
   wrc->contact_destroy(contact);
   wrc->model_destroy(model);
-  dlclose(library);
+  close_library(library);
   return status < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -202,7 +202,7 @@ static void print_heading(const char* title) {
 }
 
 static void print_number(const char* format, double value, int width) {
-  if (isnan(value)) {
+  if (value != value) { /* NaN; the isnan of mingw-w64's C library warns of a conversion */
     printf(" %*s", width, "-");
   } else {
     printf(format, value);

@@ -43,6 +43,11 @@
  *  - The floating-point environment of the host (rounding, traps, flush to zero) is set aside and restored by
  *    every call that computes: traps the host has enabled do not fire inside.
  *
+ * @par On Windows
+ * wrc.dll: link its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init
+ * comes from _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in the
+ * process's code page.
+ *
  * Valid as C99 to C23 and C++98 to C++23. "Paper" below is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
  */
 #ifndef WRC_H
@@ -54,8 +59,10 @@
 #include "wrc_status.h"
 
 /** @cond */
-#if defined(_WIN32) || defined(WRC_STATIC) /* the static library: who links it need not export it */
+#if defined(WRC_STATIC) /* the static library, and the library's own sources: nothing is imported or exported */
 #define WRC_API
+#elif defined(_WIN32)
+#define WRC_API __declspec(dllimport)
 #elif defined(__GNUC__)
 #define WRC_API __attribute__((visibility("default")))
 #else

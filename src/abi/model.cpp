@@ -1,6 +1,9 @@
 /// wrc_model and wrc_contact: size, init in the caller's memory, create, destroy, save, restore.
 #include <cstdlib>
 #include <cstring>
+#if defined(_WIN32)
+#include <malloc.h>
+#endif
 
 #include "abi/fp_environment.hpp"
 #include "abi/handles.hpp"
@@ -13,10 +16,17 @@ namespace {
 
 bool aligned(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % block_alignment == 0; }
 
+#if defined(_WIN32)  // its C library has no aligned_alloc, and free() does not take what is aligned
+void* default_allocate(void*, std::uint64_t bytes, std::uint64_t alignment) {
+  return _aligned_malloc(bytes, alignment);
+}
+void default_release(void*, void* memory) { _aligned_free(memory); }
+#else
 void* default_allocate(void*, std::uint64_t bytes, std::uint64_t alignment) {
   return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 void default_release(void*, void* memory) { std::free(memory); }
+#endif
 
 Fault buffer_fault(const void* memory, std::uint64_t bytes, std::size_t needed) {
   if (memory == nullptr) return {.status = WRC_ERROR_NULL, .field = "memory"};

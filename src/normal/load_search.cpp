@@ -67,14 +67,16 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
   const double share = solution.normal_force / most;
   for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
   solution.peak_pressure *= share;
-  return {.status = WRC_FLAG_BEYOND_GAP,
-          .field = load ? "load.normal_force" : "load.approach",
-          .value = load ? problem.normal_force : problem.approach,
-          .unit = load ? "N" : "m",
-          .low = 0.0,
-          .high = load ? most : deepest,
-          .cause = load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
-                        : "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
+  return {
+      .status = WRC_FLAG_BEYOND_GAP,
+      .field = load ? "load.normal_force" : "load.approach",
+      .value = load ? problem.normal_force : problem.approach,
+      .unit = load ? "N" : "m",
+      .low = 0.0,
+      .high = load ? most : deepest,
+      .cause = load ? "the gap given, or config.gap_limit, carries no more: continued with the last stiffness"
+                    : "the gap given, or config.gap_limit, ends there: continued with the last stiffness; "
+                      "did you pass mm?"};
 }
 
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,

@@ -7,8 +7,12 @@
 #include <cstring>
 #include <string>
 #include <vector>
+#if defined(_WIN32)
+#include <xmmintrin.h>
+#endif
 
 #include "reference_contact.hpp"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -645,6 +649,29 @@ TEST_F(Interface, FloatArrayStepAgreesWithTheStructs) {
 
 // --------------------------------------------------------------------------------------------- host's
 // environment
+
+#if defined(_WIN32)
+// What glibc has, for the vector unit's control register: exception k traps while bit 7 + k is 0.
+int fegetexcept() { return static_cast<int>(~_mm_getcsr() >> 7) & FE_ALL_EXCEPT; }
+void feenableexcept(int which) { _mm_setcsr(_mm_getcsr() & ~(static_cast<unsigned>(which) << 7)); }
+void fedisableexcept(int which) { _mm_setcsr(_mm_getcsr() | static_cast<unsigned>(which) << 7); }
+
+TEST_F(Interface, HostKeepsItsOtherFloatingPointUnitToo) {
+  wrc_exact_check_result plain{}, found{};
+  plain.struct_size = found.struct_size = sizeof plain;
+  expect_works();
+  ASSERT_EQ(wrc_exact_check(contact, 32, 32, nullptr, nullptr, &plain), WRC_OK);
+  const unsigned short usual = 0x037f,
+                       mean = 0x0c70;  // 24 bits, towards zero, traps but for denormals and inexact
+  unsigned short after = 0;
+  __asm__ volatile("fldcw %0" : : "m"(mean));
+  const int32_t status = wrc_exact_check(contact, 32, 32, nullptr, nullptr, &found);
+  __asm__ volatile("fnstcw %0\n\tfnclex\n\tfldcw %1" : "=m"(after) : "m"(usual));
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_EQ(after, mean);
+  EXPECT_EQ(std::memcmp(&plain, &found, sizeof found), 0);
+}
+#endif
 
 TEST_F(Interface, HostKeepsItsFloatingPointEnvironmentAndItsTrapsStayQuiet) {
   expect_works();

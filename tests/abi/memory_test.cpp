@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -53,11 +53,11 @@ void* counting_allocate(void* user, uint64_t bytes, uint64_t alignment) {
   auto* counter = static_cast<Counter*>(user);
   if (counter->left-- <= 0) return nullptr;
   ++counter->live;
-  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  return ::operator new (bytes, std::align_val_t{alignment}, std::nothrow);
 }
 void counting_release(void* user, void* memory) {
   --static_cast<Counter*>(user)->live;
-  std::free(memory);
+  ::operator delete (memory, std::align_val_t{64}, std::nothrow);
 }
 
 TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {

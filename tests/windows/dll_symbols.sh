@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# wrc.dll exports the functions of the public headers and nothing else, its .def file names the same, it needs no DLL but
+# those of every Windows, and no vector move in it asks for more alignment than the stack has.
+#   dll_symbols.sh objdump wrc.dll wrc.def include_directory
+set -euo pipefail
+export LC_ALL=C
+objdump=$1 library=$2 def=$3 include=$4
+declared=$(grep -hoE '^WRC_API .*' "$include"/wrc/*.h | grep -oE 'wrc_[a-z0-9_]+\(' | tr -d '(' | sort -u)
+exported=$("$objdump" -p "$library" | awk '/Ordinal\/Name Pointer/ {on = 1; next} on && /^\t\[/ {print $NF} on && !/^\t\[/ {on = 0}' | sort)
+defined=$(awk '/^ / {print $1}' "$def" | sort)
+for each in exported defined; do
+  [ "$declared" = "${!each}" ] && continue
+  echo "declared (<) and $each (>) differ:"
+  diff <(echo "$declared") <(echo "${!each}") || true
+  exit 1
+done
+needed=$("$objdump" -p "$library" | awk '/DLL Name:/ {print $3}')
+for each in $needed; do
+  case $each in
+    KERNEL32.dll|msvcrt.dll) ;;
+    *) echo "$library needs $each: only KERNEL32 and msvcrt are allowed"; exit 1 ;;
+  esac
+done
+[ -n "$needed" ] || { echo "no imports found: the search does not see what it should"; exit 1; }
+aligned=$("$objdump" -d --no-show-raw-insn "$library" | grep -E 'vmov(ap|dqa|nt)[a-z0-9]* .*%[yz]mm' | grep -c '(' || true)
+[ "$aligned" -eq 0 ] || { echo "$aligned moves of 32 or 64 bytes ask for alignment"; exit 1; }
+echo "$(echo "$exported" | wc -l) symbols, needs: $(echo $needed)"
