@@ -13,7 +13,10 @@ case ${1:-} in
     there && exit 0
     if [ "${WRC_NO_INSTALL:-0}" = 1 ]; then
       echo "Missing: Exudyn, not installed as WRC_NO_INSTALL=1 asks."
-    elif ! { python3 -m venv "$venv" &&
+      exit 0
+    fi
+    echo "Installing Exudyn from PyPI into build/venv (WRC_NO_INSTALL=1 prevents it)"
+    if ! { python3 -m venv "$venv" &&
              "$venv/bin/python" -m pip install -q --disable-pip-version-check exudyn==1.13.6; }; then
       echo "Exudyn could not be installed from PyPI: its test is skipped."
     fi
