@@ -8,6 +8,8 @@ out=out/hosts
 mkdir -p $out
 draw() { /usr/bin/python3 tests/hosts/draw_wheelset.py "$@" || echo "No picture: see above."; }
 
+echo "== free wheelset, 1 mm"
+"$build/tests/hosts/kinematic_wave" exact
 simbody=$build/tests/hosts/simbody_wheelset
 if [ -x "$simbody" ]; then
   echo "== Simbody"
