@@ -9,7 +9,8 @@ cd "$(dirname "$0")"
 . .ci/setup.sh
 . .ci/counts.sh
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
-  clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib libbenchmark-dev valgrind
+  clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
+  valgrind
 
 # Builds a preset and runs its tests.
 suite() {
@@ -34,6 +35,7 @@ golden() {
 }
 
 mkdir -p build
+tests/hosts/exudyn.sh install
 suite release
 if [ "${1:-}" != quick ]; then
   suite clang

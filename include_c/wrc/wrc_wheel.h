@@ -105,16 +105,18 @@ typedef struct wrc_wheel_state {
   double angular_velocity[3]; /**< about x and z -200..200, about y (the axle) -2000..2000 rad/s [0] */
 } wrc_wheel_state;
 
-/** Displacement and motion of a rail, track axes. */
+/** Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel runs along a rail
+ * that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular velocity and
+ * orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in these axes then. */
 typedef struct wrc_rail_state {
   uint32_t struct_size; /**< sizeof this struct */
   uint32_t reserved;    /**< 0 */
   double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0] */
   double z;             /**< the same downwards, -0.2..0.2 m [0] */
   double roll;          /**< rotation about that origin and the x axis, -0.5..0.5 rad [0] */
-  double y_velocity;    /**< rate of y, -50..50 m/s [0] */
-  double z_velocity;    /**< rate of z, -50..50 m/s [0] */
-  double roll_velocity; /**< rate of roll, -200..200 rad/s [0] */
+  double y_velocity;    /**< along y, -50..50 m/s [0] */
+  double z_velocity;    /**< along z, -50..50 m/s [0] */
+  double roll_velocity; /**< about x, -200..200 rad/s [0] */
 } wrc_rail_state;
 
 /** What wrc_wheel_step() reads. Pointers are the caller's and only read during the call. */

@@ -7,7 +7,8 @@ class Profile(c.Structure):
                 ("y", c.c_void_p), ("z", c.c_void_p), ("smoothing", c.c_double)]
 
 
-class Config(c.Structure):  # as wrc_config in wrc.h; only the head is touched here
+class Config(c.Structure):
+    """The head of wrc_config: as long as that, all behind it keeps its default."""
     _fields_ = ([("struct_size", c.c_uint32)] +
                 [(n, c.c_int32) for n in ("side normal_method regularisation tangential_method traction_bound strips cells "
                                           "gap_rows max_iterations max_patches warm_start").split()] +
@@ -16,18 +17,26 @@ class Config(c.Structure):  # as wrc_config in wrc.h; only the head is touched h
                 [("wheel", c.POINTER(Profile)), ("rail", c.POINTER(Profile))])
 
 
+class Region(c.Structure):
+    _fields_ = ([("struct_size", c.c_uint32), ("reserved", c.c_uint32), ("point", c.c_double * 3)] +
+                [(n, c.c_double) for n in "y_wheel z_wheel y_rail z_rail angle normal_force".split()] +
+                [("force", c.c_double * 3), ("moment", c.c_double * 3)] +
+                [(n, c.c_double) for n in "area peak_pressure power".split()] + [("creepage", c.c_double * 3)])
+
+
 S1002, RAIL_60E1, UIC60_BENCHMARK = 1, 2, 3
 RIGHT, LEFT = 0, 1
 HEIGHT, LOAD = 0, 1
 
 
 class Model:
-    """One model for all wheels; contact() makes a contact, step() solves one."""
+    """One model for all wheels; contact() makes a contact, step() solves one, regions() tells of the last solution."""
 
-    def __init__(self, library, warm_start=1, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
+    def __init__(self, library, warm_start=0, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
         self.lib = lib = c.CDLL(library)
         lib.wrc_last_error.argtypes = [c.c_void_p, c.c_char_p, c.c_uint64]
         lib.wrc_wheel_step_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
+        lib.wrc_wheel_region.argtypes = [c.c_void_p, c.c_int32, c.c_void_p]
         lib.wrc_contact_create.argtypes = [c.c_void_p, c.c_void_p, c.POINTER(c.c_void_p)]
         wheel, rail = Profile(c.sizeof(Profile), S1002), Profile(c.sizeof(Profile), rail)
         config = Config(c.sizeof(Config))
@@ -59,3 +68,10 @@ class Model:
             self.lib.wrc_last_error(contact, text, 400)
             raise RuntimeError(text.value.decode())
         return list(self.numbers_out)
+
+    def regions(self, contact):
+        """(y_wheel [m], angle [rad], normal force [N]) of each region of the last solution."""
+        found, region = [], Region(c.sizeof(Region))
+        while len(found) < self.numbers_out[17] and self.lib.wrc_wheel_region(contact, len(found), c.byref(region)) >= 0:
+            found.append((region.y_wheel, region.angle, region.normal_force))
+        return found
