@@ -10,12 +10,20 @@
 ///  - The rigid slip of a strip is (slip_x, slip_y + spin (x - centre)), as kinematics gives it: rolling
 ///    radius and turning over the width are in slip_x. Neighbours hold back what a strip's slip_x differs by
 ///    from theirs less than what they share: that difference counts more than once (`gain`).
-///  - Numbers a patch had - slenderness, saturation, skewness - are means over neighbouring strips that fade
-///    where contact gets thin: the mean A of a quantity a with the weights N (load) solves
+///  - Numbers a patch had - slenderness, saturation, what neighbours share of their slip - are means over
+///    neighbouring strips that fade where contact gets thin: the mean A of a quantity a with the weights N
+///    (load) solves
 ///        N (A - a) = d/ds (beta^2 l^2 N dA/ds),
-///    a diffusion over a few half lengths which stops where l vanishes. Three bands, one elimination for all
-///    means; smooth in all loads and lengths, also through a neck that opens. Strips that enter have no
-///    weight.
+///    a diffusion over a part of the half length which stops where l vanishes. Three bands, one elimination
+///    for all means; smooth in all loads and lengths, also through a neck that opens. Strips that enter have
+///    no weight. How far the means reach hardly matters (beta^2 from 0.1 to 10): strips are local.
+///  - Elastic slip that a strip has from the tractions beside it: lateral slip of contact that spins
+///  (torsion),
+///    and to either side of the middle slip across the tractions (twist).
+///  - Calibration (surface_calibration.hpp): smooth functions of slenderness and saturation, fitted to poses
+///  of
+///    a wheel on a rail from tread to flange, with all of the flange's spin, solved exactly on the curved
+///    surface (halfspace/tangential.hpp).
 ///
 /// Nothing in here depends on which strips exist but through their loads.
 #pragma once
@@ -24,11 +32,19 @@
 #include <cstdint>
 
 #include "surface/strip_coefficients.hpp"
+#include "surface/surface_calibration.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
-#include "tangential/strip_calibration.hpp"
 
 namespace wrc {
+
+/// How the strips are rolled. Every one takes the strips' own slips and coefficients.
+enum class SurfaceRollingMethod {
+  strip_fastsim,
+  fastsim,  ///< FASTSIM with separate flexibilities and the bound mu p; power is what the march dissipates
+  fastrip,  ///< strip theory where a strip sticks, directions of FASTSIM with the common flexibility
+            ///< where it slips (tangential/fastrip.hpp); all four fields must be given
+};
 
 /// Strips in contact, by increasing place; one element per strip in arrays of the caller. A strip without
 /// half length or peak carries nothing.
@@ -47,7 +63,8 @@ struct SurfaceRollingInput {
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
   const StripCoefficientTable* coefficients = nullptr;  ///< of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;                      ///< cells along each strip
-  const StripCalibration* calibration = &fitted_calibration;
+  SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
+  const SurfaceCalibration* calibration = &fitted_surface_calibration;
 };
 
 /// Results, arrays of the caller: forces on the wheel in each strip's axes (x, and y along the surface),

@@ -35,6 +35,11 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   const Flexibility& L = problem.flexibility;
   const BoundScale scale = bound_scale(problem);
   simd::MarchTask task{};
+  task.strips = problem.region.count;
+  task.cells = grid.cells;
+  task.parabolic = problem.bound == TractionBound::parabolic;
+  task.shape = &grid.shape(problem.bound);
+  task.fields = &fields;
   task.region = &problem.region;
   task.shares = problem.friction.shares;
   task.gx_constant = {c.longitudinal / L.l11, {1.0 / L.l11, 0.0, 0.0}};
@@ -46,10 +51,6 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   task.per_pressure = scale.per_pressure;
   task.per_length = scale.per_length;
   task.per_length_square = scale.per_length_square;
-  task.parabolic = problem.bound == TractionBound::parabolic;
-  task.shape = &grid.shape(problem.bound);
-  task.cells = grid.cells;
-  task.fields = &fields;
   return task;
 }
 

@@ -33,6 +33,14 @@ std::vector<Loaded> loaded;
 
 EXPORTED int calibration_quantities() { return StripCalibration::quantities; }
 EXPORTED int calibration_terms() { return StripCalibration::terms; }
+/// 1 where a constant may be fitted when a fit starts from zero. The first two terms do not vanish with the
+/// creepages: only turning and torsion, which are not in linear theory, may have them. Others left out here
+/// were never worth their place in any trial.
+EXPORTED int calibration_allowed(int quantity, int term) {
+  if (term < 2) return quantity == StripCalibration::turning || quantity == StripCalibration::torsion;
+  if (quantity <= StripCalibration::turning) return 1;
+  return term < (quantity == StripCalibration::torsion ? 5 : 6);
+}
 EXPORTED void calibration_fitted(double* constants) {
   for (const auto& row : fitted_calibration.constants) {
     for (double value : row) *constants++ = value;

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Fits the constants of src/tangential/strip_calibration.hpp to exact forces and prints the table.
 
-    fit.py LIBRARY [--start zero|fitted] [--keep N] FILE.csv ...
+    fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ...
 
-LIBRARY is build/release/tests/libcalibration_errors.so, the files are made by make_patches. From `zero` (the
+LIBRARY is build/release/tests/libcalibration_errors.so, or libsurface_errors.so for
+src/surface/surface_calibration.hpp; the files are made by make_patches. From `zero` (the
 default) all constants take part; with --keep the least needed ones are taken out, one after the other, until N are
 left. From `fitted` only the constants that are not zero in the header take part: a change elsewhere (tables of
 linear theory, normal method) wants no more than that.
 
 What is minimised: the mean over the patches of |e|^3 / d + ... for small e quadratic (d = 1 % of mu N), e the error
-of Fx, Fy and 0.3 of that of Mz; the same for a tenth of the relative power error, fading out between 85 and 95 %
+of Fx, Fy and 0.3 of that of Mz; the same for a tenth (--power) of the relative power error, fading out between 85 and 95 %
 adhesion; and a weak pull of every constant towards zero. The third power looks at the 95th percentile more than at
 the median. Patches given as strips (wheel on rail) count three times, as there are fewer of them.
 """
@@ -18,12 +19,13 @@ import ctypes
 
 import numpy as np
 
-SCALE, MOMENT, POWER, PULL = 0.01, 0.3, 0.1, 0.5e-6
+SCALE, MOMENT, PULL = 0.01, 0.3, 0.5e-6
 
 
 class Errors:
-    def __init__(self, path, files):
+    def __init__(self, path, files, power):
         self.library = ctypes.CDLL(path)
+        self.power = power
         self.shape = self.library.calibration_quantities(), self.library.calibration_terms()
         ends = [0]
         for name in files:
@@ -51,7 +53,7 @@ class Errors:
 
     def __call__(self, constants):
         out = self.raw(constants)
-        fade = POWER * np.clip((0.95 - out[:, 0]) / 0.1, 0.0, 1.0)
+        fade = self.power * np.clip((0.95 - out[:, 0]) / 0.1, 0.0, 1.0)
         return np.column_stack([out[:, 1], out[:, 2], MOMENT * out[:, 3], fade * out[:, 4]])
 
 
@@ -119,18 +121,17 @@ def main():
     parser.add_argument("files", nargs="+")
     parser.add_argument("--start", choices=["zero", "fitted"], default="zero")
     parser.add_argument("--keep", type=int, default=0)
+    parser.add_argument("--power", type=float, default=0.1)
     arguments = parser.parse_args()
-    errors = Errors(arguments.library, arguments.files)
+    errors = Errors(arguments.library, arguments.files, arguments.power)
 
     if arguments.start == "fitted":
         constants = errors.fitted()
         active = list(zip(*np.nonzero(constants)))
     else:
         constants = np.zeros(errors.shape)
-        # The first two terms do not vanish with the creepages: only turning and torsion, which are not in linear theory, may have them. The other
-        # terms left out here were never worth their place in any trial.
-        active = [(q, t) for q in range(errors.shape[0]) for t in range(2, errors.shape[1])
-                  if q < 5 or t < (5 if q == 6 else 6)] + [(4, 0), (4, 1), (6, 0), (6, 1)]
+        active = [(q, t) for q in range(errors.shape[0]) for t in range(errors.shape[1])
+                  if errors.library.calibration_allowed(q, t)]
         constants, _, _ = fit(errors, constants, active, 2, 25)
     constants, best, matrix = fit(errors, constants, active, 3, 40)
     while arguments.keep and len(active) > arguments.keep:

@@ -31,9 +31,17 @@ struct Sums {
   double d[3][inputs];     ///< of fx, fy, mz; zero if not asked for
 };
 
+/// What every such march needs, whatever its strips are told.
+struct MarchCells {
+  std::int32_t strips, cells;
+  bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
+  const BoundShape* shape;
+  const TangentialFields* fields;
+};
+
 /// The march of simplified rolling contact (march.hpp). Tractions of full adhesion grow with the distance
 /// from the leading edge by gx = gx_constant - gx_by_y y, gy = gy_constant + gy_by_x x [Pa/m].
-struct MarchTask {
+struct MarchTask : MarchCells {
   const Strips* region;
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
@@ -41,10 +49,18 @@ struct MarchTask {
   /// Bound at the middle of a strip of half length l: per_pressure * peak + per_length l + per_length_square
   /// l^2.
   double per_pressure, per_length, per_length_square;
-  bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
-  const BoundShape* shape;
-  std::int32_t cells;
-  const TangentialFields* fields;
+};
+
+/// The same where every strip is told its own numbers, about its own middle (surface/surface_rolling.hpp).
+/// One element per strip; growth of adhesion tractions relative to the bound at the strip's middle over the
+/// half length.
+struct SurfaceMarchTask : MarchCells {
+  const double *width, *half_length;  ///< [m]
+  const double* bound;                ///< at the strip's middle [Pa]
+  const double *growth_x, *growth_y;  ///< at the leading edge
+  const double* rate;                 ///< by which the latter falls per half length
+  const double *soft_x, *soft_y;      ///< flexibilities times bound over half length [-]
+  double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
 };
 
 /// What every march of strip FASTSIM needs, whatever its strips are told.
@@ -100,6 +116,8 @@ struct Kernels {
   void (*strip_fastsim_fields)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
   /// Sums hold power and areas only: forces of strips with axes of their own do not add.
+  void (*surface_march)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
+  void (*surface_march_fields)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
   void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.

@@ -10,12 +10,14 @@ namespace {
 
 constexpr Kernels kernels_of(InstructionSet set) {
   return {set,
-          march_kernel<Output::forces>,
-          march_kernel<Output::fields>,
-          march_kernel<Output::sensitivities>,
+          march_kernel<Output::forces, MarchTask>,
+          march_kernel<Output::fields, MarchTask>,
+          march_kernel<Output::sensitivities, MarchTask>,
           strip_fastsim_kernel<Output::forces, StripFastsimTask>,
           strip_fastsim_kernel<Output::fields, StripFastsimTask>,
           strip_fastsim_kernel<Output::sensitivities, StripFastsimTask>,
+          march_kernel<Output::forces, SurfaceMarchTask>,
+          march_kernel<Output::fields, SurfaceMarchTask>,
           strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
           strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
           place_cells_kernel};

@@ -32,11 +32,12 @@ struct Growth {
 struct Group : StripGroup {
   Pack gx, gy, rate;  ///< growth of adhesion tractions: (gx, gy - rate t)
   Growth over_cell;
-  Pack onset;        ///< t at which the first stick zone ends
-  Pack onset_cells;  ///< the same in cells
-  Pack onset_bound;  ///< bound there
-  Pack last_share;   ///< of the last stick cell's tractions that is within the bound
-  Pack stiffness;    ///< bound / half length: unit of growth [Pa/m]
+  Pack onset;           ///< t at which the first stick zone ends
+  Pack onset_cells;     ///< the same in cells
+  Pack onset_bound;     ///< bound there
+  Pack last_share;      ///< of the last stick cell's tractions that is within the bound
+  Pack stiffness;       ///< bound / half length: unit of growth [Pa/m]
+  Pack soft_x, soft_y;  ///< flexibility times that, of strips that each have their own [-]
 };
 
 /// What the march carries from cell to cell.
@@ -72,7 +73,7 @@ struct Cell {
 };
 
 /// Bound at t.
-inline Pack bound_at(const MarchTask& task, Pack t) {
+inline Pack bound_at(const MarchCells& task, Pack t) {
   const Pack shape = t * (2.0 - t);
   return task.parabolic ? shape : root(larger(0.0, shape));
 }
@@ -100,7 +101,7 @@ inline void adhesion_sums(Pack gx, Pack gy, Pack rate, Pack n, double h, Pack& p
 }
 
 /// The cell of each lane that is its last in the first stick zone: t at its middle, its bound.
-inline void last_stick_cell(const MarchTask& task, const Group& g, double h, Pack& t, Pack& bound) {
+inline void last_stick_cell(const MarchCells& task, const Group& g, double h, Pack& t, Pack& bound) {
   double cells[lanes], bounds[lanes];
   store_pack(cells, g.stick_cells);
   for (std::int32_t k = 0; k < lanes; ++k) {
@@ -121,11 +122,10 @@ inline Pack share_of_cell(const Group& g, Pack middle) {
 /// that of the others for a cell.
 inline Pack onset_part(Pack share) { return select(share < 1.0, 0.5 + share, 1.0); }
 
-inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g, State& state,
-                    GroupSums& sums) {
+/// Sets what a group's strips are told of the problem.
+inline void tell(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
   const Strips& strips = *task.region;
-  const double h = 2.0 / task.cells;
   place(strips, task.cells, first, count, g);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : Pack(1.0);
   g.bound = (task.per_pressure * load(strips.peak, first, count, 0.0) + task.per_length * g.half_length +
@@ -136,6 +136,25 @@ inline void prepare(const MarchTask& task, std::int32_t first, std::int32_t coun
   g.gx = (task.gx_constant.value - task.gx_by_y.value * g.y) * scale;
   g.gy = (task.gy_constant.value + task.gy_by_x.value * g.lead) * scale;
   g.rate = task.gy_by_x.value * g.half_length * scale;
+}
+
+/// The same of strips with numbers of their own, each about its own middle.
+inline void tell(const SurfaceMarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
+  const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
+  place(task.width, task.half_length, task.cells, first, count, g);
+  g.bound = of(task.bound);
+  g.gx = of(task.growth_x);
+  g.gy = of(task.growth_y);
+  g.rate = of(task.rate);
+  g.soft_x = of(task.soft_x);
+  g.soft_y = of(task.soft_y);
+}
+
+template <class Task>
+inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state,
+                    GroupSums& sums) {
+  const double h = 2.0 / task.cells;
+  tell(task, first, count, g);
   g.over_cell = growth_over(g.gx, g.gy, g.rate, h);
   const AdhesionGrowth<Pack> growth{g.gx, g.gy, 0.5 * g.rate};
   g.onset = task.parabolic ? onset_parabolic<Pack>(growth, 1.0, 1.0) : onset_elliptic<Pack>(growth, 1.0, 1.0);
@@ -259,9 +278,17 @@ WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, cons
   return moved;
 }
 
+/// Flexibility along a traction of the direction ex; of strips that each have their own, relative.
+WRC_IN_LOOP Pack softness(const MarchTask& task, const Group&, Pack ex) {
+  return task.l22 + (task.l11 - task.l22) * (ex * ex);
+}
+WRC_IN_LOOP Pack softness(const SurfaceMarchTask&, const Group& g, Pack ex) {
+  return g.soft_y + (g.soft_x - g.soft_y) * (ex * ex);
+}
+
 /// The rest of it.
-template <bool entering>
-WRC_IN_LOOP void end_step(const MarchTask& task, const Group& g, const Cell& cell, Mask moving, Moved& moved,
+template <bool entering, class Task>
+WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Mask moving, Moved& moved,
                           State& s, GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   const Pack bound = entering ? select(moving, Pack(cell.bound), zero) : Pack(cell.bound);  // zero: no part
@@ -283,7 +310,7 @@ WRC_IN_LOOP void end_step(const MarchTask& task, const Group& g, const Cell& cel
   s.ey = entering ? select(moving, ey, s.ey) : ey;
   s.ahead = entering ? select(moving, moved.turn.ahead, s.ahead) : moved.turn.ahead;
   add_cell(moved.size * ex, moved.size * ey, sums.force);
-  sums.power += (moved.lambda * bound) * (task.l22 + (task.l11 - task.l22) * (ex * ex));
+  sums.power += (moved.lambda * bound) * softness(task, g, ex);
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
@@ -356,8 +383,8 @@ struct Marching {
 };
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
-template <bool entering, Output output>
-WRC_IN_LOOP void settle(const MarchTask& task, const Cell& cell, Mask moving, Moved& moved, Marching& m,
+template <bool entering, Output output, class Task>
+WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, Moved& moved, Marching& m,
                         GroupDerivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
@@ -375,13 +402,13 @@ WRC_IN_LOOP void settle(const MarchTask& task, const Cell& cell, Mask moving, Mo
     py = select(moving, py, stick_y);
     excess = select(moving, excess, 0.0);
   }
-  store_cell(*task.fields, m.group, cell.index, task.region->count, m.group.bound * px, m.group.bound * py,
+  store_cell(*task.fields, m.group, cell.index, task.strips, m.group.bound * px, m.group.bound * py,
              0.0 - excess * s.ex * m.slip_x, 0.0 - excess * s.ey * m.slip_y);
 }
 
 /// A cell of a group that moves.
-template <bool entering, Output output>
-WRC_IN_LOOP void move(const MarchTask& task, const Cell& cell, Marching& m,
+template <bool entering, Output output, class Task>
+WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m,
                       GroupDerivative (&derivative)[inputs]) {
   const Mask moving = m.group.stick_cells <= Pack(cell.index);
   Moved moved = begin_step<entering>(m.group, cell, moving, m.state);
@@ -390,8 +417,8 @@ WRC_IN_LOOP void move(const MarchTask& task, const Cell& cell, Marching& m,
 }
 
 /// A cell of two groups all of whose strips move.
-template <Output output>
-WRC_IN_LOOP void move_both(const MarchTask& task, const Cell& cell, Marching (&m)[in_flight],
+template <Output output, class Task>
+WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_flight],
                            GroupDerivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
   Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
@@ -402,22 +429,42 @@ WRC_IN_LOOP void move_both(const MarchTask& task, const Cell& cell, Marching (&m
 }
 
 /// The fields of the cells that lie in the first stick zones of all strips of a group.
-inline void store_first_stick(const MarchTask& task, const Group& g) {
+inline void store_first_stick(const MarchCells& task, const Group& g) {
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   for (std::int32_t i = 0; i < g.all_stick; ++i) {
     const Cell cell{i, (i + 0.5) * h, 0.0, 0.0, 0.0, h, per_h};
     Pack px, py;
     first_stick(g, cell, px, py);
-    store_cell(*task.fields, g, i, task.region->count, g.bound * px, g.bound * py, 0.0, 0.0);
+    store_cell(*task.fields, g, i, task.strips, g.bound * px, g.bound * py, 0.0, 0.0);
   }
 }
 
-template <Output output>
-void march_kernel(const MarchTask& task, Sums& total) {
+/// What turns the excess of growth into slip, for fields.
+inline void set_slip(const MarchTask& task, double per_h, Marching& m) {
+  m.slip_x = per_h * task.l11 * m.group.stiffness;
+  m.slip_y = per_h * task.l22 * m.group.stiffness;
+}
+inline void set_slip(const SurfaceMarchTask&, double per_h, Marching& m) {
+  m.slip_x = per_h * m.group.soft_x;
+  m.slip_y = per_h * m.group.soft_y;
+}
+
+/// Adds a group's strips to the sums.
+inline void finish(const MarchTask& task, double per_h, const Marching& m, Sums& total) {
+  const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
+  add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, total);
+}
+inline void finish(const SurfaceMarchTask& task, double per_h, const Marching& m, Sums& total) {
+  const Pack power = m.group.bound * m.group.cell * per_h * m.sums.power;
+  store_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, task.fx, task.fy, task.mz, total);
+}
+
+template <Output output, class Task>
+void march_kernel(const Task& task, Sums& total) {
   constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
-  const std::int32_t strips = task.region->count;
+  const std::int32_t strips = task.strips;
   const double* mean = task.shape->mean;
   for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
     Marching marching[in_flight];
@@ -431,8 +478,7 @@ void march_kernel(const MarchTask& task, Sums& total) {
       start = m.group.all_stick < start ? m.group.all_stick : start;
       both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
       if constexpr (output == Output::fields) {
-        m.slip_x = per_h * task.l11 * m.group.stiffness;
-        m.slip_y = per_h * task.l22 * m.group.stiffness;
+        set_slip(task, per_h, m);
         store_first_stick(task, m.group);
       }
       if constexpr (sensitivities) {
@@ -457,8 +503,7 @@ void march_kernel(const MarchTask& task, Sums& total) {
     }
     for (std::int32_t k = 0; k < groups; ++k) {
       const Marching& m = marching[k];
-      const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
-      add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, total);
+      finish(task, per_h, m, total);
       if constexpr (sensitivities) {
         for (std::int32_t n = 0; n < inputs; ++n)
           add_group(m.group, task.cells, derivative[k][n].force, n, total);

@@ -126,12 +126,7 @@ inline Pack tell(const StripFastsimTask& task, std::int32_t first, std::int32_t 
 /// The same of strips with numbers of their own, each about its own middle.
 inline Pack tell(const SurfaceStripsTask& task, std::int32_t first, std::int32_t count, Group& g) {
   const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
-  g.first = first;
-  g.count = count;
-  g.half_length = load(task.half_length, first, count, 1.0);
-  g.lead = g.half_length;
-  g.y = 0.0;
-  g.cell = g.half_length * (2.0 / task.cells) * of(task.width);
+  place(task.width, task.half_length, task.cells, first, count, g);
   g.bound = of(task.bound);
   g.gx = of(task.growth_x);
   g.gy = of(task.growth_y);
@@ -734,21 +729,8 @@ inline void finish(const StripFastsimTask& task, const Marching& m, simd::Sums& 
 
 /// The same where strips have axes of their own: their forces are stored, and the balance of power is summed.
 inline void finish(const SurfaceStripsTask& task, const Marching& m, simd::Sums& total) {
-  const Group& g = m.group;
-  const LaneForces f = lane_forces(g, task.cells, m.sums.force);
-  double of_power[lanes], cell[lanes], slid[lanes];
-  store_pack(of_power, g.cell * m.sums.power);
-  store_pack(cell, g.cell);
-  store_pack(slid, g.cell * ((task.cells - g.stick_cells) - m.sums.unslid));
-  for (std::int32_t k = 0; k < g.count; ++k) {
-    const std::int32_t j = g.first + k;
-    task.fx[j] = f.fx[k];
-    task.fy[j] = f.fy[k];
-    task.mz[j] = f.mz[k];
-    total.power_per_speed += of_power[k];
-    total.area += task.cells * cell[k];
-    total.slid_area += slid[k];
-  }
+  store_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, task.fx, task.fy,
+              task.mz, total);
 }
 
 /// Its balance of power.

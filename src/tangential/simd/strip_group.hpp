@@ -36,6 +36,17 @@ inline void place(const Strips& strips, std::int32_t cells, std::int32_t first, 
   g.cell = g.half_length * (2.0 / cells) * load(strips.width, first, count, 0.0);
 }
 
+/// The same of strips that are each seen from their own middle.
+inline void place(const double* width, const double* half_length, std::int32_t cells, std::int32_t first,
+                  std::int32_t count, StripGroup& g) {
+  g.first = first;
+  g.count = count;
+  g.half_length = load(half_length, first, count, 1.0);
+  g.lead = g.half_length;
+  g.y = 0.0;
+  g.cell = g.half_length * (2.0 / cells) * load(width, first, count, 0.0);
+}
+
 /// Sets the first stick zones, `stick` cells long.
 inline void set_stick_zone(Pack stick, std::int32_t cells, StripGroup& g) {
   g.stick_cells = nearest_integer(stick);
@@ -93,6 +104,24 @@ inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& 
     total.fx += f.fx[k];
     total.fy += f.fy[k];
     total.mz += f.mz[k];
+    total.power_per_speed += of_power[k];
+    total.area += cells * cell[k];
+    total.slid_area += slid[k];
+  }
+}
+
+/// The same where strips have axes of their own: their forces are stored, power and areas added.
+inline void store_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, Pack unslid, Pack power,
+                        double* fx, double* fy, double* mz, Sums& total) {
+  const LaneForces f = lane_forces(g, cells, s);
+  double of_power[lanes], cell[lanes], slid[lanes];
+  store_pack(of_power, power);
+  store_pack(cell, g.cell);
+  store_pack(slid, g.cell * ((cells - g.stick_cells) - unslid));
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    fx[g.first + k] = f.fx[k];
+    fy[g.first + k] = f.fy[k];
+    mz[g.first + k] = f.mz[k];
     total.power_per_speed += of_power[k];
     total.area += cells * cell[k];
     total.slid_area += slid[k];

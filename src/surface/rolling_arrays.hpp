@@ -1,0 +1,42 @@
+/// What the methods of surface_rolling.hpp share: numbers of every strip on their way.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "surface/surface_rolling.hpp"
+
+namespace wrc {
+
+/// One element per strip, in the caller's workspace.
+struct RollingArrays {
+  /// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
+  enum Mean { slip, slender, edge, lateral, spin, friction, place, longitudinal, variance, means };
+
+  double* load;          ///< [N]
+  double *link, *pivot;  ///< of the means' equations [N], [1/N]
+  std::array<double*, means> mean;
+  double *c11, *c22, *c23;  ///< as StripCoefficients
+  double* own;              ///< slip along x less what neighbours share (mean[slip]), by its gain [-]
+  // for the kernels' tasks
+  double *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
+      *edge_y;
+
+  static constexpr std::size_t count = 3 + means + 4 + 11;
+};
+
+inline constexpr double least_strip_length = 1e-9;  ///< [m]: shorter strips carry nothing
+
+/// Peak pressure over half length [Pa/m].
+inline double strip_level(const SurfaceRollingInput& in, std::int32_t j) {
+  constexpr double least_pressure = 1.0;  // [Pa]
+  return std::max(in.peak[j], least_pressure) / std::max(in.half_length[j], least_strip_length);
+}
+
+/// Methods other than strip FASTSIM, from loads, coefficients and slips of the arrays.
+void roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& arrays,
+                     const TangentialFields& fields, SurfaceRollingForces& forces);
+void roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& arrays,
+                     const TangentialFields& fields, SurfaceRollingForces& forces);
+
+}  // namespace wrc

@@ -1,0 +1,65 @@
+/// The fitted constants of strip FASTSIM on the rail's surface: how contact of finite width deviates from
+/// strip theory as it saturates.
+///
+/// Each quantity is a sum of constants times terms, strip by strip. x, e, s are the longitudinal force, the
+/// lateral force of lateral slip and that of spin in linear theory, over the friction limit, each the mean
+/// over neighbouring strips (surface_rolling.hpp); with Q = 1 + x^2 + e^2 + s^2 every term lies between -1
+/// and 1, vanishes with the slips (but for the first two) and tends to a constant for large ones. u is the
+/// slenderness (a - b) / (a + b) of the ellipse whose strips are held alike. All terms stay the same when the
+/// bodies are mirrored and when all slips change sign.
+///
+/// tests/calibration makes the constants; its README has the commands. Zeros are terms the fit did not need.
+#pragma once
+
+namespace wrc {
+
+struct SurfaceCalibration {
+  enum Term {
+    constant,
+    slender,         ///< u
+    longitudinal,    ///< x^2 / Q
+    lateral,         ///< e^2 / Q
+    spin,            ///< s^2 / Q
+    pull,            ///< e s / Q: lateral slip pulls with spin (> 0) or against it
+    pull_squared,    ///< its square
+    longitudinal_u,  ///< u x^2 / Q
+    lateral_u,       ///< u e^2 / Q
+    spin_u,          ///< u s^2 / Q
+    pull_u,          ///< u e s / Q
+    pull_squared_u,  ///< u times the square
+    unison,    ///< 1 where s^2 = 1, where strip theory lets all strips slip at once; falls off to both sides
+    unison_u,  ///< u times that
+    spin_squared,       ///< s^4 / Q^2
+    lateral_spin,       ///< e^2 s^2 / Q^2
+    longitudinal_spin,  ///< x^2 s^2 / Q^2
+    terms
+  };
+  enum Quantity {
+    flexibility_x,       ///< factor on that of slip along x which neighbours share
+    flexibility_y,       ///< factor on that of lateral slip
+    flexibility_spin_x,  ///< factor on that of slip along x by which a strip differs from its neighbours
+    flexibility_spin_y,  ///< factor on that of spin across
+    turning,             ///< factor on the flexibility with which slip turns the traction
+    torsion,  ///< lateral elastic slip, in units of that of a slipping strip's edge, for s^2 / Q = 1
+    twist_y,  ///< lateral elastic slip by longitudinal tractions, at the border, for x^2 / Q = 1
+    twist_x,  ///< longitudinal elastic slip by lateral tractions, at the border, for (e + s)^2 / Q = 1
+    quantities
+  };
+  double constants[quantities][terms];
+};
+
+/// Rows as Quantity, columns as Term.
+// clang-format off
+inline constexpr SurfaceCalibration fitted_surface_calibration = {{
+    {0, 0, 0.04181, 0, 0, 0.2787, 0, 0.08463, 0.08835, 0.2099, 0, 0, 0, 0, 0.457, 0, 0},  // flexibility_x
+    {0, 0, 0.1444, 0.07514, 0.5804, 0.107, 0, 0, 0.06079, 0, -0.4139, 0.8626, 0, 0, -0.3561, 0, 0.7874},  // flexibility_y
+    {0, 0, 0, 0, 0.2612, 0, -0.9641, 0, 0, 0, 0, 0, 0, 0.2035, 0.6165, -0.9641, 0},  // flexibility_spin_x
+    {0, 0, -0.2666, 0, -0.1625, -0.2352, 0, -0.1022, 0.4242, 0.17, 0, 0, 0, 0, 0.1217, 0, 0.7518},  // flexibility_spin_y
+    {-0.5023, 0.6697, 0, 0.01425, -1.018, -0.4176, 0, -1.284, 0, 0, 0, 0, -0.2748, 0, -0.5268, 0, 0},  // turning
+    {0.2136, 0.2523, 0.2544, 0, 0.3084, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // torsion
+    {0.2869, 0, 0, 0, -0.7446, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // twist_y
+    {-0.1698, 0, 0.4585, 0.4113, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},  // twist_x
+}};
+// clang-format on
+
+}  // namespace wrc
