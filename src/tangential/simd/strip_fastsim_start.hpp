@@ -1,0 +1,269 @@
+/// What the strips of a group start with in strip FASTSIM (strip_fastsim_kernel.hpp): their numbers from
+/// either task, relative, the onset of slip, the state there; and the derivatives of all that.
+#pragma once
+
+#include "simd/pack.hpp"
+#include "tangential/march_grid.hpp"
+#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/strip_group.hpp"
+#include "tangential/simd/turning.hpp"
+#include "tangential/stick_zone.hpp"
+
+namespace wrc::simd {
+namespace {
+
+namespace strip {
+
+constexpr double tiny_stress = 1e-6;  // [Pa]: keeps divisions finite, far below any stress of interest
+
+/// What a step of length dv to a cell at x is made of: tractions of full adhesion grow by (gx, gy + curvature
+/// (2 x + dv)), and the slip times dv at the cell is (wx, wy + spin x), to which comes its elastic part;
+/// `bend` is by how much the slip's y part falls along the step.
+struct Advance {
+  Pack gx, gy, curvature;
+  Pack wx, wy, spin, bend, elastic;
+};
+
+/// What does not change along the strips of a group.
+struct Group : StripGroup {
+  bool any_strong;         ///< the stick zone of a strip may reach the bound
+  Pack gx, gy, curvature;  ///< growth of adhesion tractions (gx, gy + 2 curvature x)
+  Pack slip_end;           ///< u_s
+  Pack end_bound;          ///< bound of the march there
+  Pack kappa, lambda, psi;
+  Mask strong;        ///< |psi| > 1
+  Pack wx, wy, spin;  ///< rigid slip (wx, wy + spin x)
+  Pack elastic;       ///< that part of the elastic slip which differs between x and y, at the leading edge
+  Advance over_cell;  ///< a whole one
+  Pack centre;        ///< x of it [m]
+  Pack slope;         ///< B l [Pa/m]
+  Pack near_edge;     ///< tractions of adhesion over the bound at the leading edge, squared; at most 1
+  Pack form;          ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
+  Pack t11, t22;      ///< flexibilities for the turning of slip, relative
+  Pack scale;         ///< of growth, to be relative [m/Pa]
+};
+
+struct State {
+  Pack ex, ey;        ///< direction of the traction
+  Pack ahead;         ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  bool stuck;         ///< in some lane the traction is below the bound:
+  Pack rho_x, rho_y;  ///< then the traction over the bound in each lane, else not set
+
+  Pack x() const { return stuck ? rho_x : ex; }
+  Pack y() const { return stuck ? rho_y : ey; }
+};
+
+/// Sums over the first stick zone; those of slopes are for the derivatives.
+struct StickSums {
+  Pack mean, t_mean;           ///< of the bound
+  Pack straight, t_straight;   ///< of s, times the bound as all that follow
+  Pack slope, t_slope;         ///< of ds / du_s
+  Pack form, t_form;           ///< of ds / d(stick form)
+  Pack power_near, root_near;  ///< (u / h - u_s / h)^(3/2) and ^(1/2) at the next cell's leading border
+};
+
+struct Sums {
+  ForceSums force;
+  Pack power, unslid;
+};
+
+struct Derivative {
+  Pack gx, gy, curvature, slip_end, kappa, lambda, psi, wx, wy, spin;
+  Advance over_cell;
+  double turning;  ///< relative
+  Pack form;
+  Pack angle, ratio, ahead;  ///< of the state; ratio = |rho|
+  ForceSums force;
+};
+
+/// A cell, the same for all strips.
+struct Cell {
+  std::int32_t index;
+  double t, x;                 ///< at its middle
+  double shape_before, shape;  ///< of the march's bound, at the middle of the cell before and of this one
+  double mean;                 ///< of the bound mu p
+  double h, per_h;
+  double behind, inverse_weight;  ///< u / h at its trailing border; of the mean of sqrt(1 - t_s)
+};
+
+template <class G>  // of the group or of its derivatives
+inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
+  const Pack spin = g.spin * dv;
+  return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
+}
+
+/// Sets what a group's strips are told of the model; returns the bound of the march at their middle [Pa].
+inline Pack tell(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
+  const Strips& strips = *task.region;
+  const Pack one = 1.0;
+  place(strips, task.cells, first, count, g);
+  g.centre = load(strips.centre, first, count, 0.0);
+  const Pack share = task.shares ? load(task.shares, first, count, 0.0) : one;
+  g.bound = task.friction * (share * load(strips.peak, first, count, 0.0));
+  g.slope = task.B * share * g.half_length;
+  const Pack middle = g.slope * g.half_length + tiny_stress;
+  g.scale = g.half_length / middle;
+  g.gx = (task.gx_constant.value - task.gx_by_y.value * g.y) * g.scale;
+  g.gy = (task.gy_constant.value + task.gy_by_x.value * g.centre) * g.scale;
+  g.curvature = 0.5 * task.gy_by_x.value * g.half_length * g.scale;
+  g.wx = task.nu_x - task.phi * g.y;
+  g.wy = task.nu_y + task.phi * g.centre + task.torsion.value;
+  g.spin = task.phi * g.half_length;
+  g.elastic = task.elastic * share * g.half_length;
+  g.t11 = task.turning.value * task.t11 / g.scale;
+  g.t22 = task.turning.value * task.t22 / g.scale;
+  return middle;
+}
+
+/// The same of strips with numbers of their own, each about its own middle.
+inline Pack tell(const SurfaceStripsTask& task, std::int32_t first, std::int32_t count, Group& g) {
+  const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
+  place(task.width, task.half_length, task.cells, first, count, g);
+  g.bound = of(task.bound);
+  g.gx = of(task.growth_x);
+  g.gy = of(task.growth_y);
+  g.curvature = of(task.curvature);
+  g.wx = of(task.slip_x);
+  g.wy = of(task.slip_y);
+  g.spin = of(task.spin) * g.half_length;
+  g.elastic = of(task.elastic);
+  g.t11 = of(task.turn_x);
+  g.t22 = of(task.turn_y);
+  return g.bound + tiny_stress;
+}
+
+template <class Task>
+inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state) {
+  const double h = 2.0 / task.cells;
+  const Pack zero = 0.0, one = 1.0;
+  const Pack middle = tell(task, first, count, g);
+  g.over_cell = advance_over(g, g.elastic, h);
+
+  // A strip about to slip at the leading edge may, with |psi| > 1, have sticking material behind it, to which
+  // the march gives FASTSIM's form: the closed form must arrive there too, or forces jump strip by strip.
+  const Pack lead = g.gy + 2.0 * g.curvature;
+  g.near_edge = smaller(one, 0.25 * (g.gx * g.gx + lead * lead));
+  const Pack near2 = g.near_edge * g.near_edge;
+  g.form = near2 * near2;
+
+  const AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
+  g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
+  set_stick_zone((2.0 - g.slip_end) * (0.5 * task.cells), task.cells, g);
+
+  const Pack per_end = one / (g.slip_end + tiny_stress / middle);
+  const Pack gy_end = g.gy + g.curvature * g.slip_end;
+  g.kappa = -(g.gx * per_end);
+  g.lambda = -(gy_end * per_end);
+  g.psi = -g.curvature;
+  g.strong = (magnitude(g.psi) > one) & (g.stick_cells > zero);
+  g.any_strong = any(g.strong);
+
+  // A strip that slips from its leading edge on starts against the slip there, whose elastic part depends on
+  // the direction itself: three substitutions settle it.
+  const Mask at_edge = g.slip_end >= 2.0;
+  Pack ex = g.kappa, ey = g.lambda;
+  for (int n = 0; n < 4; ++n) {
+    Pack wx = g.gx, wy = gy_end;  // n == 0: against the growth at u_s
+    if (n > 0) {
+      wx = select(at_edge, n == 1 ? g.wx : g.wx + g.elastic * ex, g.gx);
+      wy = select(at_edge, n == 1 ? g.wy + g.spin : g.wy + g.spin - g.elastic * ey, gy_end);
+    }
+    const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
+    ex = -(wx * inverse);
+    ey = -(wy * inverse);
+  }
+  state.ex = ex;
+  state.ey = ey;
+  state.ahead = first_ahead;
+  state.stuck = false;
+  g.end_bound = g.slip_end * (2.0 - g.slip_end);
+}
+
+/// A vector and what a change of it amounts to in its angle: (turn_x dx + turn_y dy).
+struct Angle {
+  Pack turn_x, turn_y;
+
+  Angle() = default;
+  Angle(Pack x, Pack y) {
+    const Pack square = x * x + y * y;
+    const Mask turns = square > 1e-280;
+    const Pack inverse = select(turns, 1.0 / select(turns, square, 1.0), 0.0);
+    turn_x = -(y * inverse);
+    turn_y = x * inverse;
+  }
+  Pack change(Pack dx, Pack dy) const { return turn_x * dx + turn_y * dy; }
+};
+
+/// Derivatives of what prepare() sets. What costs a root or a divide is the same for all inputs.
+inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
+  constexpr int substitutions = 3;  // as in prepare()
+  const Pack zero = 0.0, one = 1.0;
+  const Pack lead = g.gy + 2.0 * g.curvature;
+  const Pack near = select(g.near_edge < one, g.near_edge, zero);
+  const Pack form_by_near = 4.0 * (near * near * near);
+
+  // u_s: gx^2 + c^2 = u^2, c = gy + curvature u
+  const Pack u = g.slip_end, c = g.gy + g.curvature * u;
+  const Pack by_u = u - c * g.curvature;
+  const Mask inside = (u > zero) & (u < 2.0) & (magnitude(by_u) > 1e-280);
+  const Pack per_by_u = select(inside, one / select(inside, by_u, one), zero);
+  const Pack per_end = one / (u + 1e-14);
+  const Angle at_end(g.gx, c);
+
+  // the direction of a strip that slips from its leading edge on, and those before the substitutions
+  const Mask at_edge = u >= 2.0;
+  const bool any_at_edge = any(at_edge);
+  Angle angles[substitutions];
+  Pack elastic_x[substitutions], elastic_y[substitutions];  // slip by the angle before
+  if (any_at_edge) {
+    Pack wx = g.wx, wy = g.wy + g.spin;
+    for (int n = 0; n < substitutions; ++n) {
+      angles[n] = Angle(wx, wy);
+      const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
+      elastic_x[n] = g.elastic * (wx * inverse);
+      elastic_y[n] = g.elastic * (wy * inverse);
+      wx = g.wx - elastic_x[n];
+      wy = g.wy + g.spin + elastic_y[n];
+    }
+  }
+
+  for (std::int32_t k = 0; k < inputs; ++k) {
+    Derivative& d = derivative[k];
+    d = {};
+    d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
+    d.gy = (task.gy_constant.d[k] + task.gy_by_x.d[k] * g.centre) * g.scale;
+    d.curvature = 0.5 * task.gy_by_x.d[k] * g.half_length * g.scale;
+    if (k == 0) d.wx = 1.0;
+    if (k == 1) d.wy = 1.0;
+    if (k == 2) {
+      d.wx = -g.y;
+      d.wy = g.centre;
+      d.spin = g.half_length;
+    }
+    d.wy += task.torsion.d[k];
+    d.turning = task.turning.d[k] / task.turning.value;
+    d.form = form_by_near * (0.5 * (g.gx * d.gx + lead * (d.gy + 2.0 * d.curvature)));
+
+    const Pack c_input = d.gy + d.curvature * u;
+    d.slip_end = (g.gx * d.gx + c * c_input) * per_by_u;
+    const Pack c_change = c_input + g.curvature * d.slip_end;
+    d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
+    d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
+    d.psi = -d.curvature;
+
+    d.angle = at_end.change(d.gx, c_change);
+    if (any_at_edge) {
+      const Pack dwy = d.wy + d.spin;
+      Pack angle = angles[0].change(d.wx, dwy);
+      for (int n = 1; n < substitutions; ++n)
+        angle = angles[n].change(d.wx + elastic_y[n - 1] * angle, dwy + elastic_x[n - 1] * angle);
+      d.angle = select(at_edge, angle, d.angle);
+    }
+    d.over_cell = advance_over(d, zero, 2.0 / task.cells);
+  }
+}
+
+}  // namespace strip
+
+}  // namespace
+}  // namespace wrc::simd
