@@ -107,6 +107,21 @@ StripSlip slip_at(const std::vector<StripSlip>& slips, double s) {
           between(a.middle, b.middle)};
 }
 
+// Height of a wheel whose largest radius is level with the top of its rail.
+double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
+  constexpr double spacing = 1e-3;
+  double lowest = 0.0, top = 0.0;
+  for (double s = 0.0; s <= bodies.wheel.length(); s += spacing) {
+    lowest = std::max(lowest, bodies.wheel.at(s).z);
+  }
+  for (double s = 0.0; s <= bodies.rail.length(); s += spacing) {
+    const SectionCurve::Point p = bodies.rail.at(s);
+    const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
+    top = s == 0.0 ? z : std::min(top, z);
+  }
+  return bodies.rail_z + rail.z + top - bodies.nominal_radius - lowest;
+}
+
 double rolling_speed(const SurfaceProblem& problem) {
   const double v = problem.state.wheel.velocity[0];
   return !problem.slips.empty() && v == 0.0 ? 1.0 : v;
@@ -243,22 +258,20 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
     for (const double r : state.wheel.rotation[k]) sum += r;
   }
   for (const StripSlip& slip : problem.slips) sum += slip.s + slip.x + slip.lateral + slip.spin + slip.middle;
-  if (!std::isfinite(sum)) return {.status = WRC_ERROR_NOT_FINITE, .field = "surface"};
+  if (!std::isfinite(sum)) return {.status = WRC_ERROR_NOT_FINITE, .field = "state"};
   if (!(options.cell_x > 0.0 && options.cell_s > 0.0)) {
-    return {.status = WRC_ERROR_RANGE, .field = "surface.cell", .value = options.cell_x, .unit = "m"};
+    return {.status = WRC_ERROR_RANGE, .field = "options.cell_x", .value = options.cell_x, .unit = "m"};
   }
   if (!(state.friction >= 0.0)) {
-    return {.status = WRC_ERROR_RANGE, .field = "surface.friction", .value = state.friction};
+    return {.status = WRC_ERROR_RANGE, .field = "friction.coefficient", .value = state.friction};
   }
   if (state.load_prescribed && !(state.vertical_load > 0.0)) {
-    return {.status = WRC_ERROR_LOAD,
-            .field = "surface.vertical_load",
-            .value = state.vertical_load,
-            .unit = "N"};
+    return {
+        .status = WRC_ERROR_LOAD, .field = "input.vertical_load", .value = state.vertical_load, .unit = "N"};
   }
   if (state.friction > 0.0 && !(rolling_speed(problem) > 0.0)) {
     return {.status = WRC_ERROR_RANGE,
-            .field = "surface.wheel.velocity",
+            .field = "wheel.velocity[0]",
             .value = state.wheel.velocity[0],
             .unit = "m/s",
             .cause = "steady rolling goes forwards"};
@@ -283,8 +296,9 @@ SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double 
   if (cells.too_many) {
     s.grid = {};
     s.fault = {.status = WRC_ERROR_RANGE,
-               .field = "surface.cells",
+               .field = "cells of the exact solution",
                .value = static_cast<double>(cells.grid.cells()),
+               .unit = "",
                .high = static_cast<double>(options_.max_cells),
                .cause = "an overlap of millimetres, or cells too small"};
     return s;
@@ -386,8 +400,8 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
     return at_height(problem, problem.state.wheel.position[2], with_friction, nullptr);
   }
 
-  // Height of first touch, from the rows' gaps.
-  double height = problem.state.wheel.position[2];
+  // Height of first touch, from the rows' gaps, beginning with the wheel's largest radius above the rail.
+  double height = highest_start(bodies_, problem.state.rail);
   for (int k = 0; k < 20; ++k) {
     WheelMotion wheel = problem.state.wheel;
     wheel.position[2] = height;
@@ -429,10 +443,9 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
       const double force = -s.force[2];
       if (std::abs(force - load) <= tolerance * load) break;
       if (heights == options_.max_heights) {
-        worsen(s.fault, {.status = WRC_FLAG_ITERATION_CAP,
-                         .field = "surface.vertical_load",
-                         .value = force,
-                         .unit = "N"});
+        worsen(
+            s.fault,
+            {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = force, .unit = "N"});
         break;
       }
       if (force < load) {
@@ -458,6 +471,13 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
       height = next;
     }
     if (s.fault.failed()) break;
+  }
+  if (!s.fault.failed() && s.grid.cells() == 0) {
+    s.fault = {.status = WRC_ERROR_LOAD,
+               .field = "input.vertical_load",
+               .value = load,
+               .unit = "N",
+               .cause = "the wheel meets no rail at this pose, whatever its height"};
   }
   s.heights = heights;
   return s;

@@ -138,6 +138,9 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   wheel.velocity[0] = -20.0;
   expect(WRC_ERROR_RANGE, {"forwards"});
   wheel.velocity[0] = 20.0;
+  wheel.y = 0.2;
+  expect(WRC_ERROR_LOAD, {"input.vertical_load", "80000 N", "no rail"});
+  wheel.y = 0.0;
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
   input.damping = 0.1;
