@@ -188,7 +188,8 @@ WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a
  * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _MORE_PATCHES (more regions than can be told apart;
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _BEYOND_GAP (deeper than 2 mm: continued with the
+ * stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there is room for;
  * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
  * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */

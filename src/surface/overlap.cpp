@@ -80,8 +80,10 @@ void find_overlaps(const SurfaceKernels& kernels, const RailStrips& rail, const 
   kernels.outline(task);
   cross_rays(rail, wheel.knots, scratch);
   std::int32_t count = 0;
-  for (std::int32_t j = 0; j < rail.count && count < overlaps.capacity; ++j)
+  std::int32_t j = 0;
+  for (; j < rail.count && count < overlaps.capacity; ++j)
     if (scratch.overlap[j] >= -margin - sagitta) scratch.strip[count++] = j;
+  overlaps.full = j < rail.count;
   overlaps.count = count;
   if (count == 0) return;
   kernels.follow_rays(task, overlaps);

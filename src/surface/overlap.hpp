@@ -43,6 +43,7 @@ struct RelativePose {
 /// Strips that may be in contact, by increasing arc length, each in its own frame.
 struct Overlaps {
   std::int32_t capacity = 0, count = 0;
+  bool full = false;                    ///< there may be more strips than room
   std::int32_t* strip = nullptr;        ///< number of the rail's strip
   double* depth = nullptr;              ///< largest overlap, along the mean normal [m]
   double* centre = nullptr;             ///< x where it is largest, from the wheel's reference point [m]

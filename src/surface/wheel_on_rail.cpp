@@ -17,6 +17,9 @@ constexpr std::int32_t most = most_overlapping_strips;
 constexpr double load_tolerance = 1e-8, tolerance_for_load = 1e-8;
 constexpr std::int32_t most_load_steps = 30;
 
+/// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
+constexpr double deepest_overlap = 2e-3;
+
 struct Work {
   Overlaps overlaps;
   OverlapScratch scratch;
@@ -325,6 +328,40 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   return fault;
 }
 
+/// The greatest height, no greater than that asked for, at which no overlap is deeper than `deepest_overlap`
+/// [m].
+double height_at_border(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
+  double height = in.wheel.position[2];
+  constexpr int most_steps = 12;
+  for (int n = 0; n < most_steps; ++n) {
+    const Seen seen = see(model, in, height);
+    Overlaps& o = w.overlaps;
+    find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
+    double rise = 0.0;
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = larger(seen.cosine * o.nz[i] + seen.sine * o.ny[i], 0.1);
+      rise = larger(rise, (o.depth[i] - deepest_overlap) / down);
+    }
+    height -= rise;
+    if (rise < 1e-12) break;
+  }
+  return height;
+}
+
+/// All forces times a factor.
+void scale(double factor, Wrench& out) {
+  const auto by = [factor](double& x) { x *= factor; };
+  for (double& x : out.force) by(x);
+  for (double& x : out.moment) by(x);
+  for (double* const x : {&out.normal_force, &out.peak_pressure, &out.power}) by(*x);
+  for (std::int32_t i = 0; i < out.regions; ++i) {
+    SurfaceRegion& r = out.region[i];
+    for (double& x : r.force) by(x);
+    for (double& x : r.moment) by(x);
+    for (double* const x : {&r.normal_force, &r.peak_pressure, &r.power}) by(*x);
+  }
+}
+
 }  // namespace
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes) {
@@ -341,7 +378,27 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   out = {};
   Fault fault;
   if (!in.load_prescribed) {
-    fault = solve_at(model, in, in.wheel.position[2], w, start, {}, out);
+    const double asked = in.wheel.position[2], border = height_at_border(model, in, w);
+    if (asked > border) {
+      // Beyond, the load goes on with the stiffness it had, in the directions it had.
+      constexpr double step = 2e-6;  // [m]
+      solve_at(model, in, border - step, w, start, {}, out);
+      const double before = out.normal_force;
+      fault = solve_at(model, in, border, w, start, {}, out);
+      if (out.normal_force > 0.0) {
+        const double stiffness = larger(out.normal_force - before, 0.0) / step;
+        scale(1.0 + stiffness * (asked - border) / out.normal_force, out);
+      }
+      out.height = asked;
+      worsen(fault, {.status = WRC_FLAG_BEYOND_GAP,
+                     .field = "overlap",
+                     .value = deepest_overlap + asked - border,
+                     .unit = "m",
+                     .high = deepest_overlap,
+                     .cause = "did you pass millimetres?"});
+    } else {
+      fault = solve_at(model, in, asked, w, start, {}, out);
+    }
     state.height = in.wheel.position[2];
     state.set = start.set ? 1.0 : 0.0;
     return fault;
