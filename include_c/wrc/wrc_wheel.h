@@ -184,7 +184,7 @@ WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a
 /** @} */
 
 /** The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the results of the
- * stages of wrc.h in the same contact, nor they its. Theory manual, section 10.
+ * stages of wrc.h in the same contact, nor they its. Theory manual, section 9.
  * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
