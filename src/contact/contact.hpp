@@ -193,8 +193,8 @@ static_assert(sizeof(HostedWrench) ==
               2 * sizeof(std::int32_t) + 15 * sizeof(double) +
                   most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
-/// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the work space
-/// of a wheel on a rail.
+/// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the
+/// work space of a wheel on a rail.
 std::size_t contact_bytes(const Model& model);
 
 /// Its part that is to be saved and restored.

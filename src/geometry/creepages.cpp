@@ -36,8 +36,8 @@ RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, con
   const double rolling_speed = motion.speed - 0.5 * vx, amount = std::fabs(rolling_speed);
   const RollingReference reference = rolling_reference(rolling_speed);
   result.other_way = reference.other_way;
-  const double divisor = std::max({reference.divisor, std::fabs(vx) / largest_creepage, std::fabs(lateral) / largest_creepage,
-                      std::fabs(spin) / largest_spin});
+  const double divisor = std::max({reference.divisor, std::fabs(vx) / largest_creepage,
+                                   std::fabs(lateral) / largest_creepage, std::fabs(spin) / largest_spin});
   const auto over_divisor = [&](double velocity, double most) {
     return std::clamp(velocity / divisor, -most, most);  // rounding
   };

@@ -17,7 +17,7 @@ inline constexpr double profile_width_least = 0.020;    ///< [m]
 inline constexpr double profile_width_most = 0.5;       ///< [m]
 inline constexpr double profile_spacing_least = 1e-12;  ///< steep ends have points nanometres apart [m]
 inline constexpr double profile_spacing_most = 0.035;   ///< between neighbouring points [m]
-inline constexpr double profile_noise_most = 1e-4;     ///< of points that will be smoothed [m]
+inline constexpr double profile_noise_most = 1e-4;      ///< of points that will be smoothed [m]
 
 /// Checks points (y strictly increasing towards the field side, z down, metres) and says what is wrong with
 /// them: non-finite values, millimetres, points that run backwards or fold back, gaps, steps, upside-down or

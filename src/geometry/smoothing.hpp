@@ -23,8 +23,8 @@ struct SmoothedPoints {
 /// the result does not depend on how densely a curve was measured.
 ///
 /// Reinsch, Numerische Mathematik 10 (1967) 177-183: five bands, solved by elimination. At least three
-/// points, no two of them in one place; `scratch` holds smoothing_scratch * count doubles. The y of the result may
-/// not increase where a steep part is shorter than the wavelength.
+/// points, no two of them in one place; `scratch` holds smoothing_scratch * count doubles. The y of the
+/// result may not increase where a steep part is shorter than the wavelength.
 SmoothedPoints smooth_points(std::int32_t count, const double* y, const double* z, double wavelength,
                              double* scratch);
 

@@ -29,7 +29,8 @@ enum class EkpScale {
   /// reading that comes closest to the published patch.
   area,
   /// eps(y) parabolic from eps_x at mid-width to eps_y at Hertz's b: the outline of an elliptic gap is then
-  /// exactly Hertz's ellipse. Every region of overlap counts (overlap_regions.hpp). This is the method CONTACT
+  /// exactly Hertz's ellipse. Every region of overlap counts (overlap_regions.hpp). This is the method
+  /// CONTACT
   /// calls KPEC, confirmed against it: approach and peak to 0.02 %, area to 0.1 % on the same rows.
   ellipse,
 };
