@@ -203,79 +203,80 @@ TEST(ProfilePoints, SteepFlangesAndGaugeFacesAreNoSteps) {
     wheel.z.push_back(s < -0.0412 ? 0.027 : s < -0.034 ? 0.027 - 3.7 * (s + 0.0412) : 0.0);
   }
   EXPECT_EQ(check(ProfileBody::wheel, wheel).status, WRC_OK);
+}
 
-  TEST(ProfilePoints, PointsToBeSmoothedMayStepBackByTheirNoise) {
-    Points points = rail_points();
-    const auto count = static_cast<std::int32_t>(points.y.size());
-    const auto checked = [&] {
-      return check_points(ProfileBody::rail, count, points.y.data(), points.z.data(), profile_noise_most);
-    };
-    points.y[2] = points.y[1] - 3e-6;
-    expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "folds back", 2);
-    EXPECT_EQ(checked().status, WRC_OK);
-    points.y[2] = points.y[1];
-    EXPECT_EQ(checked().status, WRC_OK);
-    points.z[2] = points.z[1];
-    expect_fault(checked(), WRC_ERROR_PROFILE, "same y", 2);
-    points.y[2] = points.y[1] - 2.0 * profile_noise_most;
-    expect_fault(checked(), WRC_ERROR_PROFILE, "folds back", 2);
-  }
+TEST(ProfilePoints, PointsToBeSmoothedMayStepBackByTheirNoise) {
+  Points points = rail_points();
+  const auto count = static_cast<std::int32_t>(points.y.size());
+  const auto checked = [&] {
+    return check_points(ProfileBody::rail, count, points.y.data(), points.z.data(), profile_noise_most);
+  };
+  points.y[2] = points.y[1] - 3e-6;
+  expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "folds back", 2);
+  EXPECT_EQ(checked().status, WRC_OK);
+  points.y[2] = points.y[1];
+  EXPECT_EQ(checked().status, WRC_OK);
+  points.z[2] = points.z[1];
+  expect_fault(checked(), WRC_ERROR_PROFILE, "same y", 2);
+  points.y[2] = points.y[1] - 2.0 * profile_noise_most;
+  expect_fault(checked(), WRC_ERROR_PROFILE, "folds back", 2);
+}
 
-  TEST(ProfilePoints, UpsideDownAndMirroredBodiesAreTold) {
-    Points rail = rail_points(), wheel = wheel_points();
-    for (double& z : rail.z) z = -z;
-    expect_fault(check(ProfileBody::rail, rail), WRC_ERROR_PROFILE, "upside down");
-    for (double& z : wheel.z) z = -z;
-    expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "flange points up");
-    wheel = wheel_points();
-    for (double& y : wheel.y) y = -y;
-    std::reverse(wheel.y.begin(), wheel.y.end());
-    std::reverse(wheel.z.begin(), wheel.z.end());
-    expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "mirrored");
-  }
+TEST(ProfilePoints, UpsideDownAndMirroredBodiesAreTold) {
+  Points rail = rail_points(), wheel = wheel_points();
+  for (double& z : rail.z) z = -z;
+  expect_fault(check(ProfileBody::rail, rail), WRC_ERROR_PROFILE, "upside down");
+  for (double& z : wheel.z) z = -z;
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "flange points up");
+  wheel = wheel_points();
+  for (double& y : wheel.y) y = -y;
+  std::reverse(wheel.y.begin(), wheel.y.end());
+  std::reverse(wheel.z.begin(), wheel.z.end());
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "mirrored");
+}
 
-  TEST(ProfilePoints, APointOfReferenceElsewhereIsTold) {
-    Points rail = rail_points(), wheel = wheel_points();
-    for (double& z : rail.z) z += 0.172;  // from the foot instead of the head
-    expect_fault(check(ProfileBody::rail, rail), WRC_ERROR_PROFILE, "0 at the top");
-    for (double& y : wheel.y) y += 0.070;  // from the inner face instead of the running circle
-    expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
-    wheel = wheel_points();
-    for (double& z : wheel.z) z += 0.46;  // from the axle
-    expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
-  }
+TEST(ProfilePoints, APointOfReferenceElsewhereIsTold) {
+  Points rail = rail_points(), wheel = wheel_points();
+  for (double& z : rail.z) z += 0.172;  // from the foot instead of the head
+  expect_fault(check(ProfileBody::rail, rail), WRC_ERROR_PROFILE, "0 at the top");
+  for (double& y : wheel.y) y += 0.070;  // from the inner face instead of the running circle
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
+  wheel = wheel_points();
+  for (double& z : wheel.z) z += 0.46;  // from the axle
+  expect_fault(check(ProfileBody::wheel, wheel), WRC_ERROR_PROFILE, "running circle");
+}
 
-  TEST(ProfilePoints, TooFewTooShortAndMissingPointsAreTold) {
-    Points points = rail_points();
-    Points three{{points.y.begin(), points.y.begin() + 3}, {points.z.begin(), points.z.begin() + 3}};
-    expect_fault(check(ProfileBody::rail, three), WRC_ERROR_PROFILE, "at least four");
-    Points piece{{points.y.begin(), points.y.begin() + 20}, {points.z.begin(), points.z.begin() + 20}};
-    expect_fault(check(ProfileBody::rail, piece), WRC_ERROR_PROFILE, "too short");
-    Points slope{{points.y.begin(), points.y.begin() + 60}, {points.z.begin(), points.z.begin() + 60}};
-    expect_fault(check(ProfileBody::rail, slope), WRC_ERROR_PROFILE, "highest point");
-    points.y.erase(points.y.begin() + 30, points.y.begin() + 110);
-    points.z.erase(points.z.begin() + 30, points.z.begin() + 110);
-    expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "missing", 30);
-  }
+TEST(ProfilePoints, TooFewTooShortAndMissingPointsAreTold) {
+  Points points = rail_points();
+  Points three{{points.y.begin(), points.y.begin() + 3}, {points.z.begin(), points.z.begin() + 3}};
+  expect_fault(check(ProfileBody::rail, three), WRC_ERROR_PROFILE, "at least four");
+  Points piece{{points.y.begin(), points.y.begin() + 20}, {points.z.begin(), points.z.begin() + 20}};
+  expect_fault(check(ProfileBody::rail, piece), WRC_ERROR_PROFILE, "too short");
+  Points slope{{points.y.begin(), points.y.begin() + 60}, {points.z.begin(), points.z.begin() + 60}};
+  expect_fault(check(ProfileBody::rail, slope), WRC_ERROR_PROFILE, "highest point");
+  points.y.erase(points.y.begin() + 30, points.y.begin() + 110);
+  points.z.erase(points.z.begin() + 30, points.z.begin() + 110);
+  expect_fault(check(ProfileBody::rail, points), WRC_ERROR_PROFILE, "missing", 30);
+}
 
-  TEST(ProfilePoints, TooLittleMemoryIsAnExactError) {
-    const Points points = rail_points();
-    const auto count = static_cast<std::int32_t>(points.y.size());
-    std::vector<double> scratch(points.y.size());
-    ProfileStore store;
-    ProfileMemory memory = store.memory();
-    Profile profile;
-    memory.capacity = count - 1;
-    EXPECT_EQ(spline_through(ProfileBody::rail, count, points.y.data(), points.z.data(), scratch.data(),
-                             memory, profile)
-                  .status,
-              WRC_ERROR_BUFFER);
-    memory.capacity = count;
-    EXPECT_EQ(spline_through(ProfileBody::rail, count, points.y.data(), points.z.data(), scratch.data(),
-                             memory, profile)
-                  .status,
-              WRC_OK);
-  }
+TEST(ProfilePoints, TooLittleMemoryIsAnExactError) {
+  const Points points = rail_points();
+  const auto count = static_cast<std::int32_t>(points.y.size());
+  std::vector<double> scratch(points.y.size());
+  ProfileStore store;
+  ProfileMemory memory = store.memory();
+  Profile profile;
+  memory.capacity = count - 1;
+  EXPECT_EQ(spline_through(ProfileBody::rail, count, points.y.data(), points.z.data(), scratch.data(), memory,
+                           profile)
+                .status,
+            WRC_ERROR_BUFFER);
+  memory.capacity = count;
+  EXPECT_EQ(spline_through(ProfileBody::rail, count, points.y.data(), points.z.data(), scratch.data(), memory,
+                           profile)
+                .status,
+            WRC_OK);
+}
 
 }  // namespace
 }  // namespace wrc
