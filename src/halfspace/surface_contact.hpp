@@ -34,7 +34,7 @@ struct SurfaceOptions {
   double normal_tolerance = 1e-6;   ///< of GapProblem
   double rolling_tolerance = 1e-4;  ///< of RollingProblem
   double force_tolerance = 1e-5;    ///< change of the force vector / force at which the turns end
-  double load_tolerance = 2e-5;     ///< relative error of a prescribed load
+  double load_tolerance = 1e-4;     ///< relative error of a prescribed load, above the noise of rolling
   int max_turns = 30;               ///< of normal and tangential problem at one height
   int max_heights = 40;             ///< tried for a prescribed load
   std::size_t max_cells = 1000000;
