@@ -12,6 +12,7 @@
 #include "abi/message.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
+#include "elementary.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/surface_contact.hpp"
@@ -461,16 +462,17 @@ Fault solve_exact_wheel(const Model& model, const wrc_wheel_input* input,
   double along = 0.0, across = 0.0, end = -1.0;
   for (const halfspace::RowForces& row : found.row_forces) {
     if (row.s > end) {
-      wrench.normal_force += std::hypot(along, across);
+      wrench.normal_force += std::sqrt(along * along + across * across);
       along = across = 0.0;
       ++wrench.regions;
     }
     end = row.s + 1.5 * solver.cell_s;
-    along += row.normal_force * solver.cell_s * std::cos(row.angle);
-    across += row.normal_force * solver.cell_s * std::sin(row.angle);
+    const SineCosine turned = sine_cosine(row.angle);
+    along += row.normal_force * solver.cell_s * turned.cosine;
+    across += row.normal_force * solver.cell_s * turned.sine;
     result.steepest_angle = std::max(result.steepest_angle, std::abs(row.angle));
   }
-  wrench.normal_force += std::hypot(along, across);
+  wrench.normal_force += std::sqrt(along * along + across * across);
   const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
   hand_back(model, placed, result);
   ours = wrench_of(result);

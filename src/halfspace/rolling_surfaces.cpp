@@ -52,7 +52,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
   for (int k = 0; k < cap; ++k) {
     const SectionCurve::Point p = bodies_.wheel.at(found.wheel_s);
     const Vector3 q = start + found.gap * ray;
-    const double radius = std::hypot(q.x, q.z);
+    const double radius = std::sqrt(q.x * q.x + q.z * q.z);
     const double e1 = q.y - p.y, e2 = radius - (bodies_.nominal_radius + p.z);
     const double ray_r = (q.x * ray.x + q.z * ray.z) / radius;
     // Outward normal of the profile (-dz, dy) in (y, radius); cosine < 0 where the ray goes into the wheel.

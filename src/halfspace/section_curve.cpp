@@ -26,7 +26,8 @@ std::vector<double> second_derivatives(const std::vector<double>& s, const std::
 
 SectionCurve::SectionCurve(const std::vector<double>& y, const std::vector<double>& z, double least_spacing) {
   for (std::size_t k = 0; k < y.size(); ++k) {
-    const double step = s_.empty() ? 0.0 : std::hypot(y[k] - y_.back(), z[k] - z_.back());
+    const double dy = s_.empty() ? 0.0 : y[k] - y_.back(), dz = s_.empty() ? 0.0 : z[k] - z_.back();
+    const double step = std::sqrt(dy * dy + dz * dz);
     if (!s_.empty() && step < least_spacing) continue;
     s_.push_back(s_.empty() ? 0.0 : s_.back() + step);
     y_.push_back(y[k]);
@@ -48,7 +49,7 @@ SectionCurve::Point SectionCurve::at(double s) const {
   const auto slope = [&](const std::vector<double>& f, const std::vector<double>& f2) {
     return (f[k] - f[k - 1]) / h + ((3.0 * b * b - 1.0) * f2[k] - (3.0 * a * a - 1.0) * f2[k - 1]) * h / 6.0;
   };
-  const double dy = slope(y_, y2_), dz = slope(z_, z2_), norm = std::hypot(dy, dz);
+  const double dy = slope(y_, y2_), dz = slope(z_, z2_), norm = std::sqrt(dy * dy + dz * dz);
   return {.y = value(y_, y2_) + (s - inside) * dy / norm,
           .z = value(z_, z2_) + (s - inside) * dz / norm,
           .dy = dy / norm,

@@ -8,6 +8,8 @@
 namespace wrc::halfspace {
 namespace {
 
+double nearest_integer(double x) { return std::floor(x + 0.5); }
+
 constexpr double apart = 1e-2;  // gap of cells without one [m]
 
 // The cells over which contact is possible, and their gaps.
@@ -82,8 +84,9 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
     const Candidate& c = candidates[first + j];
     cells.rows.push_back(c.row);
     if (!c.found) continue;
-    const int middle = std::clamp(
-        static_cast<int>(std::lround((c.row.middle - cells.grid.x0) / cells.grid.dx)), 0, cells.grid.nx - 1);
+    const int middle =
+        std::clamp(static_cast<int>(nearest_integer((c.row.middle - cells.grid.x0) / cells.grid.dx)), 0,
+                   cells.grid.nx - 1);
     for (const int direction : {1, -1}) {
       SurfacePoint p = c.middle;
       for (int i = middle; i >= 0 && i < cells.grid.nx && p.found; i += direction) {
@@ -158,8 +161,8 @@ void fill_rigid_slip(const RollingSurfaces& surfaces, const SurfaceProblem& prob
 // A field of one piece of the lattice on another; zero where they do not overlap.
 Field moved(const Grid& from, const Field& field, const Grid& to) {
   Field out(to.cells(), 0.0);
-  const int di = static_cast<int>(std::lround((to.x0 - from.x0) / from.dx));
-  const int dj = static_cast<int>(std::lround((to.y0 - from.y0) / from.dy));
+  const int di = static_cast<int>(nearest_integer((to.x0 - from.x0) / from.dx));
+  const int dj = static_cast<int>(nearest_integer((to.y0 - from.y0) / from.dy));
   for (int j = std::max(0, -dj); j < to.ny && j + dj < from.ny; ++j) {
     for (int i = std::max(0, -di); i < to.nx && i + di < from.nx; ++i) {
       out[to.index(i, j)] = field[from.index(i + di, j + dj)];
@@ -421,7 +424,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
 
   const double load = problem.state.vertical_load;
   const auto straightened = [](double force) {
-    return std::cbrt(std::max(force, 0.0) * std::max(force, 0.0));
+    return force > 0.0 ? natural_exp(natural_log(force) * (2.0 / 3.0)) : 0.0;
   };
   double low = height, low_force = 0.0, high = 0.0, high_force = -1.0;  // bracket; high_force < 0: none yet
   double slope = 0.0;

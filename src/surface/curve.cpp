@@ -79,7 +79,7 @@ Fault make_curve(std::int32_t points, const double* y, const double* z, double* 
     const double bz[4] = {kz[i], (kz[i + 1] - kz[i]) / h - h * (2.0 * mz[i] + mz[i + 1]) / 6.0, 0.5 * mz[i],
                           (mz[i + 1] - mz[i]) / (6.0 * h)};
     const std::int64_t room = capacity - 2 - k - (n - 2 - i);  // one piece for each interval yet to come
-    const auto wanted = static_cast<std::int64_t>(std::ceil(h / longest_piece));
+    const auto wanted = static_cast<std::int64_t>(-std::floor(-h / longest_piece));
     const std::int64_t parts = std::max<std::int64_t>(1, std::min(wanted, room));
     for (std::int64_t p = 0; p < parts; ++p, ++k) {
       const double u = h * static_cast<double>(p) / static_cast<double>(parts);
