@@ -5,9 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include "elementary.hpp"
+
 namespace wrc::halfspace {
 namespace {
 
+/// The nearest integer, halves upwards.
 double nearest_integer(double x) { return std::floor(x + 0.5); }
 
 constexpr double apart = 1e-2;  // gap of cells without one [m]
