@@ -74,7 +74,7 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
   first = std::max(first - border, 0);
   last = std::min(last + border, lattice - 1);
   const int left = static_cast<int>(std::floor(low / options.cell_x)) - border;
-  const int right = static_cast<int>(std::ceil(high / options.cell_x)) + border;
+  const int right = static_cast<int>(-std::floor(-high / options.cell_x)) + border;
   cells.grid = {.nx = right - left + 1,
                 .ny = last - first + 1,
                 .dx = options.cell_x,
