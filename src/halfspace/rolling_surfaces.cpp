@@ -86,7 +86,9 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
   // In the plane of the axle through the point: the profile's point nearest to the ray among those that face
   // it.
   double nearest = -1.0, best = 0.0;
-  for (double s = 0.0; s <= bodies_.wheel.length(); s += spacing) {
+  const auto places = static_cast<int>(bodies_.wheel.length() / spacing);
+  for (int k = 0; k <= places; ++k) {
+    const double s = spacing * k;
     const SectionCurve::Point p = bodies_.wheel.at(s);
     if (-p.dz * normal.y + p.dy * normal.z < 0.2) continue;
     const double r = bodies_.nominal_radius + p.z;

@@ -117,13 +117,13 @@ StripSlip slip_at(const std::vector<StripSlip>& slips, double s) {
 double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   constexpr double spacing = 1e-3;
   double lowest = 0.0, top = 0.0;
-  for (double s = 0.0; s <= bodies.wheel.length(); s += spacing) {
-    lowest = std::max(lowest, bodies.wheel.at(s).z);
-  }
-  for (double s = 0.0; s <= bodies.rail.length(); s += spacing) {
-    const SectionCurve::Point p = bodies.rail.at(s);
+  const auto on_wheel = static_cast<int>(bodies.wheel.length() / spacing);
+  for (int k = 0; k <= on_wheel; ++k) lowest = std::max(lowest, bodies.wheel.at(spacing * k).z);
+  const auto on_rail = static_cast<int>(bodies.rail.length() / spacing);
+  for (int k = 0; k <= on_rail; ++k) {
+    const SectionCurve::Point p = bodies.rail.at(spacing * k);
     const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
-    top = s == 0.0 ? z : std::min(top, z);
+    top = k == 0 ? z : std::min(top, z);
   }
   return bodies.rail_z + rail.z + top - bodies.nominal_radius - lowest;
 }

@@ -33,7 +33,9 @@ RollingArrays arrays(double* workspace, std::int32_t count) {
     return begin;
   };
   RollingArrays a{};
-  for (double** p : {&a.load, &a.link, &a.pivot}) *p = array();
+  a.load = array();
+  a.link = array();
+  a.pivot = array();
   for (double*& p : a.mean) p = array();
   for (double** p : {&a.c11, &a.c22, &a.c23, &a.own, &a.bound, &a.growth_x, &a.growth_y, &a.curvature,
                      &a.slip_x, &a.slip_y, &a.elastic, &a.turn_x, &a.turn_y, &a.edge_x, &a.edge_y})
