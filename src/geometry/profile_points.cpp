@@ -39,7 +39,9 @@ Fault check_steps(ProfileBody body, std::int32_t count, const double* y, const d
   constexpr double depth_of_a_head = 0.040;     // [m]
   const double deepest =
       rail ? *std::min_element(z, z + count) + depth_of_a_head : std::numeric_limits<double>::infinity();
-  const auto slope = [&](std::int32_t i) { return std::abs((z[i] - z[i - 1]) / (y[i] - y[i - 1])); };
+  const auto slope = [&](std::int32_t i) {  // points to be smoothed may stand above each other
+    return std::abs(z[i] - z[i - 1]) / std::max(std::abs(y[i] - y[i - 1]), profile_spacing_least);
+  };
   for (std::int32_t i = 2; i + 1 < count; ++i) {
     const double step = z[i] - z[i - 1], steep = slope(i);
     if (std::abs(step) < least_step || steep < least_slope || std::max(z[i], z[i - 1]) > deepest) continue;

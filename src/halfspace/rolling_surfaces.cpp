@@ -123,7 +123,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
       const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
       const double slope = at.normal[0] / facing;  // d gap / dx
       const double by_radius = bodies_.nominal_radius * facing;
-      const double secant = (row.middle - before) / (slope - slope_before);
+      const double change = slope - slope_before;
+      const double secant = change != 0.0 ? (row.middle - before) / change : 0.0;
       const double radius =
           k > 0 && secant > 0.2 * by_radius && secant < 5.0 * by_radius ? secant : by_radius;
       before = row.middle;

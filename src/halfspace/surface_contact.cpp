@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "elementary.hpp"
@@ -141,16 +140,16 @@ void fill_rigid_slip(const RollingSurfaces& surfaces, const SurfaceProblem& prob
   rolling.rigid_slip_y.assign(g.cells(), 0.0);
   const double v = rolling_speed(problem);
   for (int j = 0; j < g.ny; ++j) {
-    const std::optional<StripSlip> given =
-        problem.slips.empty() ? std::nullopt : std::optional(slip_at(problem.slips, g.y(j)));
+    const bool given = !problem.slips.empty();
+    const StripSlip slip = given ? slip_at(problem.slips, g.y(j)) : StripSlip{};
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       if (!cells.points[at].found) continue;
       const double x = g.x(i) + ahead;
       double &wx = rolling.rigid_slip_x[at], &wy = rolling.rigid_slip_y[at];
       if (given) {
-        wx = given->x;
-        wy = given->lateral + given->spin * (x - given->middle);
+        wx = slip.x;
+        wy = slip.lateral + slip.spin * (x - slip.middle);
       } else {
         surfaces.sliding(cells.rows[j], x, surfaces.point(cells.rows[j], x, cells.points[at].wheel_s), wx,
                          wy);
