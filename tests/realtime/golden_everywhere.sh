@@ -29,7 +29,8 @@ compare() {
 # flavour NAME CXX FLAGS [program that runs it]: builds the library and golden_hash, compares.
 flavour() {
   local name=$1 compiler=$2 flags=$3 emulator=${4:-} folder=build/golden/$1
-  local tool
+  local tool c_compiler=${compiler/g++/gcc}
+  c_compiler=${c_compiler/clang++/clang}
   for tool in "$compiler" ${emulator%% *}; do
     command -v "$tool" >/dev/null && continue
     echo "$name: skipped, there is no $tool"
@@ -41,6 +42,7 @@ flavour() {
   # Cross compilation: CMake must not run what it builds, and must not take this machine's libraries for the other's.
   [ -z "$emulator" ] || system=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64)
   if ! { cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" \
+           -DCMAKE_C_COMPILER="$c_compiler" \
            -DCMAKE_CXX_FLAGS="$flags" -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF -DWRC_WERROR=OFF "${system[@]}" &&
          cmake --build "$folder" --target wrc &&
          "$compiler" -std=c++20 -O1 -ffp-contract=off -Iinclude_c -Itests -Itests/realtime \
