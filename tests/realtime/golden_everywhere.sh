@@ -29,8 +29,8 @@ compare() {
 # flavour NAME CXX FLAGS [program that runs it]: builds the library and golden_hash, compares.
 flavour() {
   local name=$1 compiler=$2 flags=$3 emulator=${4:-} folder=build/golden/$1
-  local tool c_compiler=${compiler/g++/gcc}
-  c_compiler=${c_compiler/clang++/clang}
+  local tool c_compiler=${compiler%g++}gcc
+  case $compiler in *clang++) c_compiler=${compiler%++} ;; esac
   for tool in "$compiler" ${emulator%% *}; do
     command -v "$tool" >/dev/null && continue
     echo "$name: skipped, there is no $tool"
