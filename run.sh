@@ -42,19 +42,21 @@ fi
 . .ci/setup.sh
 need_packages g++ gcc cmake ninja-build libeigen3-dev
 mkdir -p build
-cmake -S . -B build/run -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF >build/run.log 2>&1 ||
+build=${WRC_BUILD:-build/run} # one that is there is taken as it was configured
+[ -n "${WRC_BUILD:-}" ] ||
+  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF >build/run.log 2>&1 ||
   { cat build/run.log; exit 1; }
-cmake --build build/run >>build/run.log 2>&1 || { cat build/run.log; exit 1; }
+cmake --build "$build" --target own_case paper_cases creep_curves >>build/run.log 2>&1 || { cat build/run.log; exit 1; }
 
 if [ $# -gt 0 ]; then
-  own_case=$PWD/build/run/examples_c/own_case
+  own_case=$PWD/$build/examples_c/own_case
   cd "$called_from" # file names are the caller's
   exec "$own_case" "$@"
 fi
 
 mkdir -p out
-build/run/examples_c/paper_cases out | tee out/paper_cases.txt
-build/run/examples_c/creep_curves out | tee out/creep_curves.txt
+"$build/examples_c/paper_cases" out | tee out/paper_cases.txt
+"$build/examples_c/creep_curves" out | tee out/creep_curves.txt
 (need_packages python3 python3-matplotlib) || true
 if /usr/bin/python3 -c 'import matplotlib' 2>build/matplotlib.log; then
   /usr/bin/python3 examples_c/draw_paper_figures.py out

@@ -30,8 +30,30 @@ count_check() {
   esac
 }
 
-# The last line, and the exit status that goes with it.
+# Processor time of all that this shell ran so far, into `processor` [s].
+read_processor() {
+  local minutes_user seconds_user minutes_system seconds_system file
+  file=$(mktemp)
+  times >"$file"
+  { read -r && IFS='m s' read -r minutes_user seconds_user minutes_system seconds_system; } <"$file"
+  rm "$file"
+  processor=$((minutes_user * 60 + minutes_system * 60 + ${seconds_user%%[.,]*} + ${seconds_system%%[.,]*}))
+}
+
+# part NAME COMMAND...: runs a part of the suite and notes what it took.
+parts=()
+part() {
+  local processor start=$SECONDS before
+  read_processor
+  before=$processor
+  "${@:2}"
+  read_processor
+  parts+=("$(printf '%-12s %5d s, of processors %5d s' "$1" $((SECONDS - start)) $((processor - before)))")
+}
+
+# What each part took, the last line, and the exit status that goes with it.
 say_counts() {
+  [ ${#parts[@]} -eq 0 ] || printf '%s\n' "${parts[@]}"
   echo "$passed passed, $failed failed, $skipped skipped"
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }

@@ -29,7 +29,8 @@ int main(void) {
   config.rail = &rail;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 || wrc_contact_create(model, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
     fprintf(stderr, "the model cannot be made\n");
     return EXIT_FAILURE;
   }
@@ -58,7 +59,7 @@ int main(void) {
   creepage.speed = 40.0;
   const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, NULL, NULL, &forces, NULL};
-  int32_t status = wrc_step(contact, &input, &output);
+  int32_t status = wrc_contact_step(contact, &input, &output);
 
   /* The same contact exactly, on 64 x 64 cells: its own pressure, creepages and friction. */
   wrc_exact_check_result exact;
@@ -70,7 +71,7 @@ int main(void) {
   }
   if (status < 0) {
     char text[256];
-    wrc_last_error(contact, text, sizeof text);
+    wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   } else {
     printf("            %10s %10s %10s %10s %10s\n", "Fx [N]", "Fy [N]", "Mz [N m]", "power [W]", "adhesion");

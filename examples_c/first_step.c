@@ -25,7 +25,8 @@ int main(void) {
   }
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 || wrc_contact_create(model, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }
@@ -54,9 +55,9 @@ int main(void) {
 
   wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, NULL, &patch, &forces, NULL};
-  const int32_t status = wrc_step(contact, &input, &output);
+  const int32_t status = wrc_contact_step(contact, &input, &output);
   if (status != WRC_OK) {
-    wrc_last_error(contact, text, sizeof text);
+    wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {

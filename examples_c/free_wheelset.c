@@ -20,7 +20,7 @@ enum { right = WRC_SIDE_RIGHT, left = WRC_SIDE_LEFT };
 
 static int failed(const char* what, const wrc_contact* contact, int32_t status) {
   char text[256] = "";
-  if (contact != NULL) wrc_last_error(contact, text, sizeof text);
+  if (contact != NULL) wrc_contact_last_error(contact, text, sizeof text);
   fprintf(stderr, "%s: %s %s\n", what, wrc_status_name(status), text);
   return EXIT_FAILURE;
 }
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   wrc_contact* contact[2] = {NULL, NULL};
   int32_t status = wrc_model_create(&config, NULL, &model);
   for (int side = 0; side < 2 && status >= 0; ++side)
-    status = wrc_contact_create(model, NULL, &contact[side]);
+    status = wrc_contact_create(model, side, NULL, &contact[side]);
   if (status < 0) return failed("model", NULL, status);
 
   wrc_wheel_state wheel;
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   wheel.angular_velocity[1] = -speed / radius;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * load;
-  status = wrc_wheel_step(contact[right], &input, &wrench);
+  status = wrc_contact_wrench(contact[right], &input, &wrench);
   if (status < 0) return failed("standing", contact[right], status);
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
@@ -89,8 +89,7 @@ int main(int argc, char** argv) {
     wheel.angular_velocity[2] = yaw_rate;
     double force[3] = {0.0, 0.0, load}, moment[3] = {0.0, 0.0, 0.0};
     for (int side = 0; side < 2; ++side) {
-      wheel.side = side;
-      status = wrc_wheel_step(contact[side], &input, &wrench);
+      status = wrc_contact_wrench(contact[side], &input, &wrench);
       if (status < 0) return failed("step", contact[side], status);
       for (int i = 0; i < 3; ++i) {
         force[i] += wrench.force[i];

@@ -3,8 +3,9 @@
  *   hil_loop [SECONDS [FILE.csv]]      2 seconds; the file gets one row per cycle, for draw_hil_loop.py
  *
  * Before the loop: models and contacts are made, memory is locked, the thread asks for a real-time priority.
- * In the loop: sleep until an absolute time, one wrc_step_batch, no other call. Every second cycle the wheels
- * are left out: what those cycles show is the machine's and this loop's own, and belongs to the others too.
+ * In the loop: sleep until an absolute time, one wrc_contact_step_batch, no other call. Every second cycle
+ * the wheels are left out: what those cycles show is the machine's and this loop's own, and belongs to the
+ * others too.
  *
  * The wheelsets stand 5.0 to 5.3 mm off centre, where tread and flange root both touch: the dearest position
  * there is.
@@ -40,8 +41,8 @@ static wrc_input inputs[wheels];
 static wrc_output outputs[wheels];
 static int32_t statuses[wheels];
 
-/* Two models, for right and left wheels; even wheels are right ones. */
-static int make_wheels(wrc_model* models[2]) {
+/* One model for all; even wheels are right ones. */
+static int make_wheels(wrc_model** model) {
   wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
   wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
   wrc_config config;
@@ -50,14 +51,12 @@ static int make_wheels(wrc_model* models[2]) {
   config.warm_start = 1;
   config.wheel = &wheel;
   config.rail = &rail;
-  for (int side = 0; side < 2; ++side) {
-    config.side = side == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT;
-    if (wrc_model_create(&config, NULL, &models[side]) < 0) return 0;
-  }
+  if (wrc_model_create(&config, NULL, model) < 0) return 0;
   friction.struct_size = sizeof friction;
   wrc_friction_init(&friction);
   for (int k = 0; k < wheels; ++k) {
-    if (wrc_contact_create(models[k % 2], NULL, &contacts[k]) < 0) return 0;
+    if (wrc_contact_create(*model, k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, NULL, &contacts[k]) < 0)
+      return 0;
     poses[k].struct_size = sizeof poses[k];
     loads[k].struct_size = sizeof loads[k];
     creepages[k].struct_size = sizeof creepages[k];
@@ -180,14 +179,14 @@ int main(int argc, char** argv) {
   const double seconds = argc > 1 ? atof(argv[1]) : 2.0;
   const long count = (long)(seconds * 1e9 / period);
   if (count < 2 || count > 100000000L) stop("hil_loop [SECONDS [FILE.csv]]");
-  wrc_model* models[2] = {NULL, NULL};
+  wrc_model* model = NULL;
   cycle* const cycles = calloc((size_t)count, sizeof *cycles);
   double* const room = calloc((size_t)count, sizeof *room);
-  if (cycles == NULL || room == NULL || !make_wheels(models)) stop("out of memory");
+  if (cycles == NULL || room == NULL || !make_wheels(&model)) stop("out of memory");
   ask_for_real_time();
   for (int i = 0; i < 20; ++i) { /* first steps: caches, and the warm start */
     move_vehicle(1e-3 * i);
-    wrc_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs, statuses);
+    wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs, statuses);
   }
 
   struct timespec due;
@@ -203,8 +202,8 @@ int main(int argc, char** argv) {
     cycles[i].woken = microseconds_since(&due);
     move_vehicle(1e-9 * period * (double)i);
     if (i % 2 == 0) {
-      failed +=
-          wrc_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs, statuses) < 0;
+      failed += wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs,
+                                       statuses) < 0;
       for (int k = 0; k < wheels; ++k) two_patches += patches[k].patches == 2;
     }
     cycles[i].solved = microseconds_since(&due);
@@ -225,7 +224,7 @@ int main(int argc, char** argv) {
   printf("%ld periods skipped because the cycle before ran over, %ld calls failed\n", skipped, failed);
 
   for (int k = 0; k < wheels; ++k) wrc_contact_destroy(contacts[k]);
-  for (int side = 0; side < 2; ++side) wrc_model_destroy(models[side]);
+  wrc_model_destroy(model);
   free(room);
   free(cycles);
   return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,7 +1,7 @@
 /* load_at_run_time.c - how a host that is not linked to wrc uses it: dlopen, one dlsym, then the function
  * table. On Windows LoadLibrary, one GetProcAddress, then the same table.
  *
- *   ./load_at_run_time path/to/libwrc.so.1
+ *   ./load_at_run_time path/to/libwrc.so.0.2
  *   load_at_run_time.exe path\to\wrc.dll
  */
 #if defined(_WIN32)
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_api.h"
 
 #if defined(_WIN32)
 static const char* const usual_name = "wrc.dll";
@@ -30,7 +30,7 @@ static void* find(void* library, const char* name) {
 }
 static void close_library(void* library) { FreeLibrary(library); }
 #else
-static const char* const usual_name = "libwrc.so.1";
+static const char* const usual_name = "libwrc.so.0.2";
 static void* open_library(const char* path) {
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (library == NULL) fprintf(stderr, "%s\n", dlerror());
@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
   memcpy(&get_api, &symbol, sizeof get_api);
   const wrc_api* wrc = get_api(WRC_ABI_VERSION);
   if (wrc == NULL || wrc->struct_size < sizeof(wrc_api)) {
-    fprintf(stderr, "this library is too old for interface version %d of this program\n", WRC_ABI_VERSION);
+    fprintf(stderr, "%s does not serve interface %d; its wrc_version_text() says more\n", path,
+            WRC_ABI_VERSION);
     return EXIT_FAILURE;
   }
 
@@ -65,7 +66,8 @@ int main(int argc, char** argv) {
   wrc->config_init(&config);
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc->model_create(&config, NULL, &model) < 0 || wrc->contact_create(model, NULL, &contact) < 0) {
+  if (wrc->model_create(&config, NULL, &model) < 0 ||
+      wrc->contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }
@@ -86,9 +88,9 @@ int main(int argc, char** argv) {
   patch.normal_force = 100e3;
   creepage.longitudinal = 1e-3;
 
-  const int32_t status = wrc->tangential(contact, &patch, &creepage, &friction, &forces);
+  const int32_t status = wrc->contact_tangential(contact, &patch, &creepage, &friction, &forces);
   char text[256] = "";
-  wrc->last_error(contact, text, sizeof text);
+  wrc->contact_last_error(contact, text, sizeof text);
   printf("wrc %u.%u through %s: %s%s, Fx = %.0f N of at most %.0f N\n", wrc->version() >> 16,
          wrc->version() >> 8 & 255U, path, wrc->status_name(status), text, forces.fx,
          friction.coefficient * patch.normal_force);

@@ -166,10 +166,10 @@ static void write_csv(const wrc_contact* contact, const char* path) {
   enum { FIELDS = 8 };
   wrc_view views[FIELDS], y;
   y.struct_size = sizeof y;
-  if (wrc_field(contact, 0, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
+  if (wrc_contact_field(contact, 0, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
   for (int k = 0; k < FIELDS; ++k) {
     views[k].struct_size = sizeof views[k];
-    if (wrc_field(contact, 0, fields[k], &views[k]) != WRC_OK) return;
+    if (wrc_contact_field(contact, 0, fields[k], &views[k]) != WRC_OK) return;
   }
   FILE* file = fopen(path, "w");
   if (file == NULL) {
@@ -215,7 +215,8 @@ int main(int argc, char** argv) {
   }
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 || wrc_contact_create(model, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }
@@ -246,9 +247,9 @@ int main(int argc, char** argv) {
   damage.struct_size = sizeof damage;
   const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-  const int32_t status = wrc_step(contact, &input, &output);
+  const int32_t status = wrc_contact_step(contact, &input, &output);
   if (status != WRC_OK) {
-    wrc_last_error(contact, text, sizeof text);
+    wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {

@@ -27,27 +27,27 @@ typedef struct variant {
   const char* name; /* as the paper calls it, normal+tangential method */
   const char* bound_name;
   const char* file_name;
-  int32_t normal_method, tangential_method, traction_bound;
+  int32_t normal_method;
+  const char* tangential_method; /* its published name */
+  int32_t traction_bound;
 } variant;
 
 /* The paper's three variants, FASTSIM-SDEC with both traction bounds (friction * pressure, and the parabola
  * of paper eq. 9); then the library's calibrated tangential method, on EKP's pressure and on that of the
  * strip half-space solver (the library's defaults). HZ+FASTSIM-EQ.E in the paper is not Hertz's patch: it is
  * the ellipse equivalent to the EKP patch, with its semi-axes a and b and the semi-elliptic pressure of the
- * same load. That is what WRC_TANGENTIAL_FASTSIM_EQE makes of EKP. */
+ * same load. That is what FASTSIM-EQ.E makes of EKP. */
 enum { VARIANTS = 6 };
 /* Methods with a bound of their own leave the default. */
 static const variant variants[VARIANTS] = {
-    {"EKP+FASTSIM-SDEC", "", "sdec", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_ELLIPTIC},
-    {"EKP+FASTSIM-SDEC", ", parabolic", "sdec_parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC,
+    {"EKP+FASTSIM-SDEC", "", "sdec", WRC_NORMAL_EKP, "FASTSIM-SDEC", WRC_BOUND_ELLIPTIC},
+    {"EKP+FASTSIM-SDEC", ", parabolic", "sdec_parabolic", WRC_NORMAL_EKP, "FASTSIM-SDEC",
      WRC_BOUND_PARABOLIC},
-    {"EKP+FASTSIM-EQ.L", ", parabolic", "eql", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQL,
+    {"EKP+FASTSIM-EQ.L", ", parabolic", "eql", WRC_NORMAL_EKP, "FASTSIM-EQ.L", WRC_BOUND_PARABOLIC},
+    {"HZ+FASTSIM-EQ.E", ", parabolic", "eqe", WRC_NORMAL_EKP, "FASTSIM-EQ.E", WRC_BOUND_PARABOLIC},
+    {"EKP+strip FASTSIM", "", "ekp_strip", WRC_NORMAL_EKP, "strip FASTSIM", WRC_BOUND_PARABOLIC},
+    {"half-space strips+strip FASTSIM", "", "strips", WRC_NORMAL_STRIP_HALFSPACE, "strip FASTSIM",
      WRC_BOUND_PARABOLIC},
-    {"HZ+FASTSIM-EQ.E", ", parabolic", "eqe", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQE,
-     WRC_BOUND_PARABOLIC},
-    {"EKP+strip FASTSIM", "", "ekp_strip", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
-    {"half-space strips+strip FASTSIM", "", "strips", WRC_NORMAL_STRIP_HALFSPACE,
-     WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
 };
 
 typedef struct rolling_case {
@@ -124,7 +124,7 @@ static const double friction_coefficient = 0.35;
 
 static void fail(const wrc_contact* contact, const char* what, int32_t status) {
   char text[256] = "";
-  wrc_last_error(contact, text, sizeof text);
+  wrc_contact_last_error(contact, text, sizeof text);
   fprintf(stderr, "%s: %s: %s\n", what, wrc_status_name(status), text);
   exit(EXIT_FAILURE);
 }
@@ -145,8 +145,8 @@ static wrc_view view_of(const wrc_contact* contact, int32_t field) {
   wrc_view view;
   view.struct_size = sizeof view;
   wrc_view_init(&view);
-  const int32_t status = wrc_field(contact, 0, field, &view);
-  if (status != WRC_OK) fail(contact, "wrc_field", status);
+  const int32_t status = wrc_contact_field(contact, 0, field, &view);
+  if (status != WRC_OK) fail(contact, "wrc_contact_field", status);
   return view;
 }
 
@@ -253,13 +253,22 @@ static wrc_creepage creepage_of(const rolling_case* rolling) {
   return creepage;
 }
 
+static void use(wrc_config* config, const char* method) {
+  char text[512];
+  if (wrc_config_use(config, method, text, sizeof text) < 0) {
+    fprintf(stderr, "%s: %s\n", method, text);
+    exit(EXIT_FAILURE);
+  }
+}
+
 static void make(const wrc_config* config, wrc_model** model, wrc_contact** contact) {
   char text[256];
   if (wrc_config_check(config, text, sizeof text) < 0) {
     fprintf(stderr, "configuration: %s\n", text);
     exit(EXIT_FAILURE);
   }
-  if (wrc_model_create(config, NULL, model) < 0 || wrc_contact_create(*model, NULL, contact) < 0) {
+  if (wrc_model_create(config, NULL, model) < 0 ||
+      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, contact) < 0) {
     fprintf(stderr, "out of memory\n");
     exit(EXIT_FAILURE);
   }
@@ -417,7 +426,7 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       config.wheel = &wheel;
       config.rail = &rail;
       config.normal_method = variants[v].normal_method;
-      config.tangential_method = variants[v].tangential_method;
+      use(&config, variants[v].tangential_method);
       config.traction_bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
@@ -431,7 +440,7 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       damage.struct_size = sizeof damage;
       const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
       wrc_output output = {sizeof output, 0, NULL, &patch, &forces, &damage};
-      const int32_t status = wrc_step(contact, &input, &output);
+      const int32_t status = wrc_contact_step(contact, &input, &output);
       if (status < 0) fail(contact, variants[v].name, status);
 
       print_result(v == 0 ? rolling->name : "", model_name(&variants[v], variants[v].name), &patch, &forces,
@@ -484,7 +493,7 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       if (v == VARIANTS - 2) continue; /* the patch is given: no matter which normal method */
       wrc_config config = *base;
       config.normal_method = variants[v].normal_method;
-      config.tangential_method = variants[v].tangential_method;
+      use(&config, variants[v].tangential_method);
       config.traction_bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
@@ -494,9 +503,9 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       wrc_damage damage;
       forces.struct_size = sizeof forces;
       damage.struct_size = sizeof damage;
-      int32_t status = wrc_tangential(contact, &exact, &creepage, &friction, &forces);
+      int32_t status = wrc_contact_tangential(contact, &exact, &creepage, &friction, &forces);
       if (status < 0) fail(contact, variants[v].name, status);
-      status = wrc_damage_numbers(contact, &damage);
+      status = wrc_contact_damage(contact, &damage);
       if (status < 0) fail(contact, variants[v].name, status);
 
       print_result(v == 0 ? rolling->name : "", model_name(&variants[v], strchr(variants[v].name, '+') + 1),

@@ -46,20 +46,20 @@ program main_case
     stop 1
   end if
   call check(wrc_model_create(config, c_null_ptr, model))
-  call check(wrc_contact_create(model, c_null_ptr, contact))
+  call check(wrc_contact_create(model, WRC_SIDE_RIGHT, c_null_ptr, contact))
 
   load%normal_force = 80d3
   friction%coefficient = 0.35d0
-  call check(wrc_geometry(contact, pose, point))
-  call check(wrc_normal(contact, c_null_ptr, load, patch))
+  call check(wrc_contact_geometry(contact, pose, point))
+  call check(wrc_contact_normal(contact, c_null_ptr, load, patch))
   print '(a,f5.2,a,f6.2,a,f6.3,a,f7.1,a,f6.2,a)', 'patch: a =', 1d3*patch%a, ' mm, b =', 1d3*patch%b, &
     ' mm, psi =', patch%psi, ', p_max =', 1d-6*patch%peak_pressure, ' MPa, approach =', 1d6*patch%approach, ' um'
   do i = 1, 2
     creepage%longitudinal = creepages(1, i)
     creepage%lateral = creepages(2, i)
     creepage%spin = creepages(3, i)
-    call check(wrc_tangential(contact, c_null_ptr, creepage, friction, forces))
-    call check(wrc_damage_numbers(contact, damage))
+    call check(wrc_contact_tangential(contact, c_null_ptr, creepage, friction, forces))
+    call check(wrc_contact_damage(contact, damage))
     print '(a,i0,a,f8.0,a,f8.0,a,f7.1,a,f7.2,a,f5.1,a)', 'case ', i, ': Fx =', forces%fx, ' N, Fy =', forces%fy, &
       ' N, Mz =', forces%mz, ' N m, power =', forces%power, ' W (', 100*(forces%power/contact_power(i) - 1), &
       ' % from CONTACT)'
@@ -68,14 +68,14 @@ program main_case
 
     ! the same through plain arrays
     in = [0d0, 0d0, 0d0, load%normal_force, creepages(1, i), creepages(2, i), creepages(3, i), friction%coefficient]
-    call check(wrc_step_flat(contact, in, out))
-    if (out(1) /= forces%fx .or. out(5) /= forces%power) stop 'wrc_step_flat differs'
+    call check(wrc_contact_step_flat(contact, in, out))
+    if (out(1) /= forces%fx .or. out(5) /= forces%power) stop 'wrc_contact_step_flat differs'
   end do
 
   ! a mistake, and what the library says of it
   load%normal_force = 80d0
-  if (wrc_normal(contact, c_null_ptr, load, patch) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
-  call wrc_last_error(contact, text)
+  if (wrc_contact_normal(contact, c_null_ptr, load, patch) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
+  call wrc_contact_last_error(contact, text)
   print '(2a)', '80 N: ', trim(text)
 
   call wrc_contact_destroy(contact)
@@ -86,7 +86,7 @@ contains
   subroutine check(status)
     integer(c_int32_t), intent(in) :: status
     if (status >= 0) return
-    call wrc_last_error(contact, text)
+    call wrc_contact_last_error(contact, text)
     print '(a,i0,2a)', 'status ', status, ': ', trim(text)
     stop 1
   end subroutine

@@ -31,12 +31,12 @@ contains
   end function
 
   ! The sentence behind the last status other than WRC_OK on this contact.
-  subroutine wrc_last_error(contact, text)
+  subroutine wrc_contact_last_error(contact, text)
     type(c_ptr), intent(in) :: contact
     character(*), intent(out) :: text
     character(kind=c_char) :: buffer(256)
     integer(c_int32_t) :: status
-    status = wrc_last_error_c(contact, buffer, size(buffer, kind=c_int64_t))
+    status = wrc_contact_last_error_c(contact, buffer, size(buffer, kind=c_int64_t))
     call from_c(buffer, text)
     if (status /= WRC_OK) text = 'no contact'
   end subroutine

@@ -9,13 +9,13 @@
  *                  any number of threads may use one model.
  *     wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
  *
- * A step is five stages; call them together (wrc_step) or one by one, or enter in the middle with your own data:
+ * A step is five stages; call them together (wrc_contact_step) or one by one, or enter in the middle with your own data:
  *
- *     wrc_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
- *     wrc_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
- *     wrc_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
- *     wrc_tangential      patch, creepage -> tractions, slip, forces, frictional power
- *     wrc_damage_numbers  fields          -> wear and fatigue numbers
+ *     wrc_contact_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
+ *     wrc_contact_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
+ *     wrc_contact_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
+ *     wrc_contact_tangential      patch, creepage -> tractions, slip, forces, frictional power
+ *     wrc_contact_damage  fields          -> wear and fatigue numbers
  *
  * @par Frame, signs, units
  * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
@@ -30,10 +30,13 @@
  *
  * @par Conventions of the interface
  *  - Every function that can fail returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed
- *    and the objects usable for the next call. wrc_last_error() turns that of a stage into a sentence with field,
+ *    and the objects usable for the next call. wrc_contact_last_error() turns that of a stage into a sentence with field,
  *    value, unit, allowed range and likely cause. wrc_status.h lists them all.
  *  - Structs begin with struct_size. Set it to sizeof the struct, then call its wrc_..._init for defaults. A struct
- *    of an older header (smaller struct_size) is honoured for ever. Output structs need struct_size too.
+ *    of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. Output structs need struct_size too.
+ *  - A member's comment says what it may be: its range and unit, then [its default], then likely mistakes, which messages
+ *    name. The library's checks and defaults, the Fortran module and the manual's tables are made of these comments. A
+ *    result has its unit in brackets and no default.
  *  - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
  *  - Nothing is kept of what a caller passes, except the memory handed to an init or create and the model of a contact.
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read a file, the environment, the
@@ -56,6 +59,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "wrc_methods.h"
 #include "wrc_status.h"
 
 /** @cond */
@@ -75,10 +79,10 @@ extern "C" {
 #endif
 
 #define WRC_VERSION_MAJOR 0 /**< of this header; wrc_version() is that of the library */
-#define WRC_VERSION_MINOR 1 /**< see WRC_VERSION_MAJOR */
+#define WRC_VERSION_MINOR 2 /**< see WRC_VERSION_MAJOR */
 #define WRC_VERSION_PATCH 0 /**< see WRC_VERSION_MAJOR */
 /** Raised only when an existing caller would break; new functions and fields do not raise it. */
-#define WRC_ABI_VERSION 1
+#define WRC_ABI_VERSION 2
 
 /* ------------------------------------------------------------------------------------------------------ handles */
 
@@ -109,43 +113,10 @@ enum wrc_body {
   WRC_BODY_RAIL = 1   /**< the rail */
 };
 
-/** Method of the normal problem. */
-enum wrc_normal_method {
-  WRC_NORMAL_HERTZ = 0,           /**< one ellipse; lateral curvature from the chord of the gap at half the approach */
-  WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
-  WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
-  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< threshold varying over y, every region of overlap: CONTACT's KPEC, to 0.02 % */
-  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
-  WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
-  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
-};
-
 /** Criteria by which a patch gets its equivalent double ellipse. */
 enum wrc_regularisation {
   WRC_REGULARISE_KEEP_WIDTH = 0, /**< criteria (1), (2b), (3): area and width kept; the paper's choice */
   WRC_REGULARISE_KEEP_RATIO = 1  /**< criteria (1), (2), (3): area and length/width ratio kept (KBTNH) */
-};
-
-/** Method of the tangential problem: what patch FASTSIM marches on, and with which flexibilities. */
-enum wrc_tangential_method {
-  WRC_TANGENTIAL_FASTSIM = 0,      /**< Kalker 1982, equivalent ellipse centred at the contact point: no psi */
-  WRC_TANGENTIAL_FASTSIM_EQE = 1,  /**< ellipse centred at mid-width, creepage corrected for the shift */
-  WRC_TANGENTIAL_FASTSIM_EQL = 2,  /**< actual patch, flexibilities of the equivalent ellipse */
-  WRC_TANGENTIAL_FASTSIM_SDEC = 3, /**< actual patch, four flexibilities of the equivalent double ellipse */
-  WRC_TANGENTIAL_STRIP_FASTSIM = 4, /**< FASTSIM in the shape of strip theory, calibrated on exact solutions; bound
-                                         friction * pressure */
-  WRC_TANGENTIAL_TABLE = 5,            /**< total forces from config.force_table, a book of exact solutions for double
-                                            ellipses: no tractions, no slip, and nothing that is made of them */
-  WRC_TANGENTIAL_MODIFIED_FASTSIM = 6, /**< FASTSIM_EQL with the slope falling as slip grows (friction.slope_limit,
-                                            slope_fall); Spiryagin, Polach, Cole, VSD 51 (2013) */
-  WRC_TANGENTIAL_FASTRIP = 7,          /**< FaStrip, VSD 54 (2016): strip theory where it sticks, FASTSIM's directions
-                                            where it slips; equivalent ellipse centred at the contact point */
-  WRC_TANGENTIAL_FASTRIP_MODIFIED = 8, /**< FaStrip on the actual patch, coefficients of the equivalent ellipse */
-  WRC_TANGENTIAL_FASTRIP_SDEC = 9,     /**< FaStrip on the actual patch, coefficients of the equivalent double ellipse.
-                                            All three FaStrips: bound friction * pressure */
-  WRC_TANGENTIAL_COARSE_HALFSPACE = 10 /**< exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated:
-                                            forces within about 1 % of mu N, about a hundred times the time of FASTSIM;
-                                            bound friction * pressure */
 };
 
 /** Form of the traction bound along a strip. All integrate to friction * load over the patch where friction is the
@@ -157,7 +128,7 @@ enum wrc_traction_bound {
                                  the pressure of a Kik-Piotrowski patch; on double ellipses the same as ELLIPTIC */
 };
 
-/** How the flexibilities of linear theory enter the FASTSIM variants; the other methods have their own way. */
+/** How the flexibilities of linear theory enter FASTSIM; the other methods have their own way. */
 enum wrc_flexibility {
   WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
   WRC_FLEXIBILITY_SINGLE = 1,   /**< Kalker's weighted sum for all: right traction directions at large creepage */
@@ -165,7 +136,7 @@ enum wrc_flexibility {
 };
 
 /** How friction depends on the sliding speed w: of a strip, the root mean square of its rigid slip times the rolling
- * speed (modified FASTSIM: of the patch, speed * |(nu_x, nu_y)|). Theory manual, section 5. */
+ * speed (with friction.slope_fall: of the patch, speed * |(nu_x, nu_y)|). Theory manual, section 5. */
 enum wrc_friction_kind {
   WRC_FRICTION_CONSTANT = 0,      /**< not at all */
   WRC_FRICTION_FALLING = 1,       /**< times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach */
@@ -177,7 +148,7 @@ enum wrc_friction_kind {
 enum wrc_zone_frame {
   WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame: zones move with the contact point */
   WRC_ZONES_RAIL_PROFILE = 1   /**< rail profile, as wrc_contact_point.y_rail: zones stay on the rail; field side > 0.
-                                    Needs the contact point of a wrc_geometry */
+                                    Needs the contact point of a wrc_contact_geometry */
 };
 
 /** Where profiles lie. */
@@ -201,10 +172,10 @@ enum wrc_prescribed {
   WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
 };
 
-/** Arrays of the last step that wrc_field() shows without copying. All are in the contact frame. Fields over cells have
+/** Arrays of the last step that wrc_contact_field() shows without copying. All are in the contact frame. Fields over cells have
  * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by
- * increasing y); fields over strips have count[0] = strips. After wrc_tangential strips are those the tractions live
- * on: of the ellipse, in the variants that use one. */
+ * increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the tractions live
+ * on: of the ellipse, where the patch model has one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
   WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
@@ -212,20 +183,20 @@ enum wrc_field_id {
   WRC_FIELD_TRACTION_Y = 3,      /**< cells: see WRC_FIELD_TRACTION_X */
   WRC_FIELD_SLIP_X = 4,          /**< cells: sliding velocity / rolling speed [-] */
   WRC_FIELD_SLIP_Y = 5,          /**< cells: see WRC_FIELD_SLIP_X */
-  WRC_FIELD_POWER_DENSITY = 6,   /**< cells: power per area, paper eq. 10 [W/m^2]; needs wrc_damage_numbers */
-  WRC_FIELD_FATIGUE_INDEX = 7,   /**< cells: local surface fatigue index, paper eq. 12 [-]; needs wrc_damage_numbers */
+  WRC_FIELD_POWER_DENSITY = 6,   /**< cells: power per area, paper eq. 10 [W/m^2]; needs wrc_contact_damage */
+  WRC_FIELD_FATIGUE_INDEX = 7,   /**< cells: local surface fatigue index, paper eq. 12 [-]; needs wrc_contact_damage */
   WRC_FIELD_STRIP_Y = 8,         /**< strips: lateral middle [m] */
   WRC_FIELD_STRIP_WIDTH = 9,     /**< strips: lateral width [m] */
   WRC_FIELD_STRIP_CENTRE = 10,   /**< strips: x of the middle [m] */
   WRC_FIELD_STRIP_HALF = 11,     /**< strips: half length [m] */
   WRC_FIELD_STRIP_PEAK = 12,     /**< strips: peak pressure [Pa] */
-  WRC_FIELD_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m]; needs wrc_damage_numbers */
-  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_geometry or a gap of your own) */
+  WRC_FIELD_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m]; needs wrc_contact_damage */
+  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_contact_geometry or a gap of your own) */
   WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
   WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
   WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
   WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
-                                    needs wrc_wear_numbers */
+                                    needs wrc_contact_wear */
   WRC_FIELD_STRIP_FRICTION = 19  /**< strips: coefficient of friction the law gave [-] */
 };
 
@@ -239,77 +210,88 @@ enum wrc_field_id {
  *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points
  *    reach down to config.gauge_depth at least, after canting. */
 typedef struct wrc_profile {
-  uint32_t struct_size; /**< sizeof this struct */
-  int32_t kind;         /**< enum wrc_profile_kind */
-  uint32_t count;       /**< number of points, WRC_PROFILE_POINTS only: 4..20000 */
+  uint32_t struct_size; /**< sizeof this struct, 40 or more */
+  int32_t kind;         /**< enum wrc_profile_kind [WRC_PROFILE_POINTS] */
+  uint32_t count;       /**< number of points, 4..20000 with WRC_PROFILE_POINTS [0]. Too small: a spline needs at least
+                             four points */
   uint32_t reserved;    /**< 0 */
-  const double* y;      /**< [m] */
-  const double* z;      /**< [m] */
-  double smoothing;     /**< of points only: waves of this length [m] along the curve keep half their height, shorter ones
-                             next to nothing (a seventeenth at half the length), longer ones nearly all; 0..0.05 m, 0:
-                             the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on
-                             both bodies. See wrc_model_profile() [0] */
+  const double* y;      /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
+  const double* z;      /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
+  double smoothing;     /**< of points only: waves of this length along the curve, 0..0.05 m, keep half their height,
+                             shorter ones next to nothing (a seventeenth at half the length), longer ones nearly all; 0:
+                             the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on both
+                             bodies. See wrc_model_profile() [0]. Too large: did you pass mm? */
 } wrc_profile;
 
 /** Everything a model is made of. wrc_config_init() fills the values in brackets. A member that the chosen methods do
  * not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
-  uint32_t struct_size;        /**< sizeof this struct */
-  int32_t side;                /**< enum wrc_side [right] */
-  int32_t normal_method;       /**< enum wrc_normal_method [strip half-space] */
-  int32_t regularisation;      /**< enum wrc_regularisation [keep width] */
-  int32_t tangential_method;   /**< enum wrc_tangential_method [strip FASTSIM] */
-  int32_t traction_bound;      /**< enum wrc_traction_bound; read by the FASTSIM variants and MODIFIED_FASTSIM [parabolic] */
-  int32_t strips;              /**< strips across the patch, 4..512 [60] */
-  int32_t cells;               /**< cells along each strip, 4..512; with WRC_TANGENTIAL_TABLE memory only [32] */
-  int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256] */
-  int32_t max_iterations;      /**< cap of the normal problem's iterations, 4..1000: steps of the load search, sweeps of
-                                  WRC_NORMAL_STRIP_HALFSPACE on each of its grids; 0: 60 and 16 [0] */
-  int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4] */
-  int32_t warm_start;          /**< 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results then
-                                  depend on the calls before: the same approach again moves the force by up to 0.1 %.
-                                  Unfit for implicit integrators, whose iterations stall on that, and for differences
-                                  between calls. 0: results depend on the inputs of the call alone [0] */
-  double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9] */
-  double poisson;              /**< nu of both bodies, 0..0.5 [0.25] */
+  uint32_t struct_size;        /**< sizeof this struct, 144 or more */
+  uint32_t reserved;           /**< 0 */
+  int32_t normal_method;       /**< enum wrc_normal_method [WRC_NORMAL_STRIP_HALFSPACE] */
+  int32_t regularisation;      /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
+  int32_t tangential_method;   /**< enum wrc_tangential_method [WRC_TANGENTIAL_STRIP_FASTSIM] */
+  int32_t traction_bound;      /**< enum wrc_traction_bound; read by WRC_TANGENTIAL_FASTSIM [WRC_BOUND_PARABOLIC] */
+  int32_t strips;              /**< strips across the patch, 4..512 [60]. Too large: more strips cost time in proportion */
+  int32_t cells;               /**< cells along each strip, 4..512; memory only with a method that gives forces
+                                    alone [32]. Too large: more cells cost time in proportion */
+  int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256]. The gap
+                                    is interpolated between rows */
+  int32_t max_iterations;      /**< cap of the normal problem's iterations, 0 or 4..1000: steps of the load search,
+                                    sweeps of WRC_NORMAL_STRIP_HALFSPACE on each of its grids; 0: 60 and 16 [0]. 0 is the
+                                    method's own cap */
+  int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4]. A wheel touches its rail in one to
+                                    three places */
+  int32_t warm_start;          /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results
+                                    then depend on the calls before: the same approach again moves the force by up to 0.1
+                                    %. Unfit for implicit integrators, whose iterations stall on that, and for
+                                    differences between calls. 0: results depend on the inputs of the call alone [0] */
+  double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large:
+                                    steel has 80e9 */
+  double poisson;              /**< nu of both bodies, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
   double load_tolerance;       /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below
-                                  1e-12 as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to
-                                  rounding [1e-10] */
-  double gap_limit;            /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches are
-                                  not solved but continued, WRC_FLAG_BEYOND_GAP [1e-3] */
-  double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6] */
-  double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46] */
-  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; this, side and the next three are
-                                  not read by a model without profiles [1.360] */
-  double track_gauge;          /**< 0.3..2.5 m [1.435] */
-  double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014] */
-  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2 [0]; 1:40 is 0.025; must be
-                                    0 for WRC_PROFILE_UIC60_BENCHMARK, which is canted already */
+                                    1e-12 as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to
+                                    rounding [1e-10] */
+  double gap_limit;            /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches
+                                    are not solved but continued, WRC_FLAG_BEYOND_GAP [1e-3]. Too large: did you pass mm? */
+  double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did
+                                    you pass MPa? */
+  double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46]. Too large: did you pass mm? */
+  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; this and the next three
+                                    are not read by a model without profiles [1.360]. Too large: did you pass mm? */
+  double track_gauge;          /**< between the gauge faces of the rails, 0.3..2.5 m [1.435]. Too large: did you pass mm? */
+  double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014]. Too large: did
+                                    you pass mm? */
+  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2; must be 0 for
+                                    WRC_PROFILE_UIC60_BENCHMARK, which is canted already [0]. 1:40 is 0.025 */
   const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
-  const wrc_profile* rail;     /**< see wheel [NULL] */
-  int32_t flexibility;         /**< enum wrc_flexibility; read by the FASTSIM variants and MODIFIED_FASTSIM [separate] */
-  int32_t instruction_set;     /**< enum wrc_instruction_set [best]; one this processor lacks is WRC_ERROR_UNSUPPORTED */
-  const char* force_table;     /**< file of the book of tables, for WRC_TANGENTIAL_TABLE alone: share/wrc/force_table.bin
+  const wrc_profile* rail;     /**< see wheel */
+  int32_t flexibility;         /**< enum wrc_flexibility; read by WRC_TANGENTIAL_FASTSIM [WRC_FLEXIBILITY_SEPARATE] */
+  int32_t instruction_set;     /**< enum wrc_instruction_set; one this processor lacks is WRC_ERROR_UNSUPPORTED
+                                    [WRC_INSTRUCTIONS_BEST] */
+  const char* force_table;     /**< file of the force table, for WRC_TANGENTIAL_FORCE_TABLE alone: share/wrc/force_table.bin
                                   of the installed library; read when the model is made, never after [NULL] */
-  int32_t profile_placement;   /**< enum wrc_profile_placement [gauge] */
-  int32_t placement_reserved;  /**< 0 */
-  double rail_origin;          /**< WRC_PLACEMENT_ORIGIN: distance of the rail profile's origin from the track's centre line,
-                                    0.2..1.5 m; 0 with WRC_PLACEMENT_GAUGE [0] */
+  int32_t profile_placement;   /**< enum wrc_profile_placement [WRC_PLACEMENT_GAUGE] */
+  int32_t patch_model;         /**< enum wrc_patch_model; read by WRC_TANGENTIAL_FASTSIM and _FASTRIP
+                                    [WRC_PATCH_MODEL_PATCH_SDEC] */
+  double rail_origin;          /**< distance of the rail profile's origin from the track's centre line, 0.2..1.5 m with
+                                    WRC_PLACEMENT_ORIGIN, 0 else [0]. Too large: did you pass mm, or the distance from
+                                    rail to rail? */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
  * smaller than 1e-100 counts as 0. */
 typedef struct wrc_pose {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 32 or more */
   uint32_t reserved;    /**< 0 */
-  double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0] */
-  double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0] */
-  double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0] */
+  double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0]. Did you pass mm? */
+  double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
+  double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
 } wrc_pose;
 
 /** Where wheel and rail first touch when the wheelset of that pose is lowered. */
 typedef struct wrc_contact_point {
-  uint32_t struct_size;  /**< sizeof this struct */
+  uint32_t struct_size;  /**< sizeof this struct, 72 or more */
   uint32_t reserved;     /**< 0 */
   double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
   double y; /**< see x */
@@ -327,18 +309,23 @@ typedef struct wrc_contact_point {
  *  - columns > 0: element-wise, h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
  *    to its lowest part, what lies less than config.gap_limit / 4 above its minimum but at least three points. */
 typedef struct wrc_gap {
-  uint32_t struct_size;    /**< sizeof this struct */
-  uint32_t rows;           /**< 4..config.gap_rows */
-  uint32_t columns;        /**< 0, or 3..100000 */
+  uint32_t struct_size;    /**< sizeof this struct, 72 or more */
+  uint32_t rows;           /**< 4..config.gap_rows [0]. Too small: a gap needs at least four rows. Too large: raise
+                                config.gap_rows */
+  uint32_t columns;        /**< 0 or 3..100000 [0] */
   uint32_t reserved;       /**< 0 */
-  const double* y;         /**< [m], -0.3..0.3, increasing, rows of them at least 1e-6 m apart: slopes are read off
-                                neighbours, and closer they are made of the errors of heights */
-  const double* height;    /**< [m], -0.3..0.3, columns == 0 */
-  const double* centre;    /**< [m], -0.3..0.3, columns == 0; NULL: zero */
-  const double* curvature; /**< [1/m], 1e-3..1e6, columns == 0 (1 / rolling radius for a wheel on a straight rail) */
-  const double* x;         /**< [m], -0.3..0.3, increasing, at least 1e-6 m apart, columns > 0 */
-  const double* h;         /**< [m], -0.3..0.3, columns > 0 */
-  uint64_t row_stride;     /**< elements from one row of h to the next, >= columns */
+  const double* y;         /**< `rows` of them, -0.3..0.3 m, increasing, at least 1e-6 m apart: slopes are read off
+                                neighbours, and closer they are made of the errors of heights [required]. Did you pass
+                                mm? */
+  const double* height;    /**< `rows` of them, -0.3..0.3 m with `columns` 0 [required]. Did you pass mm? */
+  const double* centre;    /**< `rows` of them, -0.3..0.3 m with `columns` 0; NULL: zero [NULL]. Did you pass mm? */
+  const double* curvature; /**< `rows` of them, 1e-3..1e6 1/m with `columns` 0 (1 / rolling radius for a wheel on a
+                                straight rail) [required]. Too small: rows must be convex; did you pass 1/mm, or a
+                                radius? Too large: did you pass 1/um? */
+  const double* x;         /**< `columns` of them, -0.3..0.3 m with `columns`, increasing, at least 1e-6 m apart
+                                [required]. Did you pass mm? */
+  const double* h;         /**< -0.3..0.3 m with `columns` [required]. Did you pass mm? */
+  uint64_t row_stride;     /**< elements from one row of h to the next, >= columns [0] */
 } wrc_gap;
 
 /** What presses the bodies together, and damping of the approach if wanted (Hunt and Crossley, J. Appl. Mech. 42
@@ -348,30 +335,37 @@ typedef struct wrc_gap {
  * bound, forces.fn, fields, damage) sees this pressure; wrc_patch.damping_force is its share of the normal force.
  * An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
 typedef struct wrc_load {
-  uint32_t struct_size; /**< sizeof this struct */
-  int32_t prescribed;   /**< enum wrc_prescribed [load] */
-  double normal_force;  /**< along the contact normal, 1e2..1e6 N, with WRC_PRESCRIBE_LOAD [0: must be set] */
-  double approach;      /**< beyond first touch, -1..0.01 m, with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0] */
-  double approach_velocity; /**< d approach / dt, -20..20 m/s, with WRC_PRESCRIBE_APPROACH; positive while the bodies
-                                 near each other, as wrc_creepage.approach_velocity of wrc_creepages() [0] */
-  double damping;       /**< 0..10 s/m, with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0] */
+  uint32_t struct_size; /**< sizeof this struct, 24 or more */
+  int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
+  double normal_force;  /**< along the contact normal, 1e2..1e6 N with WRC_PRESCRIBE_LOAD; must be set [0]. Negative: the
+                             normal force is compressive positive; prescribe the approach near lift-off. Too small: did
+                             you pass kN? near lift-off prescribe the approach instead. Too large: did you pass a
+                             pressure, or grams? */
+  double approach;      /**< beyond first touch, -1..0.01 m with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0]. Too large:
+                             did you pass mm or um? */
+  double approach_velocity; /**< d approach / dt, -20..20 m/s with WRC_PRESCRIBE_APPROACH; positive while the bodies near
+                                 each other, as wrc_creepage.approach_velocity of wrc_contact_creepages() [0]. Did you pass mm/s? */
+  double damping;       /**< 0..10 s/m with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0].
+                             Negative: damping takes energy out. Too large: it is not a viscous constant: that over 3/2
+                             of the force it was found at */
 } wrc_load;
 
 /** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
  * as none. */
 typedef struct wrc_creepage {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 40 or more */
   uint32_t reserved;    /**< 0 */
-  double longitudinal;  /**< nu_x, -10..10 [0] */
-  double lateral;       /**< nu_y, -10..10 [0] */
+  double longitudinal;  /**< nu_x, -10..10 [0]. Did you pass per mille? */
+  double lateral;       /**< nu_y, -10..10 [0]. Did you pass per mille? */
   double spin;          /**< phi, -1000..1000 1/m [0] */
   double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount
-                             scales the power and the sliding speed of friction that falls [1] */
-  double approach_velocity; /**< result of wrc_creepages(), not read: velocity of the wheel's point along the contact
-                                 normal into the rail [m/s], for wrc_load [0] */
+                             scales the power and the sliding speed of friction that falls [1]. Did you pass km/h? */
+  double approach_velocity; /**< result of wrc_contact_creepages(), not read: velocity of the wheel's point along the contact
+                                 normal into the rail [m/s], for wrc_load */
   double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
-                             speed says, 0..0.5: near standstill wrc_creepages() sets it, and both ways are solved;
-                             fields, what damage and wear make of them are of the way of speed [0] */
+                             speed says, 0..0.5: near standstill wrc_contact_creepages() sets it, and both ways are solved;
+                             fields, what damage and wear make of them are of the way of speed [0]. Too small: it is a
+                             result of wrc_contact_creepages. Too large: the way of creepage.speed has the larger share */
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
@@ -380,41 +374,51 @@ typedef struct wrc_creepage {
  * reads must be its default or 0 (what an initializer list leaves): anything else is WRC_ERROR_UNSUPPORTED. Zones are
  * read where zones > 0. Theory manual, section 5. */
 typedef struct wrc_friction {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 16 or more */
   uint32_t reserved;    /**< 0 */
-  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 1e-4..2 [0.3] */
-  int32_t kind;         /**< enum wrc_friction_kind [constant] */
-  int32_t zone_frame;   /**< enum wrc_zone_frame [contact frame] */
+  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 1e-4..2 [0.3]. Too small: friction
+                             must be positive. Too large: did you pass per cent? */
+  int32_t kind;         /**< enum wrc_friction_kind [WRC_FRICTION_CONSTANT] */
+  int32_t zone_frame;   /**< enum wrc_zone_frame [WRC_ZONES_CONTACT_FRAME] */
   double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1; not read by
-                             WRC_FRICTION_CONSTANT [0.4] */
-  double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6] */
-  double half_speed;    /**< WRC_FRICTION_STATIC_KINETIC: w at which half of the fall is done, 1e-6..100 m/s [1] */
+                             WRC_FRICTION_CONSTANT [0.4]. Too large: it is a share of the coefficient at rest */
+  double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6]. Too small: friction falls with
+                             positive rates */
+  double half_speed;    /**< w at which half of the fall is done, 1e-6..100 m/s with WRC_FRICTION_STATIC_KINETIC [1] */
   double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,
-                               for every method, 0.01..1; 0 counts as 1 [1] */
-  double slope_limit;   /**< WRC_TANGENTIAL_MODIFIED_FASTSIM: share of the slope left at large slip, 0..1 [0.02] */
-  double slope_fall;    /**< WRC_TANGENTIAL_MODIFIED_FASTSIM: how fast it falls, 0..1000; 0: not [0] */
-  const double* zone_y; /**< breakpoints [m], -1..1, increasing, `zones` of them; two at the same y make a step */
-  const double* zone_coefficient; /**< friction at rest there, 0..2, in place of `coefficient`; linear between
-                                       breakpoints, constant beyond; a strip has the mean over its width. 0: no friction */
+                               for every method, 0 or 0.01..1; 0 counts as 1 [1]. Too small: clean bodies have 1. Too
+                               large: clean bodies have 1; did you pass per cent? */
+  double slope_limit;   /**< modified FASTSIM: share of that slope left at large slip, 0..1; read by
+                             WRC_TANGENTIAL_FASTSIM [0.02] */
+  double slope_fall;    /**< modified FASTSIM: how fast the slope falls as slip grows, 0..1000; 0: not; read by
+                             WRC_TANGENTIAL_FASTSIM [0] */
+  const double* zone_y; /**< breakpoints, `zones` of them, -1..1 m with `zones`, increasing; two at the same y make a
+                             step [required]. Did you pass mm? */
+  const double* zone_coefficient; /**< friction at rest there, `zones` of them, 0..2 with `zones`, in place of
+                                       `coefficient`; linear between breakpoints, constant beyond; a strip has the mean
+                                       over its width. 0: no friction [required]. Too small: friction is not negative.
+                                       Too large: did you pass per cent? */
   uint32_t zones;       /**< breakpoints, 0..64; 0: `coefficient` everywhere [0] */
   uint32_t zones_reserved; /**< 0 */
 } wrc_friction;
 
-/** A contact patch: result of wrc_normal and wrc_regularise, or input of wrc_tangential for a patch of your own (then
+/** A contact patch: result of wrc_contact_normal and wrc_contact_regularise, or input of wrc_contact_tangential for a patch of your own (then
  * a, b, psi and normal_force count; pressure is semi-elliptic with p0 = 1.5 N / (pi a b)). */
 typedef struct wrc_patch {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 112 or more */
   int32_t strips;       /**< strips the patch is made of */
   int32_t iterations;   /**< of the normal problem's root find */
   int32_t patches;      /**< separate patches in the contact; a, b, psi are those of the one that carries most */
-  double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m */
-  double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) */
-  double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 */
-  double normal_force;  /**< compressive positive, damping included [N] */
+  double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m [0]. Too large: did you pass
+                             mm? */
+  double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) [0]. Too large: did
+                             you pass mm? */
+  double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 [0] */
+  double normal_force;  /**< compressive positive, damping included, 1e-3..1e7 N [0]. Negative: the normal force is
+                             compressive positive. Too large: did you pass mN? */
   double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
-  double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %;
-                             d normal_force / d approach_velocity is 3/2 load.damping * (normal_force -
-                             damping_force) [N s/m] */
+  double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %; d normal_force
+                             / d approach_velocity is 3/2 load.damping * (normal_force - damping_force), in N s/m */
   double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
@@ -426,52 +430,57 @@ typedef struct wrc_patch {
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
 typedef struct wrc_strips {
-  uint32_t struct_size;      /**< sizeof this struct */
-  uint32_t count;            /**< 1..config.strips */
-  const double* y;           /**< middle [m], -0.3..0.3, increasing; strips must not overlap */
-  const double* width;       /**< [m], 1e-9..0.1 */
-  const double* centre;      /**< x of the middle [m], -0.3..0.3; NULL: zero */
-  const double* half_length; /**< [m], 1e-9..0.1 */
-  const double* peak;        /**< [Pa], 0..1e11 */
+  uint32_t struct_size;      /**< sizeof this struct, 48 or more */
+  uint32_t count;            /**< 1..config.strips [0]. Too large: raise config.strips */
+  const double* y;           /**< middle, `count` of them, -0.3..0.3 m, increasing; strips must not overlap [required].
+                                  Did you pass mm? */
+  const double* width;       /**< `count` of them, 1e-9..0.1 m [required]. Too small: leave out strips without width. Too
+                                  large: did you pass mm? */
+  const double* centre;      /**< x of the middle, `count` of them, -0.3..0.3 m; NULL: zero [NULL]. Did you pass mm? */
+  const double* half_length; /**< `count` of them, 1e-9..0.1 m [required]. Too small: leave out strips without length.
+                                  Too large: did you pass mm? */
+  const double* peak;        /**< `count` of them, 0..1e11 Pa [required]. Too small: pressure is compressive positive.
+                                  Too large: steel yields at a tenth of that */
 } wrc_strips;
 
 /** Forces on the wheel in the contact frame, moment about its origin. */
 typedef struct wrc_forces {
-  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t struct_size;     /**< sizeof this struct, 56 or more */
   uint32_t reserved;        /**< 0 */
   double fx; /**< creep forces [N] */
   double fy; /**< see fx */
   double fn;                /**< normal force, compressive positive, damping included [N] */
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed [W], >= 0 */
-  double adhesion_fraction; /**< share of the patch's area that sticks */
+  double adhesion_fraction; /**< share of the patch's area that sticks [-] */
 } wrc_forces;
 
 /** Velocity of the wheelset relative to the track, in the track frame. */
 typedef struct wrc_motion {
-  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t struct_size;     /**< sizeof this struct, 56 or more */
   uint32_t reserved;        /**< 0 */
-  double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0] */
+  double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0]. Did you pass km/h? */
   double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
   double vertical_velocity; /**< down, -20..20 m/s [0] */
-  double roll_rate;         /**< -100..100 rad/s [0] */
-  double yaw_rate;          /**< -100..100 rad/s [0] */
-  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0] */
+  double roll_rate;         /**< about x, -100..100 rad/s [0]. Did you pass degrees? */
+  double yaw_rate;          /**< about z, -100..100 rad/s [0]. Did you pass degrees? */
+  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0]. Did you pass rpm? */
 } wrc_motion;
 
-/** Wear and rolling contact fatigue numbers of the last wrc_tangential. */
+/** Wear and rolling contact fatigue numbers of the last wrc_contact_tangential. */
 typedef struct wrc_damage {
-  uint32_t struct_size;       /**< sizeof this struct */
+  uint32_t struct_size;       /**< sizeof this struct, 80 or more */
   uint32_t reserved;          /**< 0 */
   double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
-  double peak_power_density;  /**< [W/m^2]; 0, not available, with WRC_TANGENTIAL_TABLE */
+  double peak_power_density;  /**< [W/m^2]; 0, not available, of a method that gives forces alone */
   double t_gamma;             /**< power / speed: energy dissipated per metre rolled, spin included [N] */
   double t_gamma_no_spin;     /**< |Fx nu_x + Fy nu_y|: the other definition in use [N] */
   double utilisation;         /**< mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
   double load_factor;         /**< p0 / k: ordinate of the shakedown map [-] */
   double shakedown_limit;     /**< of load_factor at mu_a, line contact [-]; ratcheting above */
   double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
-  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; -1e30 with WRC_TANGENTIAL_TABLE */
+  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; -1e30 of a method
+                                   that gives forces alone */
 } wrc_damage;
 
 /** Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
@@ -481,32 +490,35 @@ typedef struct wrc_damage {
  *  - Sheffield: depth per metre rolled from T-gamma per area (R8T wheel on UIC60 900A; Braghin et al. 2006).
  *  - Archard: depth per second, k p v / hardness with the map of Jendel (Wear 253 (2002)). */
 typedef struct wrc_wear_laws {
-  uint32_t struct_size;                /**< sizeof this struct */
+  uint32_t struct_size;                /**< sizeof this struct, 160 or more */
   uint32_t reserved;                   /**< 0 */
-  double t_gamma_mild_end; /**< T-gamma up to which wear is mild [N] [100] */
-  double t_gamma_severe_start; /**< T-gamma from which it is severe [N] [200]; not below t_gamma_mild_end */
-  double t_gamma_mild_slope; /**< area * diameter per T-gamma, mild [mm^3/(km N)] [0.25] */
-  double t_gamma_plateau; /**< area * diameter between the two [mm^3/km] [25] */
-  double t_gamma_severe_slope; /**< as t_gamma_mild_slope, severe [mm^3/(km N)] [1.19] */
-  double t_gamma_severe_offset; /**< subtracted in the severe regime [mm^3/km] [154]; 0 or more, and the law must not turn negative */
-  double sheffield_mild_end; /**< T-gamma per area up to which wear is mild [N/mm^2] [10.4] */
-  double sheffield_severe_end; /**< T-gamma per area from which it is catastrophic [N/mm^2] [77.2]; not below sheffield_mild_end */
-  double sheffield_mild_slope; /**< rate per T-gamma per area, mild [microgram/(m N)] [5.3] */
-  double sheffield_catastrophic_slope; /**< the same, catastrophic [microgram/(m N)] [61.9] */
-  double density; /**< of the worn material [kg/m^3] [7850] */
-  double hardness; /**< of the softer body [Pa] [3e9] */
-  double archard_slow; /**< coefficient below archard_severe_start [-] [5e-4] */
-  double archard_severe; /**< coefficient between the two speeds [-] [35e-4] */
-  double archard_fast; /**< coefficient above archard_severe_end [-] [5e-4] */
-  double archard_seizure; /**< coefficient where pressure exceeds seizure_pressure * hardness [-] [350e-4] */
-  double archard_severe_start; /**< sliding velocity from which wear is severe [m/s] [0.2] */
-  double archard_severe_end; /**< sliding velocity up to which it is severe [m/s] [0.7] */
-  double seizure_pressure; /**< share of the hardness [-] [0.8] */
+  double t_gamma_mild_end; /**< T-gamma up to which wear is mild, 1e-3..1e9 N [100] */
+  double t_gamma_severe_start; /**< T-gamma from which it is severe, 1e-3..1e9 N, not below t_gamma_mild_end [200] */
+  double t_gamma_mild_slope; /**< area * diameter per T-gamma, mild, 0..1e6 mm^3/(km N) [0.25] */
+  double t_gamma_plateau; /**< area * diameter between the two, 0..1e9 mm^3/km [25] */
+  double t_gamma_severe_slope; /**< as t_gamma_mild_slope, severe, 0..1e6 mm^3/(km N) [1.19] */
+  double t_gamma_severe_offset; /**< subtracted in the severe regime, 0..1e15 mm^3/km; the law must not turn negative
+                                     [154] */
+  double sheffield_mild_end; /**< T-gamma per area up to which wear is mild, 1e-6..1e9 N/mm^2 [10.4] */
+  double sheffield_severe_end; /**< T-gamma per area from which it is catastrophic, 1e-6..1e9 N/mm^2, not below
+                                    sheffield_mild_end [77.2] */
+  double sheffield_mild_slope; /**< rate per T-gamma per area, mild, 0..1e6 microgram/(m N) [5.3] */
+  double sheffield_catastrophic_slope; /**< the same, catastrophic, 0..1e6 microgram/(m N) [61.9] */
+  double density; /**< of the worn material, 100..1e5 kg/m^3 [7850] */
+  double hardness; /**< of the softer body, 1e6..1e12 Pa [3e9]. Too small: did you pass MPa, or a Vickers number? */
+  double archard_slow; /**< coefficient below archard_severe_start, 0..1 [5e-4] */
+  double archard_severe; /**< coefficient between the two speeds, 0..1 [35e-4] */
+  double archard_fast; /**< coefficient above archard_severe_end, 0..1 [5e-4] */
+  double archard_seizure; /**< coefficient where pressure exceeds seizure_pressure * hardness, 0..1 [350e-4] */
+  double archard_severe_start; /**< sliding velocity from which wear is severe, 0..1000 m/s [0.2] */
+  double archard_severe_end; /**< sliding velocity up to which it is severe, 0..1000 m/s, not below archard_severe_start
+                                  [0.7] */
+  double seizure_pressure; /**< share of the hardness, 0..1000 [0.8] */
 } wrc_wear_laws;
 
-/** Wear of the last wrc_tangential. */
+/** Wear of the last wrc_contact_tangential. */
 typedef struct wrc_wear {
-  uint32_t struct_size;          /**< sizeof this struct */
+  uint32_t struct_size;          /**< sizeof this struct, 32 or more */
   uint32_t reserved;             /**< 0 */
   double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
   double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
@@ -515,20 +527,20 @@ typedef struct wrc_wear {
 
 /** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
 typedef struct wrc_coefficients {
-  uint32_t struct_size;          /**< sizeof this struct */
+  uint32_t struct_size;          /**< sizeof this struct, 64 or more */
   uint32_t reserved;             /**< 0 */
-  double c11; /**< Kalker's, for the ellipse a, b */
+  double c11; /**< Kalker's, for the ellipse a, b [-] */
   double c22; /**< see c11 */
   double c23; /**< see c11 */
-  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 */
+  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 [-] */
   double c13s; /**< see c11s */
   double c22s; /**< see c11s */
   double c23s; /**< see c11s */
 } wrc_coefficients;
 
-/** Derivatives of the forces of the last wrc_tangential at its patch. */
+/** Derivatives of the forces of the last wrc_contact_tangential at its patch. */
 typedef struct wrc_sensitivity {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 128 or more */
   uint32_t reserved;    /**< 0 */
   double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
                              (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the
@@ -537,7 +549,7 @@ typedef struct wrc_sensitivity {
 
 /** Derivatives of the last whole step, creepages and friction held. */
 typedef struct wrc_step_sensitivity {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 72 or more */
   uint32_t reserved;    /**< 0 */
   double by_load[4];    /**< of fx, fy, mz and the approach [m] with respect to the normal force [N]; where the approach
                              is prescribed, of fx, fy, mz and the normal force with respect to the approach */
@@ -545,31 +557,31 @@ typedef struct wrc_step_sensitivity {
                              caller */
 } wrc_step_sensitivity;
 
-/** What wrc_step() reads. Pointers are the caller's and only read during the call. */
+/** What wrc_contact_step() reads. Pointers are the caller's and only read during the call. */
 typedef struct wrc_input {
-  uint32_t struct_size;         /**< sizeof this struct */
+  uint32_t struct_size;         /**< sizeof this struct, 48 or more */
   uint32_t reserved;            /**< 0 */
-  const wrc_pose* pose;         /**< NULL: `gap` is used */
-  const wrc_gap* gap;           /**< used when pose is NULL */
-  const wrc_load* load;         /**< required */
-  const wrc_creepage* creepage; /**< required */
-  const wrc_friction* friction; /**< required */
+  const wrc_pose* pose;         /**< NULL: `gap` is used [NULL] */
+  const wrc_gap* gap;           /**< used when pose is NULL [NULL] */
+  const wrc_load* load;         /**< what presses the bodies together [required] */
+  const wrc_creepage* creepage; /**< rigid slip at the origin of the contact frame [required] */
+  const wrc_friction* friction; /**< between the bodies [required] */
 } wrc_input;
 
-/** What wrc_step() fills: the caller's structs; NULL members are not wanted. */
+/** What wrc_contact_step() fills: the caller's structs; NULL members are not wanted. */
 typedef struct wrc_output {
-  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t struct_size;     /**< sizeof this struct, 40 or more */
   uint32_t reserved;        /**< 0 */
-  wrc_contact_point* point; /**< zeroed when there was no pose */
-  wrc_patch* patch;         /**< of the normal stage */
-  wrc_forces* forces;       /**< of the tangential stage */
-  wrc_damage* damage;       /**< of the damage stage */
+  wrc_contact_point* point; /**< zeroed when there was no pose [NULL] */
+  wrc_patch* patch;         /**< of the normal stage [NULL] */
+  wrc_forces* forces;       /**< of the tangential stage [NULL] */
+  wrc_damage* damage;       /**< of the damage stage [NULL] */
 } wrc_output;
 
 /** A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
  * the contact. */
 typedef struct wrc_view {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 48 or more */
   uint32_t rank;        /**< 1 or 2 */
   const double* data;   /**< in the contact's memory; NULL: not computed */
   uint64_t count[2];    /**< elements along each dimension; count[1] = 1 for rank 1 */
@@ -578,11 +590,12 @@ typedef struct wrc_view {
 
 /** Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither. */
 typedef struct wrc_allocator {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 32 or more */
   uint32_t reserved;    /**< 0 */
-  void* user;           /**< handed to both */
-  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment: a power of two; NULL: none left */
-  void (*release)(void* user, void* memory); /**< called by the destroy functions, and when a create fails */
+  void* user;           /**< handed to both [NULL] */
+  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment: a power of two; gives NULL where
+                                                                          none is left [NULL] */
+  void (*release)(void* user, void* memory); /**< called by the destroy functions, and when a create fails [NULL] */
 } wrc_allocator;
 
 /* ------------------------------------------------------------------------------------------------ about the library */
@@ -591,6 +604,13 @@ typedef struct wrc_allocator {
 WRC_API uint32_t wrc_version(void);
 /** ABI version of the library. @return WRC_ABI_VERSION of the header it was built with. @rt hard @thread free */
 WRC_API uint32_t wrc_abi_version(void);
+/** Whether the library serves an interface, and if not what to do: why wrc_get_api() returned NULL.
+ * @param requested WRC_ABI_VERSION of the header the caller was compiled with
+ * @return a sentence; static storage, never NULL. @rt hard @thread free */
+WRC_API const char* wrc_version_text(uint32_t requested);
+/** What to put into a question to support: version, commit, compiler, flags, and the instruction set this processor gets
+ * by default. @return one line; static storage, never NULL. Asks the processor. @rt init @thread free */
+WRC_API const char* wrc_build_info(void);
 /** Name of a status. @param status any number @return for example "WRC_ERROR_RANGE", or "unknown status"; static
  * storage, never NULL. @rt hard @thread free */
 WRC_API const char* wrc_status_name(int32_t status);
@@ -632,6 +652,17 @@ WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator);            /**< De
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
+/** Makes a configuration that of a published tangential method: sets tangential_method, patch_model, traction_bound,
+ * flexibility and regularisation, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until friction.slope_fall > 0;
+ * "KBTNH-type table" needs config.force_table.
+ * @param[in,out] config after wrc_config_init()
+ * @param name one of WRC_PRESET_LIST (wrc_methods.h), as written there, for example "FASTSIM-SDEC"
+ * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name: the sentence has those there are; config is
+ * left as it is). @rt init @thread free */
+WRC_API int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size);
+
 /** Says whether a model can be made of a configuration, and if not why, as a sentence.
  * @param config configuration to check; NULL: WRC_ERROR_NULL
  * @param[out] text the sentence, cut if need be and terminated when size > 0; empty when all is well; NULL: not wanted
@@ -664,15 +695,17 @@ WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* 
 
 /** Shows a profile as the model uses it, smoothed and placed, without copying it. Views are valid as long as the model.
  * @param model a model with profiles
+ * @param side enum wrc_side: where it is placed
  * @param body enum wrc_body
  * @param[out] y nodes of the curve: of a wheel from the middle of the wheelset, of a rail in the track frame [m]; NULL:
  * not wanted
  * @param[out] z their heights: of a wheel below its running circle, of a rail below its top [m]; NULL: not wanted
  * @param[out] deviation largest distance between a given point and the smoothed curve, 0 without smoothing [m]; NULL:
  * not wanted
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles), _UNSUPPORTED (no such body).
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles), _UNSUPPORTED (no such side or body).
  * @rt hard @thread free */
-WRC_API int32_t wrc_model_profile(const wrc_model* model, int32_t body, wrc_view* y, wrc_view* z, double* deviation);
+WRC_API int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wrc_view* y, wrc_view* z,
+                                  double* deviation);
 
 /** Releases a model made by wrc_model_create(). Destroy its contacts first.
  * @param model NULL is fine @rt init @thread free */
@@ -688,19 +721,23 @@ WRC_API int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64
 
 /** Makes a contact in the caller's memory, every page of which it touches. The model must outlive the contact; the
  * memory stays the caller's; there is nothing to destroy.
- * @param model its model
+ * @param model its model, which serves both sides
+ * @param side enum wrc_side: which wheel of the wheelset, and the rail it is on
  * @param memory aligned as wrc_contact_size() says
  * @param bytes of memory, at least what wrc_contact_size() says
  * @param[out] contact the contact; NULL on failure
- * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread free */
-WRC_API int32_t wrc_contact_init(const wrc_model* model, void* memory, uint64_t bytes, wrc_contact** contact);
+ * @return WRC_OK, WRC_ERROR_NULL, _UNSUPPORTED (no such side), _BUFFER. @rt hard @thread free */
+WRC_API int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes,
+                                 wrc_contact** contact);
 
 /** wrc_contact_init() with memory the library gets itself.
- * @param model its model
+ * @param model its model, which serves both sides
+ * @param side enum wrc_side: which wheel of the wheelset, and the rail it is on
  * @param allocator where memory comes from; NULL: malloc and free
  * @param[out] contact the contact, to be released with wrc_contact_destroy(); NULL on failure
  * @return as wrc_contact_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
-WRC_API int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* allocator, wrc_contact** contact);
+WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator,
+                                   wrc_contact** contact);
 
 /** Releases a contact made by wrc_contact_create().
  * @param contact NULL is fine @rt init @thread contact */
@@ -713,30 +750,30 @@ WRC_API void wrc_contact_destroy(wrc_contact* contact);
 WRC_API int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes);
 
 /** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
- * for any contact of the same model, in this process. After the same calls it has the same bytes.
+ * for any contact of the same model and side, in this process. After the same calls it has the same bytes.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
  * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes);
 
-/** Puts a saved state back, bit for bit; what wrc_last_error() says is part of it. A call that fails changes nothing
+/** Puts a saved state back, bit for bit; what wrc_contact_last_error() says is part of it. A call that fails changes nothing
  * but that sentence.
  * @param contact a contact of the model the state was saved from
  * @param buffer from wrc_contact_save()
  * @param bytes of buffer, at least what wrc_contact_state_size() says
- * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model). @rt hard @thread contact */
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model and side). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
 /** The sentence behind the status of the last stage or step on this contact, for example
  *   "load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach instead"
  * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
- * sentence of the saved state. Calls that take a const contact (wrc_field, wrc_contact_save) do not change it.
+ * sentence of the saved state. Calls that take a const contact (wrc_contact_field, wrc_contact_save) do not change it.
  * @param contact the contact
  * @param[out] buffer the sentence, terminated, cut if need be
  * @param size bytes of buffer
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER (size is 0). @rt hard @thread contact */
-WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_t size);
+WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer, uint64_t size);
 
 /* --------------------------------------------------------------------------------------------------------- stages */
 
@@ -747,12 +784,12 @@ WRC_API int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_
  * @param[out] point where the bodies touch first; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles),
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
-WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
+WRC_API int32_t wrc_contact_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
 
-/** Creepages at the origin of the contact frame of the last wrc_geometry, from the rigid motion of the wheelset: the
+/** Creepages at the origin of the contact frame of the last wrc_contact_geometry, from the rigid motion of the wheelset: the
  * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
  * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
- * standstill: -2). What it gives wrc_tangential takes, as it stands:
+ * standstill: -2). What it gives wrc_contact_tangential takes, as it stands:
  *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) /
  *    8, u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power
  *    right, and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
@@ -766,14 +803,14 @@ WRC_API int32_t wrc_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_con
  * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not
  * wanted
  * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
- * wrc_geometry before), _NOT_FINITE, _RANGE.
+ * wrc_contact_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
-WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
+WRC_API int32_t wrc_contact_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
 
-/** Solves the normal problem and regularises the patch (wrc_regularise). Strips stay in the contact. Pressures are
+/** Solves the normal problem and regularises the patch (wrc_contact_regularise). Strips stay in the contact. Pressures are
  * those of two bodies of equal material; theory manual, sections 2 and 3.
  * @param contact the contact
- * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_geometry or of an earlier call
+ * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_contact_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] patch the solution; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
@@ -782,7 +819,7 @@ WRC_API int32_t wrc_creepages(wrc_contact* contact, const wrc_motion* motion, wr
  * or approach is more than the gap carries, at most config.gap_limit of a pose's: load and pressures go on in a
  * straight line with the last stiffness, the patch stays); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and
  * the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
+WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
  * Theory manual, section 3; paper section 2.
@@ -791,7 +828,7 @@ WRC_API int32_t wrc_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_l
  * @param[out] patch the patch; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE,
  * _SEQUENCE (strips is NULL and the contact has none), _RANGE, _NOT_FINITE. @rt hard @thread contact */
-WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, wrc_patch* patch);
+WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* strips, wrc_patch* patch);
 
 /** Solves the tangential problem of steady rolling. Theory manual, sections 4 and 5; paper eq. 5 to 9.
  * @param contact the contact
@@ -802,38 +839,38 @@ WRC_API int32_t wrc_regularise(wrc_contact* contact, const wrc_strips* strips, w
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
  * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
- * friction zones over the rail without a wrc_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
+ * friction zones over the rail without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
+WRC_API int32_t wrc_contact_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
-/** Wear and fatigue numbers of the last wrc_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
+/** Wear and fatigue numbers of the last wrc_contact_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
  * Theory manual, section 6; paper eq. 10 to 12.
  * @param contact the contact
  * @param[out] damage the numbers; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE. @rt hard @thread contact */
-WRC_API int32_t wrc_damage_numbers(wrc_contact* contact, wrc_damage* damage);
+WRC_API int32_t wrc_contact_damage(wrc_contact* contact, wrc_damage* damage);
 
-/** Wear of the last wrc_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
+/** Wear of the last wrc_contact_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
  * Theory manual, section 6.
  * @param contact the contact
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential before),
- * _NOT_FINITE, _RANGE, _UNSUPPORTED (WRC_TANGENTIAL_TABLE: no tractions to wear by). @rt hard @thread contact */
-WRC_API int32_t wrc_wear_numbers(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
+ * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: no tractions to wear by). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
-/** Derivatives of the forces of the last wrc_tangential (or wrc_step) with respect to creepages, load and friction, for
+/** Derivatives of the forces of the last wrc_contact_tangential (or wrc_contact_step) with respect to creepages, load and friction, for
  * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
  * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and slip;
  * there it is the derivative from one side. Where strips stick a second time, which takes large spin, it jumps there by
- * up to 0.5 % of friction x load of one strip. FaStrip, modified FASTSIM, WRC_TANGENTIAL_COARSE_HALFSPACE and _TABLE, single
- * and blended flexibilities, and friction that falls with speed have central differences instead, with steps of a
+ * up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and strip FASTSIM, where
+ * neither friction nor the slope (modified FASTSIM) falls; all else has central differences instead, with steps of a
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_tangential());
- * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential). @rt hard @thread contact */
-WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_contact_tangential());
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
  * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
@@ -841,9 +878,9 @@ WRC_API int32_t wrc_sensitivities(wrc_contact* contact, wrc_sensitivity* sensiti
  * in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; the flags of wrc_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_tangential, or on strips or a
- * patch of the caller), and those of wrc_step() where a neighbouring step fails. @rt hard @thread contact */
-WRC_API int32_t wrc_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
+ * @return WRC_OK; the flags of wrc_contact_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential, or on strips or a
+ * patch of the caller), and those of wrc_contact_step() where a neighbouring step fails. @rt hard @thread contact */
+WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
 
 /** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
  * @param contact the contact
@@ -851,9 +888,9 @@ WRC_API int32_t wrc_step_sensitivities(wrc_contact* contact, wrc_step_sensitivit
  * @param[in,out] output where results go: the struct itself is only read
  * @return WRC_OK or the first flag of the stages; the failure of the first stage that fails, which ends the step with
  * all outputs zeroed. @rt hard @thread contact */
-WRC_API int32_t wrc_step(wrc_contact* contact, const wrc_input* input, wrc_output* output);
+WRC_API int32_t wrc_contact_step(wrc_contact* contact, const wrc_input* input, wrc_output* output);
 
-/** wrc_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
+/** wrc_contact_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
  * range of contacts, with identical results.
  * @param contacts count of them, each once
  * @param count how many
@@ -864,28 +901,28 @@ WRC_API int32_t wrc_step(wrc_contact* contact, const wrc_input* input, wrc_outpu
  * @param[out] statuses count of them; NULL: not wanted
  * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
  * @thread contact, all of them */
-WRC_API int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
+WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
                                uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
                                int32_t* statuses);
 
-#define WRC_FLAT_INPUTS 8   /**< numbers wrc_step_flat() reads */
-#define WRC_FLAT_OUTPUTS 12 /**< numbers wrc_step_flat() writes */
+#define WRC_FLAT_INPUTS 8   /**< numbers wrc_contact_step_flat() reads */
+#define WRC_FLAT_OUTPUTS 12 /**< numbers wrc_contact_step_flat() writes */
 
-/** wrc_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
+/** wrc_contact_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
  * @param contact of a model with profiles
  * @param in WRC_FLAT_INPUTS numbers: lateral [m], roll [rad], yaw [rad], normal force [N], nu_x, nu_y, phi [1/m],
  * friction
  * @param[out] out WRC_FLAT_OUTPUTS numbers: fx, fy, fn [N], mz [N m], power / speed [N], approach [m],
  * peak pressure [Pa], area [m^2], a [m], b [m], psi, fatigue index
- * @return as wrc_step(). @rt hard @thread contact */
-WRC_API int32_t wrc_step_flat(wrc_contact* contact, const double* in, double* out);
+ * @return as wrc_contact_step(). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_step_flat(wrc_contact* contact, const double* in, double* out);
 
 /** One of the contact's patches with its forces. Moments are about the origin of the contact frame: the forces of all
  * patches add up to those of the contact.
  * @param contact the contact
  * @param index 0 .. wrc_patch.patches - 1, by increasing y
  * @param[out] patch the patch; NULL: not wanted
- * @param[out] forces on the wheel; zero before wrc_tangential; NULL: not wanted
+ * @param[out] forces on the wheel; zero before wrc_contact_tangential; NULL: not wanted
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
@@ -896,10 +933,10 @@ WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
- * _UNSUPPORTED (no such field; tractions, slip, what is made of them and the friction of a strip with
- * WRC_TANGENTIAL_TABLE).
+ * _UNSUPPORTED (no such field; tractions, slip, what is made of them and the friction of a strip of a method that gives
+ * forces alone).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
+WRC_API int32_t wrc_contact_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
 
 /* -------------------------------------------------------------------------------------------------- plain numbers */
 
@@ -922,83 +959,12 @@ WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
 
 /* ---------------------------------------------------------------------------------------------------- for dlopen */
 
-/** Every function above as a table, so that one dlsym("wrc_get_api") suffices. struct_size grows with the library: a
- * table at least as large as the sizeof(wrc_api) you compiled with has every member you know. */
-typedef struct wrc_api {
-  uint32_t struct_size; /**< sizeof this struct */
-  uint32_t abi_version; /**< WRC_ABI_VERSION of the library */
-  uint32_t (*version)(void); /**< wrc_version() */
-  const char* (*status_name)(int32_t); /**< wrc_status_name() */
-  const char* (*status_text)(int32_t); /**< wrc_status_text() */
-  int32_t (*profile_init)(wrc_profile*); /**< wrc_profile_init() */
-  int32_t (*config_init)(wrc_config*); /**< wrc_config_init() */
-  int32_t (*pose_init)(wrc_pose*); /**< wrc_pose_init() */
-  int32_t (*contact_point_init)(wrc_contact_point*); /**< wrc_contact_point_init() */
-  int32_t (*gap_init)(wrc_gap*); /**< wrc_gap_init() */
-  int32_t (*load_init)(wrc_load*); /**< wrc_load_init() */
-  int32_t (*creepage_init)(wrc_creepage*); /**< wrc_creepage_init() */
-  int32_t (*friction_init)(wrc_friction*); /**< wrc_friction_init() */
-  int32_t (*patch_init)(wrc_patch*); /**< wrc_patch_init() */
-  int32_t (*strips_init)(wrc_strips*); /**< wrc_strips_init() */
-  int32_t (*forces_init)(wrc_forces*); /**< wrc_forces_init() */
-  int32_t (*motion_init)(wrc_motion*); /**< wrc_motion_init() */
-  int32_t (*damage_init)(wrc_damage*); /**< wrc_damage_init() */
-  int32_t (*coefficients_init)(wrc_coefficients*); /**< wrc_coefficients_init() */
-  int32_t (*input_init)(wrc_input*); /**< wrc_input_init() */
-  int32_t (*output_init)(wrc_output*); /**< wrc_output_init() */
-  int32_t (*view_init)(wrc_view*); /**< wrc_view_init() */
-  int32_t (*allocator_init)(wrc_allocator*); /**< wrc_allocator_init() */
-  int32_t (*config_check)(const wrc_config*, char*, uint64_t); /**< wrc_config_check() */
-  int32_t (*model_size)(const wrc_config*, uint64_t*, uint64_t*); /**< wrc_model_size() */
-  int32_t (*model_init)(const wrc_config*, void*, uint64_t, wrc_model**); /**< wrc_model_init() */
-  int32_t (*model_create)(const wrc_config*, const wrc_allocator*, wrc_model**); /**< wrc_model_create() */
-  void (*model_destroy)(wrc_model*); /**< wrc_model_destroy() */
-  int32_t (*contact_size)(const wrc_model*, uint64_t*, uint64_t*); /**< wrc_contact_size() */
-  int32_t (*contact_init)(const wrc_model*, void*, uint64_t, wrc_contact**); /**< wrc_contact_init() */
-  int32_t (*contact_create)(const wrc_model*, const wrc_allocator*, wrc_contact**); /**< wrc_contact_create() */
-  void (*contact_destroy)(wrc_contact*); /**< wrc_contact_destroy() */
-  int32_t (*contact_save)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save() */
-  int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore() */
-  int32_t (*last_error)(const wrc_contact*, char*, uint64_t); /**< wrc_last_error() */
-  int32_t (*geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*); /**< wrc_geometry() */
-  int32_t (*creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*); /**< wrc_creepages() */
-  int32_t (*normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*); /**< wrc_normal() */
-  int32_t (*regularise)(wrc_contact*, const wrc_strips*, wrc_patch*); /**< wrc_regularise() */
-  int32_t (*tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*,
-                        wrc_forces*); /**< wrc_tangential() */
-  int32_t (*damage_numbers)(wrc_contact*, wrc_damage*); /**< wrc_damage_numbers() */
-  int32_t (*step)(wrc_contact*, const wrc_input*, wrc_output*); /**< wrc_step() */
-  int32_t (*step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, const wrc_output*, uint64_t,
-                        int32_t*); /**< wrc_step_batch() */
-  int32_t (*step_flat)(wrc_contact*, const double*, double*); /**< wrc_step_flat() */
-  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*, wrc_forces*); /**< wrc_contact_patch() */
-  int32_t (*field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_field() */
-  int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
-  int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
-  int32_t (*wear_laws_init)(wrc_wear_laws*); /**< wrc_wear_laws_init() */
-  int32_t (*wear_init)(wrc_wear*); /**< wrc_wear_init() */
-  int32_t (*wear_numbers)(wrc_contact*, const wrc_wear_laws*, wrc_wear*); /**< wrc_wear_numbers() */
-  int32_t (*model_profile)(const wrc_model*, int32_t, wrc_view*, wrc_view*, double*); /**< wrc_model_profile() */
-  int32_t (*sensitivity_init)(wrc_sensitivity*); /**< wrc_sensitivity_init() */
-  int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
-  int32_t (*sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_sensitivities() */
-  int32_t (*step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_step_sensitivities() */
-  int32_t (*contact_state_size)(const wrc_model*, uint64_t*); /**< wrc_contact_state_size() */
-  int32_t (*wheel_state_init)(wrc_wheel_state*); /**< wrc_wheel_state_init() */
-  int32_t (*rail_state_init)(wrc_rail_state*); /**< wrc_rail_state_init() */
-  int32_t (*wheel_input_init)(wrc_wheel_input*); /**< wrc_wheel_input_init() */
-  int32_t (*wrench_init)(wrc_wrench*); /**< wrc_wrench_init() */
-  int32_t (*region_init)(wrc_region*); /**< wrc_region_init() */
-  int32_t (*wheel_step)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*); /**< wrc_wheel_step() */
-  int32_t (*wheel_region)(wrc_contact*, int32_t, wrc_region*); /**< wrc_wheel_region() */
-  int32_t (*wheel_step_batch)(wrc_contact* const*, uint32_t, const wrc_wheel_input*, uint64_t, wrc_wrench*, uint64_t,
-                              int32_t*); /**< wrc_wheel_step_batch() */
-  int32_t (*wheel_step_flat)(wrc_contact*, const double*, double*); /**< wrc_wheel_step_flat() */
-} wrc_api;
+/** Every function as a table, for hosts that load the library at run time: wrc_api.h. */
+typedef struct wrc_api wrc_api;
 
 /** The function table of this library.
  * @param abi_version WRC_ABI_VERSION of the header you compiled with
- * @return the table, in static storage; NULL when the library cannot serve that version. @rt hard @thread free */
+ * @return the table, in static storage; NULL when the library does not serve that version: wrc_version_text() says why. @rt hard @thread free */
 WRC_API const wrc_api* wrc_get_api(uint32_t abi_version);
 
 #ifdef __cplusplus

@@ -39,82 +39,89 @@ typedef int32_t (*wrc_progress)(double fraction, void* user);
 
 /** A rectangular grid in the contact frame. */
 typedef struct wrc_grid {
-  uint32_t struct_size; /**< sizeof this struct */
-  uint32_t nx;          /**< cells along x and y, 4..1024 */
-  uint32_t ny;          /**< see nx */
+  uint32_t struct_size; /**< sizeof this struct, 48 or more */
+  uint32_t nx;          /**< cells along x, 4..1024 [0] */
+  uint32_t ny;          /**< cells along y, 4..1024 [0] */
   uint32_t reserved;    /**< 0 */
-  double dx;            /**< size of a cell, 1e-7..0.01 m */
+  double dx;            /**< size of a cell, 1e-7..0.01 m [0]. Too large: did you pass mm? */
   double dy;            /**< see dx */
-  double x0;            /**< centre of cell (0, 0) [m] */
+  double x0;            /**< centre of cell (0, 0), -1..1 m [0]. Did you pass mm? */
   double y0;            /**< see x0 */
 } wrc_grid;
 
 /** The two bodies. */
 typedef struct wrc_materials {
-  uint32_t struct_size;        /**< sizeof this struct */
+  uint32_t struct_size;        /**< sizeof this struct, 40 or more */
   uint32_t reserved;           /**< 0 */
-  double shear_modulus_1;      /**< G of the wheel, 1e8..1e12 Pa [80e9] */
-  double poisson_1;            /**< nu of the wheel, 0..0.5 [0.25] */
-  double shear_modulus_2;      /**< G of the rail [80e9] */
-  double poisson_2;            /**< nu of the rail [0.25] */
+  double shear_modulus_1;      /**< G of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
+  double poisson_1;            /**< nu of the wheel, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
+  double shear_modulus_2;      /**< G of the rail, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
+  double poisson_2;            /**< nu of the rail, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
 } wrc_materials;
 
 /** The normal problem: an undeformed gap and what presses the bodies together. */
 typedef struct wrc_exact_normal_problem {
-  uint32_t struct_size;            /**< sizeof this struct */
-  int32_t prescribed;              /**< enum wrc_prescribed [load] */
+  uint32_t struct_size;            /**< sizeof this struct, 80 or more */
+  int32_t prescribed;              /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
   int32_t max_iterations;          /**< 1..100000 [1000] */
   int32_t reserved;                /**< 0 */
-  double normal_force;             /**< with WRC_PRESCRIBE_LOAD, 1e-3..1e7 N */
-  double approach;                 /**< with WRC_PRESCRIBE_APPROACH, beyond the zero of the gap, -1..0.01 m */
-  double tolerance;                /**< of overlap and separation, relative to the largest displacement [1e-6] */
-  const wrc_materials* materials;  /**< NULL: the defaults */
-  const wrc_grid* grid;            /**< required */
-  const double* gap;               /**< nx * ny, -1..1 [m] */
-  wrc_progress progress;           /**< NULL: none */
-  void* user;                      /**< handed to progress */
+  double normal_force;             /**< 1e-3..1e7 N with WRC_PRESCRIBE_LOAD; must be set [0]. Negative: compressive
+                                        positive. Too large: did you pass mN? */
+  double approach;                 /**< beyond the zero of the gap, -1..0.01 m with WRC_PRESCRIBE_APPROACH [0]. Too
+                                        large: did you pass mm? */
+  double tolerance;                /**< of overlap and separation, relative to the largest displacement, 1e-14..0.1
+                                        [1e-6] */
+  const wrc_materials* materials;  /**< NULL: the defaults [NULL] */
+  const wrc_grid* grid;            /**< cells of gap and pressure [required] */
+  const double* gap;               /**< nx * ny, -1..1 m [required]. Did you pass mm? */
+  wrc_progress progress;           /**< NULL: none [NULL] */
+  void* user;                      /**< handed to progress [NULL] */
 } wrc_exact_normal_problem;
 
 /** Solution of the normal problem. */
 typedef struct wrc_exact_normal_solution {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 56 or more */
   int32_t iterations;   /**< of the conjugate gradients */
   double approach;      /**< beyond the zero of the gap [m] */
   double normal_force;  /**< [N] */
   double peak_pressure; /**< [Pa] */
   double area;          /**< of the cells under pressure [m^2] */
-  double residual;      /**< of the convergence test */
+  double residual;      /**< of the convergence test [-] */
   double* pressure;     /**< the caller's nx * ny [Pa]; NULL: not wanted; set before the call */
 } wrc_exact_normal_solution;
 
 /** Steady rolling under a given normal pressure. */
 typedef struct wrc_exact_rolling_problem {
-  uint32_t struct_size;           /**< sizeof this struct */
-  int32_t adhesion;               /**< enum wrc_adhesion [Coulomb] */
-  int32_t collocation;            /**< enum wrc_collocation [quarter point] */
+  uint32_t struct_size;           /**< sizeof this struct, 88 or more */
+  int32_t adhesion;               /**< enum wrc_adhesion [WRC_ADHESION_COULOMB] */
+  int32_t collocation;            /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
   int32_t max_iterations;         /**< of Newton's method, 1..1000 [60] */
   double tolerance;               /**< of the traction law, 1e-12..0.1 [1e-4] */
-  const wrc_materials* materials; /**< NULL: the defaults */
-  const wrc_grid* grid;           /**< required */
-  const double* pressure;         /**< nx * ny, -1e11..1e11 [Pa]; cells above zero are the contact, all others are not */
-  const double* friction;         /**< nx * ny, 1e-4..2, or NULL: `coefficient` everywhere */
-  double coefficient;             /**< Coulomb, 1e-4..2 [0.3] */
-  const wrc_creepage* creepage;   /**< about the origin of the contact frame */
-  wrc_progress progress;          /**< NULL: none; called between grids and iterations */
-  void* user;                     /**< handed to progress */
+  const wrc_materials* materials; /**< NULL: the defaults [NULL] */
+  const wrc_grid* grid;           /**< cells of pressure, friction and tractions [required] */
+  const double* pressure;         /**< nx * ny, -1e11..1e11 Pa; cells above zero are the contact, all others are not
+                                       [required]. Too small: pressure is compressive positive. Too large: steel yields
+                                       at a tenth of that */
+  const double* friction;         /**< nx * ny, 1e-4..2; NULL: `coefficient` everywhere [NULL]. Too small: friction must
+                                       be positive. Too large: did you pass per cent? */
+  double coefficient;             /**< Coulomb, 1e-4..2 with WRC_ADHESION_COULOMB and `friction` NULL [0.3]. Too small:
+                                       friction must be positive. Too large: did you pass per cent? */
+  const wrc_creepage* creepage;   /**< about the origin of the contact frame [required] */
+  wrc_progress progress;          /**< called between grids and iterations; NULL: none [NULL] */
+  void* user;                     /**< handed to progress [NULL] */
 } wrc_exact_rolling_problem;
 
 /** Solution of steady rolling: forces and tractions on the wheel. */
 typedef struct wrc_exact_rolling_solution {
-  uint32_t struct_size;       /**< sizeof this struct */
+  uint32_t struct_size;       /**< sizeof this struct, 96 or more */
   int32_t iterations;         /**< of Newton's method on the given grid */
   double fx;                  /**< [N] */
   double fy;                  /**< see fx */
   double mz;                  /**< about the origin of the contact frame [N m] */
   double power;               /**< sum of slip times traction over the cells, times the speed [W] */
   double power_by_balance;    /**< -(Fx nu_x + Fy nu_y + Mz phi) V: the limit of `power` on fine grids [W] */
-  double adhesion_fraction;   /**< share of the contact's area that sticks */
-  double residual;            /**< of the convergence test */
+  double adhesion_fraction;   /**< share of the contact's area that sticks [-] */
+  double residual;            /**< of the convergence test [-] */
   double* traction_x;         /**< the caller's nx * ny [Pa]; NULL: not wanted; so are those below */
   double* traction_y;         /**< [Pa] */
   double* slip_x;             /**< sliding velocity / rolling speed [-] */
@@ -128,24 +135,24 @@ enum wrc_surface_influence {
 };
 
 /** How finely a wheel on a rail is solved exactly. */
-typedef struct wrc_exact_wheel_options {
-  uint32_t struct_size; /**< sizeof this struct */
-  int32_t collocation;  /**< enum wrc_collocation [quarter point] */
-  int32_t influence;    /**< enum wrc_surface_influence [turned] */
+typedef struct wrc_exact_wrench_options {
+  uint32_t struct_size; /**< sizeof this struct, 32 or more */
+  int32_t collocation;  /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
+  int32_t influence;    /**< enum wrc_surface_influence [WRC_INFLUENCE_TURNED] */
   uint32_t reserved;    /**< 0 */
-  double cell_x;        /**< length of a cell along x, 2e-5..2e-3 m [2e-4] */
-  double cell_s;        /**< the same along the rail's arc length [2e-4] */
-} wrc_exact_wheel_options;
+  double cell_x;        /**< length of a cell along x, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+  double cell_s;        /**< the same along the rail's arc length, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+} wrc_exact_wrench_options;
 
 /** A real-time result against the exact one. */
 typedef struct wrc_exact_check_result {
-  uint32_t struct_size;     /**< sizeof this struct */
+  uint32_t struct_size;     /**< sizeof this struct, 64 or more */
   uint32_t reserved;        /**< 0 */
-  double fx;                /**< exact, on the contact's own pressure and creepages [N], [N m] */
+  double fx;                /**< exact, on the contact's own pressure and creepages [N] */
   double fy;                /**< see fx */
-  double mz;                /**< see fx */
+  double mz;                /**< the same [N m] */
   double power;             /**< exact, by the energy balance [W] */
-  double adhesion_fraction; /**< exact */
+  double adhesion_fraction; /**< exact [-] */
   double force_error;       /**< |F - F_exact| / (friction * N) [-] */
   double power_error;       /**< P / P_exact - 1 [-]; 0 when nothing is dissipated */
 } wrc_exact_check_result;
@@ -159,12 +166,12 @@ WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem)
 WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution);         /**< Defaults of a solution. */
 WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem);          /**< Defaults of a problem. */
 WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution);       /**< Defaults of a solution. */
-WRC_API int32_t wrc_exact_wheel_options_init(wrc_exact_wheel_options* options);              /**< Defaults of options. */
+WRC_API int32_t wrc_exact_wrench_options_init(wrc_exact_wrench_options* options);              /**< Defaults of options. */
 WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result);                 /**< Defaults of a result. */
 /** @} */
 
 /** Samples the gap in a contact at the cell centres of a grid, its minimum at zero.
- * Of wrc_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail,
+ * Of wrc_contact_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail,
  * along the contact normal. The rows the real-time methods read are its expansion along x; beside steps of the
  * profile's curvature they leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a
  * parabola. Outside the rows' range of y the gap continues with the last row's slope.
@@ -179,7 +186,7 @@ WRC_API int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double
  * 1999) and FFT products. Kalker 1990; Johnson 1985.
  * @param problem what to solve
  * @param[in,out] solution results; its `pressure` says where the field goes
- * @param[out] text what went wrong, as wrc_last_error writes it; NULL: not wanted
+ * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE,
  * _NOT_FINITE, _UNSUPPORTED, _MEMORY, _CANCELLED. @rt init @thread free */
@@ -196,7 +203,7 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
 
 /** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
  * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not changed.
- * @param contact after wrc_tangential or wrc_step
+ * @param contact after wrc_contact_tangential or wrc_contact_step
  * @param nx cells along x, 8..512 @param ny cells along y, 8..512
  * @param progress NULL: none @param user handed to progress
  * @param[out] result exact forces and the errors
@@ -205,22 +212,22 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                                 wrc_exact_check_result* result);
 
-/** What wrc_wheel_step() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
+/** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
  * the gap of every cell along its own normal, the sliding of its own surface points, and half-space coefficients over
  * arc length between frames turned against each other, so that pressure and tractions act on one another. Takes from a
  * tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
- * wrc_wheel_step().
+ * wrc_contact_wrench().
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
- * @param input as for wrc_wheel_step(); the wheel rolls forwards (velocity[0] > 0) where there is friction; damping
+ * @param input as for wrc_contact_wrench(); the wheel rolls forwards (velocity[0] > 0) where there is friction; damping
  * must be 0
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
- * counted, wrc_wheel_region() does not have them
+ * counted, wrc_contact_region() does not have them
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile);
  * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY.
  * @rt init @thread contact */
-WRC_API int32_t wrc_exact_wheel(wrc_contact* contact, const wrc_wheel_input* input,
-                                const wrc_exact_wheel_options* options, wrc_wrench* wrench);
+WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
+                                const wrc_exact_wrench_options* options, wrc_wrench* wrench);
 
 #ifdef __cplusplus
 }

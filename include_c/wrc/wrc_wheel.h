@@ -29,8 +29,8 @@
  *  - Pose of a rail: P displaced by (y, z) and the profile turned about P by roll, right-hand rule about x.
  *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down has
  *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference point.
- *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; give each wheel its
- *    own contact.
+ *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; each wheel has its
+ *    own contact, which knows its side.
  *
  * @par Recipe
  * @code
@@ -45,7 +45,7 @@
  *   wrc_model* model = NULL;
  *   wrc_contact* contact[2] = {NULL, NULL};
  *   if (wrc_model_create(&config, NULL, &model) < 0) ...                // wrc_config_check() says why
- *   for (side = 0; side < 2; ++side) wrc_contact_create(model, NULL, &contact[side]);
+ *   for (side = 0; side < 2; ++side) wrc_contact_create(model, side, NULL, &contact[side]);
  *
  *   wrc_wheel_state wheel;
  *   wheel.struct_size = sizeof wheel;
@@ -60,8 +60,7 @@
  *   wheel.velocity[0] = v;             wheel.velocity[1] = dy_dt;             wheel.velocity[2] = dz_dt;
  *   wheel.angular_velocity[0] = wx;    wheel.angular_velocity[1] = wy;        wheel.angular_velocity[2] = wz;
  *   for (side = 0; side < 2; ++side) {
- *     wheel.side = side;                                                // WRC_SIDE_RIGHT, WRC_SIDE_LEFT
- *     int32_t status = wrc_wheel_step(contact[side], &input, &wrench);  // < 0: wrc_last_error() says why
+ *     int32_t status = wrc_contact_wrench(contact[side], &input, &wrench);  // < 0: wrc_contact_last_error() says why
  *     for (i = 0; i < 3; ++i) force[i] += wrench.force[i], moment[i] += wrench.moment[i];
  *   }
  * @endcode
@@ -91,52 +90,62 @@ enum wrc_wheel_prescribed {
 
 /** Where a wheel or wheelset is and how it moves, against the ground. */
 typedef struct wrc_wheel_state {
-  uint32_t struct_size;       /**< sizeof this struct */
-  int32_t side;               /**< enum wrc_side: which wheel, and which rail it is on [right]; config.side is not read */
-  int32_t reference;          /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment [wheelset] */
-  int32_t angular_axes;       /**< enum wrc_axes: of angular_velocity [track] */
-  double y;                   /**< displacement of the reference point to the right, -0.2..0.2 m [0] */
-  double z;                   /**< the same downwards, -0.5..0.2 m; not read with WRC_PRESCRIBE_VERTICAL_LOAD [0] */
-  double roll;                /**< -0.5..0.5 rad, must be 0 with `rotation` [0] */
-  double yaw;                 /**< -0.5..0.5 rad, must be 0 with `rotation` [0] */
+  uint32_t struct_size;       /**< sizeof this struct, 104 or more */
+  int32_t reference;          /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment
+                                   [WRC_REFERENCE_WHEELSET] */
+  int32_t angular_axes;       /**< enum wrc_axes: of angular_velocity [WRC_AXES_TRACK] */
+  uint32_t reserved;          /**< 0 */
+  double y;                   /**< displacement of the reference point to the right, -0.2..0.2 m [0]. Did you pass mm? */
+  double z;                   /**< the same downwards, -0.5..0.2 m with WRC_PRESCRIBE_HEIGHT [0]. Too small: did you pass
+                                   mm? Too large: did you pass mm, or a height above the rail? 0 is the nominal height,
+                                   down is positive */
+  double roll;                /**< -0.5..0.5 rad, must be 0 with `rotation` [0]. Did you pass degrees or mrad? */
+  double yaw;                 /**< -0.5..0.5 rad, must be 0 with `rotation` [0]. Did you pass degrees or mrad? */
   const double* rotation;     /**< 9 numbers row by row, track = R * body, orthonormal to 1e-6; the axle within 0.5 rad of
                                    the track's y axis in both directions; NULL: from roll and yaw [NULL] */
-  double velocity[3];         /**< of the reference point, track axes: forward -200..200, others -50..50 m/s [0] */
-  double angular_velocity[3]; /**< about x and z -200..200, about y (the axle) -2000..2000 rad/s [0] */
+  double velocity[3];         /**< of the reference point, track axes, -200..200, -50..50, -50..50 m/s [0]. Did you pass
+                                   km/h or mm/s, or other axes? */
+  double angular_velocity[3]; /**< y is about the axle, -200..200, -2000..2000, -200..200 rad/s [0]. Did you pass rpm or
+                                   degrees? the axle is the y axis */
 } wrc_wheel_state;
 
 /** Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel runs along a rail
  * that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular velocity and
  * orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in these axes then. */
 typedef struct wrc_rail_state {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 56 or more */
   uint32_t reserved;    /**< 0 */
-  double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0] */
-  double z;             /**< the same downwards, -0.2..0.2 m [0] */
-  double roll;          /**< rotation about that origin and the x axis, -0.5..0.5 rad [0] */
-  double y_velocity;    /**< along y, -50..50 m/s [0] */
-  double z_velocity;    /**< along z, -50..50 m/s [0] */
-  double roll_velocity; /**< about x, -200..200 rad/s [0] */
+  double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0]. Did you pass mm? */
+  double z;             /**< the same downwards, -0.2..0.2 m [0]. Did you pass mm? */
+  double roll;          /**< rotation about that origin and the x axis, -0.5..0.5 rad [0]. Did you pass degrees or mrad? */
+  double y_velocity;    /**< along y, -50..50 m/s [0]. Did you pass mm/s? */
+  double z_velocity;    /**< along z, -50..50 m/s [0]. Did you pass mm/s? */
+  double roll_velocity; /**< about x, -200..200 rad/s [0]. Did you pass degrees or mrad? */
 } wrc_rail_state;
 
-/** What wrc_wheel_step() reads. Pointers are the caller's and only read during the call. */
+/** What wrc_contact_wrench() reads. Pointers are the caller's and only read during the call. */
 typedef struct wrc_wheel_input {
-  uint32_t struct_size;         /**< sizeof this struct */
-  int32_t prescribed;           /**< enum wrc_wheel_prescribed [height] */
-  const wrc_wheel_state* wheel; /**< required */
-  const wrc_rail_state* rail;   /**< NULL: undisplaced and at rest */
+  uint32_t struct_size;         /**< sizeof this struct, 48 or more */
+  int32_t prescribed;           /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
+  const wrc_wheel_state* wheel; /**< where the wheel is and how it moves [required] */
+  const wrc_rail_state* rail;   /**< NULL: undisplaced and at rest [NULL] */
   const wrc_friction* friction; /**< of each strip at its own sliding speed; zones count from the rail profile's origin
-                                     (WRC_ZONES_RAIL_PROFILE) and lie on the rail; NULL: frictionless */
-  double vertical_load;         /**< the whole vertical force on the wheel, creep forces included, upwards positive:
-                                     1e2..1e6 N with WRC_PRESCRIBE_VERTICAL_LOAD; must be 0 else [0] */
+                                     (WRC_ZONES_RAIL_PROFILE) and lie on the rail; NULL: frictionless [NULL] */
+  double vertical_load;         /**< the whole vertical force on the wheel, creep forces included, upwards positive,
+                                     1e2..1e6 N with WRC_PRESCRIBE_VERTICAL_LOAD, 0 else [0]. Negative: the load is
+                                     positive where the rail pushes the wheel upwards. Too small: did you pass kN? near
+                                     lift-off prescribe the height instead. Too large: did you pass a pressure, or grams?
+                                     Else: the height is prescribed */
   double damping;               /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the
-                                     strip's own overlap grows: 0..10 s/m with WRC_PRESCRIBE_HEIGHT; must be 0 else [0] */
+                                     strip's own overlap grows, 0..10 s/m with WRC_PRESCRIBE_HEIGHT, 0 else [0].
+                                     Negative: damping takes energy out. Too large: it is not a viscous constant: that
+                                     over 3/2 of the force it was found at. Else: a prescribed load is the whole load */
 } wrc_wheel_input;
 
 /** What passes between a wheel and its rail. All zero, but for z, where they do not touch. */
 typedef struct wrc_wrench {
-  uint32_t struct_size;  /**< sizeof this struct */
-  int32_t regions;       /**< separate regions in contact: wrc_wheel_region() */
+  uint32_t struct_size;  /**< sizeof this struct, 160 or more */
+  int32_t regions;       /**< separate regions in contact: wrc_contact_region() */
   int32_t iterations;    /**< of the normal problem, all of the call */
   uint32_t reserved;     /**< 0 */
   double force[3];       /**< on the wheel, track axes [N] */
@@ -151,12 +160,12 @@ typedef struct wrc_wrench {
   double steepest_angle; /**< largest angle between z and the surface normal of a rail's strip in contact, >= 0 [rad] */
 } wrc_wrench;
 
-/** One region of the last wrc_wheel_step(): a run of neighbouring strips in contact. For people and for what comes after;
+/** One region of the last wrc_contact_wrench(): a run of neighbouring strips in contact. For people and for what comes after;
  * the wrench does not depend on where regions are divided. */
 typedef struct wrc_region {
-  uint32_t struct_size; /**< sizeof this struct */
+  uint32_t struct_size; /**< sizeof this struct, 176 or more */
   uint32_t reserved;    /**< 0 */
-  double point[3];      /**< centre of pressure, track axes [m]; x from the wheel's reference point */
+  double point[3];      /**< centre of pressure, track axes; x from the wheel's reference point [m] */
   double y_wheel;       /**< that point in the coordinates of the wheel's profile, flange side negative [m] */
   double z_wheel;       /**< the same, down from the tape circle [m] */
   double y_rail;        /**< that point in the coordinates of the rail's profile, field side positive [m] */
@@ -193,17 +202,17 @@ WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a
  * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
  * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_wheel_step(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
+WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
-/** One region of the last wrc_wheel_step().
+/** One region of the last wrc_contact_wrench().
  * @param contact the contact
  * @param index 0 .. wrc_wrench.regions - 1, from the gauge side to the field side
  * @param[out] region the region
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_wheel_step), _RANGE (no such region).
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_wheel_region(wrc_contact* contact, int32_t index, wrc_region* region);
+WRC_API int32_t wrc_contact_region(wrc_contact* contact, int32_t index, wrc_region* region);
 
-/** wrc_wheel_step() for many contacts, in order; as wrc_step_batch().
+/** wrc_contact_wrench() for many contacts, in order; as wrc_contact_step_batch().
  * @param contacts count of them, each once
  * @param count how many
  * @param inputs the first input; element i lies i * input_stride bytes behind it
@@ -213,22 +222,22 @@ WRC_API int32_t wrc_wheel_region(wrc_contact* contact, int32_t index, wrc_region
  * @param[out] statuses count of them; NULL: not wanted
  * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
  * @thread contact, all of them */
-WRC_API int32_t wrc_wheel_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
+WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
                                      uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
                                      int32_t* statuses);
 
-#define WRC_FLAT_WHEEL_INPUTS 22  /**< numbers wrc_wheel_step_flat() reads */
-#define WRC_FLAT_WHEEL_OUTPUTS 18 /**< numbers wrc_wheel_step_flat() writes */
+#define WRC_FLAT_WHEEL_INPUTS 21  /**< numbers wrc_contact_wrench_flat() reads */
+#define WRC_FLAT_WHEEL_OUTPUTS 18 /**< numbers wrc_contact_wrench_flat() writes */
 
-/** wrc_wheel_step() with plain arrays, for Fortran 77 and S-functions. Numbers that stand for one of an enumeration are
+/** wrc_contact_wrench() with plain arrays, for Fortran 77 and S-functions. Numbers that stand for one of an enumeration are
  * its value.
- * @param contact as for wrc_wheel_step()
- * @param in WRC_FLAT_WHEEL_INPUTS numbers: side, reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
+ * @param contact as for wrc_contact_wrench()
+ * @param in WRC_FLAT_WHEEL_INPUTS numbers: reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
  * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0: none),
  * prescribed, vertical load [N], damping [s/m]
  * @param[out] out WRC_FLAT_WHEEL_OUTPUTS numbers: force x, y, z [N], moment x, y, z [N m], on the rail force x, y, z,
  * moment x, y, z, then z [m], normal force [N], area [m^2], peak pressure [Pa], power [W], regions
- * @return as wrc_wheel_step(). @rt hard @thread contact */
-WRC_API int32_t wrc_wheel_step_flat(wrc_contact* contact, const double* in, double* out);
+ * @return as wrc_contact_wrench(). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_wrench_flat(wrc_contact* contact, const double* in, double* out);
 
 #endif /* WRC_WHEEL_H */

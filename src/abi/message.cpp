@@ -80,6 +80,10 @@ void write_sentence(const Fault& fault, char* text, std::size_t size) {
   if (fault.field == nullptr) {
     out.add(status_text(fault.status));
   } else {
+    if (fault.of != nullptr) {
+      out.add(fault.of);
+      out.add(".");
+    }
     out.add(fault.field);
     if (fault.index >= 0) {
       out.add("[");

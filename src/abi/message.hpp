@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 namespace wrc::abi {
 

@@ -178,16 +178,19 @@ int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocato
       .status;
 }
 
-int32_t wrc_model_profile(const wrc_model* model, int32_t body, wrc_view* y, wrc_view* z, double* deviation) {
+int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wrc_view* y, wrc_view* z,
+                          double* deviation) {
   if (deviation != nullptr) *deviation = 0.0;
   const Fault cleared = abi::first_of({abi::clear(y), abi::clear(z)});
   if (!abi::valid(model)) return WRC_ERROR_NULL;
   if (cleared.failed()) return cleared.status;
   const wrc::Model& ours = *model->model;
   if (body != WRC_BODY_WHEEL && body != WRC_BODY_RAIL) return WRC_ERROR_UNSUPPORTED;
+  if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
   if (!ours.has_geometry) return WRC_ERROR_SEQUENCE;
   const bool wheel = body == WRC_BODY_WHEEL;
-  const wrc::Profile& profile = wheel ? ours.wheel.profile : ours.rail.profile;
+  const wrc::Bodies& placed = ours.bodies[side];
+  const wrc::Profile& profile = wheel ? placed.wheel.profile : placed.rail.profile;
   wrc_view view = abi::defaults<wrc_view>();
   view.rank = 1;
   view.count[0] = static_cast<uint64_t>(profile.count);
@@ -215,31 +218,36 @@ int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alig
   return WRC_OK;
 }
 
-int32_t wrc_contact_init(const wrc_model* model, void* memory, uint64_t bytes, wrc_contact** contact) {
+int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes,
+                         wrc_contact** contact) {
   if (contact == nullptr) return WRC_ERROR_NULL;
   *contact = nullptr;
   if (!abi::valid(model)) return WRC_ERROR_NULL;
+  if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
   const Fault fault =
       abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
   if (fault.failed()) return fault.status;
   auto* made = static_cast<wrc_contact*>(memory);
   *made = {};
-  made->contact = &wrc::make_contact(*model->model, static_cast<char*>(memory) + sizeof(wrc_contact));
+  made->contact = &wrc::make_contact(*model->model, static_cast<wrc::Side>(side),
+                                     static_cast<char*>(memory) + sizeof(wrc_contact));
   made->tag = abi::contact_tag;
   *contact = made;
   return WRC_OK;
 }
 
-int32_t wrc_contact_create(const wrc_model* model, const wrc_allocator* allocator, wrc_contact** contact) {
+int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator,
+                           wrc_contact** contact) {
   if (contact == nullptr) return WRC_ERROR_NULL;
   *contact = nullptr;
   if (!abi::valid(model)) return WRC_ERROR_NULL;
+  if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
   const std::size_t bytes = sizeof(wrc_contact) + wrc::contact_bytes(*model->model);
   void* memory = nullptr;
   wrc_allocator source;
   const Fault fault = abi::guarded([&] { return abi::allocate(allocator, bytes, memory, source); });
   if (fault.failed()) return fault.status;
-  const int32_t status = wrc_contact_init(model, memory, bytes, contact);
+  const int32_t status = wrc_contact_init(model, side, memory, bytes, contact);
   if (status != WRC_OK) {
     source.release(source.user, memory);
     return status;
@@ -286,6 +294,11 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
     fault = {.status = WRC_ERROR_SEQUENCE,
              .field = "buffer",
              .cause = "it does not hold a state saved from a contact of this model"};
+  } else if (std::memcmp(static_cast<const char*>(buffer) + offsetof(wrc::Contact, side),
+                         &contact->contact->side, sizeof(wrc::Side)) != 0) {
+    fault = {.status = WRC_ERROR_SEQUENCE,
+             .field = "buffer",
+             .cause = "it holds the state of a contact of the other side"};
   }
   if (fault.failed()) {
     contact->contact->last = fault;
@@ -295,19 +308,12 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
   return WRC_OK;
 }
 
-int32_t wrc_last_error(const wrc_contact* contact, char* buffer, uint64_t size) {
+int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer, uint64_t size) {
   if (buffer != nullptr && size > 0) buffer[0] = '\0';
   if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
   if (size == 0) return WRC_ERROR_BUFFER;
   abi::write_sentence(contact->contact->last, buffer, size);
   return WRC_OK;
 }
-
-uint32_t wrc_version(void) {
-  return WRC_VERSION_MAJOR * 65536U + WRC_VERSION_MINOR * 256U + WRC_VERSION_PATCH;
-}
-uint32_t wrc_abi_version(void) { return WRC_ABI_VERSION; }
-const char* wrc_status_name(int32_t status) { return abi::status_name(status); }
-const char* wrc_status_text(int32_t status) { return abi::status_text(status); }
 
 }  // extern "C"

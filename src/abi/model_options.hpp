@@ -2,8 +2,8 @@
 /// range.
 #pragma once
 
+#include "base/fault.hpp"
 #include "contact/model.hpp"
-#include "fault.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {

@@ -2,7 +2,7 @@
 #include "abi/fp_environment.hpp"
 #include "abi/structs.hpp"
 #include "damage/fatigue.hpp"
-#include "linear_theory/sdec.hpp"
+#include "theory/sdec.hpp"
 
 namespace abi = wrc::abi;
 using wrc::Fault;

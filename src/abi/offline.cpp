@@ -12,7 +12,7 @@
 #include "abi/message.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/surface_contact.hpp"
@@ -21,48 +21,6 @@
 #include "wrc/wrc_offline.h"
 
 namespace wrc::abi {
-
-WRC_STRUCT(wrc_grid, 48)
-WRC_STRUCT(wrc_materials, 40)
-WRC_STRUCT(wrc_exact_normal_problem, 80)
-WRC_STRUCT(wrc_exact_normal_solution, 56)
-WRC_STRUCT(wrc_exact_rolling_problem, 88)
-WRC_STRUCT(wrc_exact_rolling_solution, 96)
-WRC_STRUCT(wrc_exact_check_result, 64)
-WRC_STRUCT(wrc_exact_wheel_options, 32)
-
-WRC_EMPTY_BY_DEFAULT(wrc_grid)
-WRC_EMPTY_BY_DEFAULT(wrc_exact_normal_solution)
-WRC_EMPTY_BY_DEFAULT(wrc_exact_rolling_solution)
-WRC_EMPTY_BY_DEFAULT(wrc_exact_check_result)
-
-template <>
-wrc_materials defaults<wrc_materials>() {
-  return {sizeof(wrc_materials), 0, 80e9, 0.25, 80e9, 0.25};
-}
-
-template <>
-wrc_exact_normal_problem defaults<wrc_exact_normal_problem>() {
-  wrc_exact_normal_problem value = empty<wrc_exact_normal_problem>();
-  value.max_iterations = 1000;
-  value.tolerance = 1e-6;
-  return value;
-}
-
-template <>
-wrc_exact_rolling_problem defaults<wrc_exact_rolling_problem>() {
-  wrc_exact_rolling_problem value = empty<wrc_exact_rolling_problem>();
-  value.max_iterations = 60;
-  value.tolerance = 1e-4;
-  value.coefficient = 0.3;
-  return value;
-}
-
-template <>
-wrc_exact_wheel_options defaults<wrc_exact_wheel_options>() {
-  return {
-      sizeof(wrc_exact_wheel_options), WRC_COLLOCATION_QUARTER_POINT, WRC_INFLUENCE_TURNED, 0, 2e-4, 2e-4};
-}
 
 namespace {
 
@@ -110,25 +68,13 @@ Fault read_grid(const wrc_grid* theirs, halfspace::Grid& grid) {
           .dy = ours.dy,
           .x0 = ours.x0,
           .y0 = ours.y0};
-  return first_of({check(ours.nx, "grid.nx", "", 4.0, 1024.0), check(ours.ny, "grid.ny", "", 4.0, 1024.0),
-                   check(ours.dx, "grid.dx", "m", 1e-7, 0.01, nullptr, "did you pass mm?"),
-                   check(ours.dy, "grid.dy", "m", 1e-7, 0.01, nullptr, "did you pass mm?"),
-                   check(ours.x0, "grid.x0", "m", -1.0, 1.0, "did you pass mm?", "did you pass mm?"),
-                   check(ours.y0, "grid.y0", "m", -1.0, 1.0, "did you pass mm?", "did you pass mm?")});
+  return fault;
 }
 
 /// Combined constants of two materials: 1/G and nu/G are the means of the bodies'.
 Fault read_materials(const wrc_materials* theirs, Material& material) {
-  wrc_materials ours = defaults<wrc_materials>();
-  if (theirs != nullptr) {
-    const Fault fault = read(theirs, "materials", ours);
-    if (fault.failed()) return fault;
-  }
-  const Fault fault = first_of(
-      {check(ours.shear_modulus_1, "materials.shear_modulus_1", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
-       check(ours.shear_modulus_2, "materials.shear_modulus_2", "Pa", 1e8, 1e12, "did you pass MPa or GPa?"),
-       check(ours.poisson_1, "materials.poisson_1", "", 0.0, 0.5),
-       check(ours.poisson_2, "materials.poisson_2", "", 0.0, 0.5)});
+  wrc_materials ours;
+  const Fault fault = read_or_defaults(theirs, "materials", ours);
   if (fault.failed()) return fault;
   const double inverse = 0.5 * (1.0 / ours.shear_modulus_1 + 1.0 / ours.shear_modulus_2);
   material.shear_modulus = 1.0 / inverse;
@@ -137,25 +83,11 @@ Fault read_materials(const wrc_materials* theirs, Material& material) {
   return fault;
 }
 
-/// One of the values 0..last of an enumeration.
-Fault known(std::int32_t value, const char* field, const char* cause, std::int32_t last) {
-  if (value >= 0 && value <= last) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = field,
-          .value = static_cast<double>(value),
-          .low = 0.0,
-          .high = static_cast<double>(last),
-          .cause = cause};
-}
-
-/// A required field of one number per cell, each within low .. high.
-Fault read_field(const double* theirs, std::size_t cells, const char* name, const char* unit, double low,
-                 double high, const char* too_low, const char* too_high, halfspace::Field& field) {
-  if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
-  const Fault fault = check_all(theirs, cells, name, unit, low, high, too_low, too_high);
-  if (fault.failed()) return fault;
-  field.assign(theirs, theirs + cells);
-  return {};
+/// A field of one number per cell.
+Fault read_field(const Member& member, const double* theirs, std::size_t cells, halfspace::Field& field) {
+  const Fault fault = check_all(member, "problem", theirs, cells);
+  if (!fault.failed()) field.assign(theirs, theirs + cells);
+  return fault;
 }
 
 void copy_field(const halfspace::Field& field, double* theirs) {
@@ -180,19 +112,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   if (fault.failed()) return fault;
 
   halfspace::GapProblem problem;
-  fault = read_field(ours.gap, grid.cells(), "problem.gap", "m", -1.0, 1.0, "did you pass mm?",
-                     "did you pass mm?", problem.gap);
-  if (fault.failed()) return fault;
-  fault = known(ours.prescribed, "problem.prescribed", "see enum wrc_prescribed", WRC_PRESCRIBE_APPROACH);
-  if (fault.failed()) return fault;
-  fault = ours.prescribed == WRC_PRESCRIBE_LOAD
-              ? check(ours.normal_force, "problem.normal_force", "N", 1e-3, 1e7, "compressive positive",
-                      "did you pass mN?")
-              : check(ours.approach, "problem.approach", "m", -1.0, 0.01, nullptr, "did you pass mm?");
-  if (!fault.failed()) {
-    fault = first_of({check(ours.tolerance, "problem.tolerance", "", 1e-14, 0.1),
-                      check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e5)});
-  }
+  fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
   problem.prescribed = ours.prescribed == WRC_PRESCRIBE_LOAD ? Prescribed::load : Prescribed::approach;
   problem.normal_force = ours.normal_force;
@@ -232,34 +152,22 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
 
   halfspace::RollingProblem problem;
   fault = first_of(
-      {read_field(ours.pressure, cells, "problem.pressure", "Pa", -1e11, 1e11,
-                  "pressure is compressive positive", "steel yields at a tenth of that", problem.pressure),
-       check(creepage.longitudinal, "creepage.longitudinal", "", -10.0, 10.0, "did you pass per mille?",
-             "did you pass per mille?"),
-       check(creepage.lateral, "creepage.lateral", "", -10.0, 10.0, "did you pass per mille?",
-             "did you pass per mille?"),
-       check(creepage.spin, "creepage.spin", "1/m", -1e3, 1e3),
+      {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
        check(creepage.speed, "creepage.speed", "m/s", 0.0, fastest_rolling,
-             "the exact solver rolls along x: mirror the problem", "did you pass km/h?"),
+             "the exact solver rolls along x: mirror the problem"),
        check(creepage.other_way, "creepage.other_way", "", 0.0, 0.0, nullptr,
-             "the exact solver rolls one way only"),
-       check(ours.tolerance, "problem.tolerance", "", 1e-12, 0.1),
-       check(ours.max_iterations, "problem.max_iterations", "", 1.0, 1e3),
-       known(ours.adhesion, "problem.adhesion", "see enum wrc_adhesion", WRC_ADHESION_FULL),
-       known(ours.collocation, "problem.collocation", "see enum wrc_collocation",
-             WRC_COLLOCATION_REFERENCE)});
+             "the exact solver rolls one way only")});
   if (fault.failed()) return fault;
   if (ours.adhesion == WRC_ADHESION_FULL) {
     problem.friction.assign(1, 0.0);  // unused: no traction bound
   } else if (ours.friction != nullptr) {
-    fault = read_field(ours.friction, cells, "problem.friction", "", 1e-4, 2.0, "friction must be positive",
-                       "did you pass per cent?", problem.friction);
+    fault = read_field(member<wrc_exact_rolling_problem>("friction"), ours.friction, cells, problem.friction);
+    if (fault.failed()) return fault;
   } else {
-    fault = check(ours.coefficient, "problem.coefficient", "", 1e-4, 2.0, "friction must be positive",
-                  "did you pass per cent?");
+    fault = check(member<wrc_exact_rolling_problem>("coefficient"), "problem", ours.coefficient);
+    if (fault.failed()) return fault;
     problem.friction.assign(1, ours.coefficient);
   }
-  if (fault.failed()) return fault;
   problem.creepage = {creepage.longitudinal, creepage.lateral, creepage.spin};
   problem.adhesion =
       ours.adhesion == WRC_ADHESION_FULL ? halfspace::Adhesion::full : halfspace::Adhesion::coulomb;
@@ -314,8 +222,9 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   Fault fault = first_of({check(nx, "nx", "", 8.0, 512.0), check(ny, "ny", "", 8.0, 512.0)});
   if (fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
-    return {
-        .status = WRC_ERROR_SEQUENCE, .field = "contact", .cause = "call wrc_tangential or wrc_step first"};
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "contact",
+            .cause = "call wrc_contact_tangential or wrc_contact_step first"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const Rolling& rolling = contact.rolling;
@@ -394,26 +303,21 @@ halfspace::SectionCurve section_of(const Curve& curve, double z_of_origin) {
   return {y, z};
 }
 
-Fault read_options(const wrc_exact_wheel_options* theirs, halfspace::SurfaceOptions& options) {
-  wrc_exact_wheel_options ours = defaults<wrc_exact_wheel_options>();
-  if (theirs != nullptr) {
-    const Fault fault = read(theirs, "options", ours);
-    if (fault.failed()) return fault;
-  }
+Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOptions& options) {
+  wrc_exact_wrench_options ours;
+  const Fault fault = read_or_defaults(theirs, "options", ours);
   options.cell_x = ours.cell_x;
   options.cell_s = ours.cell_s;
   options.collocation = ours.collocation == WRC_COLLOCATION_REFERENCE
                             ? halfspace::Collocation::reference_program
                             : halfspace::Collocation::quarter_point;
   options.turned = ours.influence == WRC_INFLUENCE_TURNED;
-  return first_of({check(ours.collocation, "options.collocation", "", 0.0, 1.0),
-                   check(ours.influence, "options.influence", "", 0.0, 1.0),
-                   check(ours.cell_x, "options.cell_x", "m", 2e-5, 2e-3, nullptr, "did you pass mm?"),
-                   check(ours.cell_s, "options.cell_s", "m", 2e-5, 2e-3, nullptr, "did you pass mm?")});
+  return fault;
 }
 
-Fault solve_exact_wheel(const Model& model, const wrc_wheel_input* input,
-                        const wrc_exact_wheel_options* options, wrc_wrench& ours) {
+Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
+                        const wrc_exact_wrench_options* options, wrc_wrench& ours) {
+  const Model& model = *of.model;
   HostedWheel hosted;
   halfspace::SurfaceOptions solver;
   PlacedWheel placed;
@@ -426,17 +330,17 @@ Fault solve_exact_wheel(const Model& model, const wrc_wheel_input* input,
             .unit = "s/m",
             .cause = "the exact solution has no damping: leave it 0"};
   }
-  fault = place_wheel(model, hosted, placed);
+  fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
   if (placed.problem.law != nullptr || placed.problem.slope_reduction != 1.0) {
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "input.friction",
             .cause =
-                "wrc_exact_wheel takes one coefficient, constant and the same everywhere: leave kind, "
+                "wrc_exact_wrench takes one coefficient, constant and the same everywhere: leave kind, "
                 "zones and slope_reduction as they are by default"};
   }
   const SurfaceModel& surface = *model.surface;
-  const double radius = model.wheel.nominal_radius;
+  const double radius = model.options.wheelset.nominal_radius;
   const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),
                                            .rail = section_of(surface.rail_curve, 0.0),
                                            .nominal_radius = radius,
@@ -520,15 +424,6 @@ using wrc::Fault;
 
 extern "C" {
 
-int32_t wrc_grid_init(wrc_grid* grid) { return abi::init(grid); }
-int32_t wrc_materials_init(wrc_materials* materials) { return abi::init(materials); }
-int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem) { return abi::init(problem); }
-int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution) { return abi::init(solution); }
-int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem) { return abi::init(problem); }
-int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution) { return abi::init(solution); }
-int32_t wrc_exact_wheel_options_init(wrc_exact_wheel_options* options) { return abi::init(options); }
-int32_t wrc_exact_check_result_init(wrc_exact_check_result* result) { return abi::init(result); }
-
 int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   wrc::halfspace::Grid ours;
   const Fault fault = abi::read_grid(grid, ours);
@@ -540,7 +435,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",
-              .cause = "call wrc_geometry first, or hand over a gap"};
+              .cause = "call wrc_contact_geometry first, or hand over a gap"};
     }
     abi::sample_gap(inside, ours, gap);
     return fault;
@@ -574,15 +469,15 @@ int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_prog
   return inside.last.status;
 }
 
-int32_t wrc_exact_wheel(wrc_contact* contact, const wrc_wheel_input* input,
-                        const wrc_exact_wheel_options* options, wrc_wrench* wrench) {
+int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
+                         const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
   const Fault cleared = abi::clear(wrench);
   if (!abi::valid(contact) || wrench == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
   inside.last = abi::guarded([&]() -> Fault {
     if (cleared.failed()) return cleared;
     wrc_wrench ours = abi::empty<wrc_wrench>();
-    const Fault fault = abi::solve_exact_wheel(*inside.model, input, options, ours);
+    const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
     if (!fault.failed()) abi::write(ours, wrench);
     return fault;
   });

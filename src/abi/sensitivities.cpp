@@ -5,7 +5,7 @@
 
 namespace abi = wrc::abi;
 
-extern "C" int32_t wrc_sensitivities(wrc_contact* handle, wrc_sensitivity* sensitivity) {
+extern "C" int32_t wrc_contact_sensitivities(wrc_contact* handle, wrc_sensitivity* sensitivity) {
   return abi::call(handle, abi::clear(sensitivity), [&](wrc::Contact& contact) {
     wrc::TangentialSensitivities found;
     const wrc::Fault outcome = wrc::find_sensitivities(contact, found);
@@ -17,7 +17,7 @@ extern "C" int32_t wrc_sensitivities(wrc_contact* handle, wrc_sensitivity* sensi
   });
 }
 
-extern "C" int32_t wrc_step_sensitivities(wrc_contact* handle, wrc_step_sensitivity* sensitivity) {
+extern "C" int32_t wrc_contact_step_sensitivities(wrc_contact* handle, wrc_step_sensitivity* sensitivity) {
   return abi::call(handle, abi::clear(sensitivity), [&](wrc::Contact& contact) {
     wrc::StepSensitivities found;
     const wrc::Fault outcome = wrc::find_step_sensitivities(contact, found);

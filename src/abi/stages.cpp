@@ -4,7 +4,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
-#include "felt.hpp"
+#include "base/flush_subnormals.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -15,77 +15,37 @@ namespace {
 Fault read_pose(const wrc_pose* theirs, Pose& pose) {
   wrc_pose ours;
   const Fault fault = read(theirs, "pose", ours);
-  if (fault.failed()) return fault;
-  pose = {.lateral = felt(ours.lateral), .roll = felt(ours.roll), .yaw = felt(ours.yaw)};
-  return first_of(
-      {check(ours.lateral, "pose.lateral", "m", -0.1, 0.1, "did you pass mm?", "did you pass mm?"),
-       check(ours.roll, "pose.roll", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
-             "did you pass degrees or mrad?"),
-       check(ours.yaw, "pose.yaw", "rad", -0.2, 0.2, "did you pass degrees or mrad?",
-             "did you pass degrees or mrad?")});
+  pose = {.lateral = flush_subnormals(ours.lateral),
+          .roll = flush_subnormals(ours.roll),
+          .yaw = flush_subnormals(ours.yaw)};
+  return fault;
 }
 
 Fault read_load(const wrc_load* theirs, Load& load) {
   wrc_load ours;
   const Fault fault = read(theirs, "load", ours);
-  if (fault.failed()) return fault;
-  switch (ours.prescribed) {
-    case WRC_PRESCRIBE_LOAD:
-      load = {Prescribed::load, ours.normal_force};
-      return check(ours.normal_force, "load.normal_force", "N", 1e2, 1e6,
-                   ours.normal_force < 0.0
-                       ? "the normal force is compressive positive; prescribe the approach near lift-off"
-                   : ours.normal_force == 0.0
-                       ? "was it set? its default is 0; near lift-off prescribe the approach instead"
-                       : "did you pass kN? near lift-off prescribe the approach instead",
-                   "did you pass a pressure, or grams?");
-    case WRC_PRESCRIBE_APPROACH:
-      load = {Prescribed::approach, ours.approach, ours.approach_velocity, ours.damping};
-      return first_of(
-          {check(ours.approach, "load.approach", "m", -1.0, 0.01, nullptr, "did you pass mm or um?"),
-           check(ours.approach_velocity, "load.approach_velocity", "m/s", -20.0, 20.0, "did you pass mm/s?",
-                 "did you pass mm/s?"),
-           check(ours.damping, "load.damping", "s/m", 0.0, 10.0, "damping takes energy out",
-                 "it is not a viscous constant: that over 3/2 of the force it was found at")});
-    default:
-      return {.status = WRC_ERROR_UNSUPPORTED,
-              .field = "load.prescribed",
-              .value = static_cast<double>(ours.prescribed),
-              .unit = "",
-              .cause = "see enum wrc_prescribed"};
-  }
+  load = ours.prescribed == WRC_PRESCRIBE_LOAD
+             ? Load{Prescribed::load, ours.normal_force}
+             : Load{Prescribed::approach, ours.approach, ours.approach_velocity, ours.damping};
+  return fault;
 }
+
+// What wrc_contact_creepages() makes of a motion is within what wrc_contact_tangential() takes.
+static_assert(member<wrc_creepage>("longitudinal").high == largest_creepage);
+static_assert(member<wrc_creepage>("lateral").high == largest_creepage);
+static_assert(member<wrc_creepage>("spin").high == largest_spin);
+static_assert(member<wrc_creepage>("speed").high == fastest_rolling);
+static_assert(member<wrc_creepage>("other_way").high == largest_share_of_other_way);
+static_assert(member<wrc_motion>("speed").high == fastest_rolling);
 
 Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, Rolling& rolling) {
   wrc_creepage ours;
   const Fault fault = read(theirs, "creepage", ours);
-  if (fault.failed()) return fault;
-  creepage = {felt(ours.longitudinal), felt(ours.lateral), felt(ours.spin)};
-  const double speed = felt(ours.speed);
-  rolling = {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, felt(ours.other_way)};
-  return first_of(
-      {check(ours.longitudinal, "creepage.longitudinal", "", -largest_creepage, largest_creepage,
-             "did you pass per mille?", "did you pass per mille?"),
-       check(ours.lateral, "creepage.lateral", "", -largest_creepage, largest_creepage,
-             "did you pass per mille?", "did you pass per mille?"),
-       check(ours.spin, "creepage.spin", "1/m", -largest_spin, largest_spin),
-       check(ours.speed, "creepage.speed", "m/s", -fastest_rolling, fastest_rolling, "did you pass km/h?",
-             "did you pass km/h?"),
-       check(ours.other_way, "creepage.other_way", "", 0.0, largest_share_of_other_way,
-             "it is a result of wrc_creepages", "the way of creepage.speed has the larger share")});
-}
-
-Fault check_motion(const wrc_motion& motion) {
-  return first_of({check(motion.speed, "motion.speed", "m/s", -fastest_rolling, fastest_rolling,
-                         "did you pass km/h?", "did you pass km/h?"),
-                   check(motion.lateral_velocity, "motion.lateral_velocity", "m/s", -20.0, 20.0),
-                   check(motion.vertical_velocity, "motion.vertical_velocity", "m/s", -20.0, 20.0),
-                   check(motion.roll_rate, "motion.roll_rate", "rad/s", -100.0, 100.0,
-                         "did you pass degrees?", "did you pass degrees?"),
-                   check(motion.yaw_rate, "motion.yaw_rate", "rad/s", -100.0, 100.0, "did you pass degrees?",
-                         "did you pass degrees?"),
-                   check(motion.pitch_rate, "motion.pitch_rate", "rad/s", -2000.0, 2000.0,
-                         "did you pass rpm?", "did you pass rpm?")});
+  creepage = {flush_subnormals(ours.longitudinal), flush_subnormals(ours.lateral),
+              flush_subnormals(ours.spin)};
+  const double speed = flush_subnormals(ours.speed);
+  rolling = {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(ours.other_way)};
+  return fault;
 }
 
 /// Positions of rows or of the elements in them. `spacing`: what their distance is called.
@@ -114,40 +74,26 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* field, 
   return {};
 }
 
-/// Positions and heights around a contact.
-Fault check_extent(const double* values, std::uint32_t count, const char* field) {
-  return check_all(values, count, field, "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
-}
-
 Fault take_gap(Contact& contact, const wrc_gap* theirs) {
   wrc_gap gap;
   Fault fault = read(theirs, "gap", gap);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  fault = check(static_cast<double>(gap.rows), "gap.rows", "", 4.0, static_cast<double>(room),
-                "a gap needs at least four rows", "raise config.gap_rows");
-  if (fault.failed()) return fault;
-  if (gap.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.y"};
-  fault = first_of({check_extent(gap.y, gap.rows, "gap.y"),
+  fault = first_of({check(member<wrc_gap>("rows"), "gap", gap.rows, room),
                     check_increasing(gap.y, gap.rows, "gap.y", "spacing of gap.y",
                                      "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::int32_t>(gap.rows);
 
   if (gap.columns > 0) {
-    if (gap.x == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.x"};
-    if (gap.h == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.h"};
     fault =
-        first_of({check(static_cast<double>(gap.columns), "gap.columns", "", 3.0, 1e5),
-                  check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
-                        static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements")});
-    if (fault.failed()) return fault;
-    fault = first_of({check_extent(gap.x, gap.columns, "gap.x"),
-                      check_increasing(gap.x, gap.columns, "gap.x", "spacing of gap.x",
-                                       "columns must be in order of strictly increasing x")});
+        first_of({check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
+                        static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements"),
+                  check_increasing(gap.x, gap.columns, "gap.x", "spacing of gap.x",
+                                   "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
-      fault = check_extent(gap.h + j * gap.row_stride, gap.columns, "gap.h");
+      fault = check_all(member<wrc_gap>("h"), "gap", gap.h + j * gap.row_stride, gap.columns);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -155,15 +101,6 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs) {
                                           static_cast<std::int64_t>(gap.row_stride)});
   }
 
-  if (gap.height == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.height"};
-  if (gap.curvature == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap.curvature"};
-  fault = check_extent(gap.height, gap.rows, "gap.height");
-  if (!fault.failed() && gap.centre != nullptr) fault = check_extent(gap.centre, gap.rows, "gap.centre");
-  if (!fault.failed()) {
-    fault = check_all(gap.curvature, gap.rows, "gap.curvature", "1/m", 1e-3, 1e6,
-                      "rows must be convex; did you pass 1/mm, or a radius?", "did you pass 1/um?");
-  }
-  if (fault.failed()) return fault;
   wrc::take_gap(contact, GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
   return {};
 }
@@ -173,33 +110,15 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
   Fault fault = read(theirs, "strips", strips);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.strips;
-  fault = check(static_cast<double>(strips.count), "strips.count", "", 1.0, static_cast<double>(room),
-                nullptr, "raise config.strips");
+  fault = check(member<wrc_strips>("count"), "strips", strips.count, room);
   if (fault.failed()) return fault;
-  if (strips.y == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.y"};
-  if (strips.width == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.width"};
-  if (strips.half_length == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.half_length"};
-  if (strips.peak == nullptr) return {.status = WRC_ERROR_NULL, .field = "strips.peak"};
-  for (std::uint32_t j = 0; j < strips.count; ++j) {
-    fault = first_of({check(strips.y[j], "strips.y", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?"),
-                      check(strips.width[j], "strips.width", "m", 1e-9, 0.1, "leave out strips without width",
-                            "did you pass mm?"),
-                      check(strips.half_length[j], "strips.half_length", "m", 1e-9, 0.1,
-                            "leave out strips without length", "did you pass mm?"),
-                      check(strips.peak[j], "strips.peak", "Pa", 0.0, 1e11,
-                            "pressure is compressive positive", "steel yields at a tenth of that")});
-    if (!fault.failed() && strips.centre != nullptr) {
-      fault =
-          check(strips.centre[j], "strips.centre", "m", -0.3, 0.3, "did you pass mm?", "did you pass mm?");
-    }
-    fault.index = static_cast<std::int32_t>(j);
-    if (fault.failed()) return fault;
+  for (std::uint32_t j = 1; j < strips.count; ++j) {
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
-    if (j > 0 &&
-        strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
+    if (strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
       return {.status = WRC_ERROR_RANGE,
               .index = static_cast<std::int32_t>(j),
-              .field = "strips.y",
+              .of = "strips",
+              .field = "y",
               .value = strips.y[j],
               .unit = "m",
               .cause = "strips must be in order of increasing y and not overlap"};
@@ -217,13 +136,7 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
 
 Fault take_patch(Contact& contact, const wrc_patch* theirs) {
   wrc_patch patch;
-  Fault fault = read(theirs, "patch", patch);
-  if (fault.failed()) return fault;
-  fault = first_of({check(patch.a, "patch.a", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
-                    check(patch.b, "patch.b", "m", 1e-6, 0.1, nullptr, "did you pass mm?"),
-                    check(patch.psi, "patch.psi", "", -0.95, 0.95),
-                    check(patch.normal_force, "patch.normal_force", "N", 1e-3, 1e7,
-                          "the normal force is compressive positive", "did you pass mN?")});
+  const Fault fault = read(theirs, "patch", patch);
   if (fault.failed()) return fault;
   return take_double_ellipse(contact, Sdec{patch.a, patch.b, patch.psi}, patch.normal_force);
 }
@@ -332,19 +245,19 @@ Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out
   Friction friction;
   Rolling rolling;
   outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, rolling),
-                      read_friction(in.friction, contact.model->options.tangential_method, friction)});
+                      read_friction(in.friction, *contact.model->options.tangential_method, friction)});
   if (outcome.failed()) return outcome;
   if (in.pose != nullptr) {
     Pose pose;
     outcome = read_pose(in.pose, pose);
-    if (!outcome.failed()) worsen(outcome, find_gap(contact, pose));
+    if (!outcome.failed()) keep_worst(outcome, find_gap(contact, pose));
   } else {
     outcome = take_gap(contact, in.gap);
   }
-  if (!outcome.failed()) worsen(outcome, solve_normal(contact, load));
-  if (!outcome.failed()) worsen(outcome, regularise_patch(contact));
-  if (!outcome.failed()) worsen(outcome, solve_tangential(contact, creepage, friction, rolling));
-  if (!outcome.failed()) worsen(outcome, assess_damage(contact));
+  if (!outcome.failed()) keep_worst(outcome, solve_normal(contact, load));
+  if (!outcome.failed()) keep_worst(outcome, regularise_patch(contact));
+  if (!outcome.failed()) keep_worst(outcome, solve_tangential(contact, creepage, friction, rolling));
+  if (!outcome.failed()) keep_worst(outcome, assess_damage(contact));
   if (outcome.failed()) return outcome;
 
   if (in.pose != nullptr) give(point_of(contact), out.point);
@@ -422,7 +335,7 @@ namespace abi = wrc::abi;
 
 extern "C" {
 
-int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
+int32_t wrc_contact_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
   return abi::call(handle, abi::clear(point), [&](Contact& contact) {
     wrc::Pose ours;
     Fault outcome = abi::read_pose(pose, ours);
@@ -433,11 +346,10 @@ int32_t wrc_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_poin
   });
 }
 
-int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepage* creepage) {
+int32_t wrc_contact_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepage* creepage) {
   return abi::call(handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
     wrc_motion ours;
     Fault outcome = abi::read(motion, "motion", ours);
-    if (!outcome.failed()) outcome = abi::check_motion(ours);
     if (outcome.failed()) return outcome;
     wrc::RigidCreepage rigid;
     outcome = wrc::find_creepages(contact,
@@ -461,45 +373,45 @@ int32_t wrc_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepag
   });
 }
 
-int32_t wrc_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch) {
+int32_t wrc_contact_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch) {
   return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
     wrc::Load ours;
     Fault outcome = abi::read_load(load, ours);
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap);
-    if (!outcome.failed()) worsen(outcome, wrc::solve_normal(contact, ours));
-    if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
+    if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, ours));
+    if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
     if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
     return outcome;
   });
 }
 
-int32_t wrc_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch* patch) {
+int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch* patch) {
   return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
     Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
-    if (!outcome.failed()) worsen(outcome, wrc::regularise_patch(contact));
+    if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
     if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
     return outcome;
   });
 }
 
-int32_t wrc_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_creepage* creepage,
-                       const wrc_friction* friction, wrc_forces* forces) {
+int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_creepage* creepage,
+                               const wrc_friction* friction, wrc_forces* forces) {
   return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
     wrc::Creepage ours;
     wrc::Friction law;
     wrc::Rolling rolling;
     Fault outcome =
         abi::first_of({abi::read_creepage(creepage, ours, rolling),
-                       abi::read_friction(friction, contact.model->options.tangential_method, law)});
+                       abi::read_friction(friction, *contact.model->options.tangential_method, law)});
     if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
-    if (!outcome.failed()) worsen(outcome, wrc::solve_tangential(contact, ours, law, rolling));
+    if (!outcome.failed()) keep_worst(outcome, wrc::solve_tangential(contact, ours, law, rolling));
     if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
     return outcome;
   });
 }
 
-int32_t wrc_damage_numbers(wrc_contact* handle, wrc_damage* damage) {
+int32_t wrc_contact_damage(wrc_contact* handle, wrc_damage* damage) {
   return abi::call(handle, abi::clear(damage), [&](Contact& contact) {
     const Fault outcome = wrc::assess_damage(contact);
     if (!outcome.failed()) abi::give(abi::damage_of(contact), damage);
@@ -507,13 +419,13 @@ int32_t wrc_damage_numbers(wrc_contact* handle, wrc_damage* damage) {
   });
 }
 
-int32_t wrc_step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
+int32_t wrc_contact_step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
   return abi::step(handle, input, output);
 }
 
-int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
-                       uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
-                       int32_t* statuses) {
+int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
+                               uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
+                               int32_t* statuses) {
   // An array that is missing is a NULL in every step, so that what there is of outputs gets zeroed.
   const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
   Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
@@ -522,12 +434,12 @@ int32_t wrc_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_i
         abi::step(contacts == nullptr ? nullptr : contacts[i], abi::element(inputs, i * input_stride),
                   abi::element(outputs, i * output_stride));
     if (statuses != nullptr) statuses[i] = status;
-    worsen(gravest, Fault{.status = status});
+    keep_worst(gravest, Fault{.status = status});
   }
   return gravest.status;
 }
 
-int32_t wrc_step_flat(wrc_contact* handle, const double* in, double* out) {
+int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out) {
   if (out != nullptr) std::fill_n(out, WRC_FLAT_OUTPUTS, 0.0);
   return abi::call(handle, {}, [&](Contact& contact) -> Fault {
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
@@ -579,7 +491,7 @@ int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch, 
   });
 }
 
-int32_t wrc_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
+int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
   const Fault cleared = abi::clear(view);
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
   if (cleared.failed()) return cleared.status;

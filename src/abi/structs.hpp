@@ -1,98 +1,176 @@
-/// How versioned structs cross the boundary: read the caller's version into today's struct, write today's
-/// result into the caller's version, and check single values.
+/// How structs cross the boundary: read the caller's version into today's struct and check every member by
+/// its description, write today's result into the caller's version.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
+#include <iterator>
+#include <type_traits>
+#include <utility>
 
-#include "fault.hpp"
-#include "wrc/wrc.h"
+#include "abi/generated/members.hpp"
+#include "base/fault.hpp"
 
 namespace wrc::abi {
 
-/// Defaults and first published size of every struct, and its name in messages. The size is pinned: it is
-/// what the oldest caller passes.
-template <typename Struct>
-struct Version;
-
-#define WRC_STRUCT(type, pinned_size)                   \
-  template <>                                           \
-  struct Version<type> {                                \
-    static constexpr const char* name = #type;          \
-    static constexpr std::size_t first = (pinned_size); \
-  };
-WRC_STRUCT(wrc_profile, 40)
-WRC_STRUCT(wrc_config, 144)
-WRC_STRUCT(wrc_pose, 32)
-WRC_STRUCT(wrc_contact_point, 72)
-WRC_STRUCT(wrc_gap, 72)
-WRC_STRUCT(wrc_load, 24)
-WRC_STRUCT(wrc_creepage, 40)
-WRC_STRUCT(wrc_friction, 16)
-WRC_STRUCT(wrc_patch, 112)
-WRC_STRUCT(wrc_strips, 48)
-WRC_STRUCT(wrc_forces, 56)
-WRC_STRUCT(wrc_motion, 56)
-WRC_STRUCT(wrc_damage, 80)
-WRC_STRUCT(wrc_wear_laws, 160)
-WRC_STRUCT(wrc_wear, 32)
-WRC_STRUCT(wrc_coefficients, 64)
-WRC_STRUCT(wrc_sensitivity, 128)
-WRC_STRUCT(wrc_step_sensitivity, 72)
-WRC_STRUCT(wrc_input, 48)
-WRC_STRUCT(wrc_output, 40)
-WRC_STRUCT(wrc_view, 48)
-WRC_STRUCT(wrc_allocator, 32)
-WRC_STRUCT(wrc_wheel_state, 104)
-WRC_STRUCT(wrc_rail_state, 56)
-WRC_STRUCT(wrc_wheel_input, 48)
-WRC_STRUCT(wrc_wrench, 160)
-WRC_STRUCT(wrc_region, 176)
-
 /// All zero but for struct_size.
 template <typename Struct>
-Struct empty() {
+constexpr Struct empty() {
   Struct value{};
-  value.struct_size = sizeof(Struct);
+  if constexpr (Description<Struct>::versioned) value.struct_size = sizeof(Struct);
   return value;
 }
 
 /// Today's defaults of a struct, struct_size included.
 template <typename Struct>
-Struct defaults();
-
-#define WRC_EMPTY_BY_DEFAULT(type) \
-  template <>                      \
-  type defaults<type>() {          \
-    return empty<type>();          \
-  }
+constexpr Struct defaults() {
+  return Description<Struct>::defaults;
+}
 
 /// Is the caller's struct_size one we know? Larger than ours is a newer header than this library.
 template <typename Struct>
 Fault check_size(const Struct& theirs) {
-  if (theirs.struct_size >= Version<Struct>::first && theirs.struct_size <= sizeof(Struct)) return {};
+  if constexpr (!Description<Struct>::versioned) return {};
+  if (theirs.struct_size >= Description<Struct>::first && theirs.struct_size <= sizeof(Struct)) return {};
   return {
       .status = WRC_ERROR_STRUCT_SIZE,
-      .field = Version<Struct>::name,
+      .field = Description<Struct>::name,
       .value = static_cast<double>(theirs.struct_size),
       .unit = "bytes",
-      .low = static_cast<double>(Version<Struct>::first),
+      .low = static_cast<double>(Description<Struct>::first),
       .high = static_cast<double>(sizeof(Struct)),
       .cause = "set struct_size = sizeof the struct before its init; is the library older than the header?"};
 }
 
-/// Reads the caller's struct, of whatever version, over today's defaults.
+/// Why `value` of that member is refused. `of`: what the caller knows the struct as.
+Fault refuse(const Member& member, const char* of, double value, std::int32_t index = -1);
+
+/// One number against a member's range. `high`: where less than the member's own is allowed.
+inline bool within(const Member& member, double value) {
+  return (value >= member.low && value <= member.high) || (member.or_zero && value == 0.0);
+}
+inline Fault check(const Member& member, const char* of, double value) {
+  return within(member, value) ? Fault{} : refuse(member, of, value);
+}
+inline Fault check(const Member& member, const char* of, double value, double high) {
+  Member narrower = member;
+  narrower.high = high;
+  return check(narrower, of, value);
+}
+
+/// Numbers behind a pointer, each against the range; the fault names the first that is outside.
+inline Fault check_all(const Member& member, const char* of, const double* values, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!within(member, values[i])) return refuse(member, of, values[i], static_cast<std::int32_t>(i));
+  }
+  return {};
+}
+
+namespace detail {
+
+template <typename Value>
+Value load(const char* bytes, std::size_t offset) {
+  Value value;
+  std::memcpy(&value, bytes + offset, sizeof value);
+  return value;
+}
+
+/// Is a member read at all?
+template <typename Struct, std::size_t i>
+bool is_read(const char* bytes) {
+  constexpr const Member& member = Description<Struct>::members[i];
+  if constexpr (member.asked == nowhere) {
+    return true;
+  } else if constexpr (member.state == State::value) {
+    return load<std::int32_t>(bytes, member.asked) == member.asked_for;
+  } else if constexpr (member.state == State::null) {
+    return load<const void*>(bytes, member.asked) == nullptr;
+  } else {
+    return (load<std::uint32_t>(bytes, member.asked) == 0) == (member.state == State::zero);
+  }
+}
+
+/// Does one member conform? Everything but the values is known at compile time.
+template <typename Struct, std::size_t i, bool behind_pointers>
+bool conforms(const char* bytes, const char* of, Fault& fault) {
+  constexpr const Member& member = Description<Struct>::members[i];
+  if constexpr (((member.by_caller || member.rule == Rule::none) && !member.required) ||
+                (member.type == Type::pointer) != behind_pointers) {
+    return true;
+  } else if constexpr (member.type == Type::pointer) {
+    if (!is_read<Struct, i>(bytes)) return true;
+    const auto* numbers = load<const double*>(bytes, member.offset);
+    if (numbers == nullptr) {
+      if constexpr (member.required) fault = refuse(member, of, 0.0);
+      return !member.required;
+    }
+    if constexpr (member.rule == Rule::range && !member.by_caller)
+      fault = check_all(member, of, numbers, load<std::uint32_t>(bytes, member.counted_by));
+    return !fault.failed();
+  } else {
+    using Value = std::conditional_t<
+        member.type == Type::real, double,
+        std::conditional_t<member.type == Type::int32, std::int32_t,
+                           std::conditional_t<member.type == Type::uint32, std::uint32_t, std::uint64_t>>>;
+    const bool read = is_read<Struct, i>(bytes);
+    if constexpr (member.otherwise == nullptr)
+      if (!read) return true;
+    for (std::int32_t k = 0; k < member.elements; ++k) {
+      const auto value = load<Value>(bytes, member.offset + static_cast<std::size_t>(k) * sizeof(Value));
+      bool fine = value == Value{};  // of what is kept for later, or not read
+      if constexpr (member.rule == Rule::range)
+        fine = read ? within(member, static_cast<double>(value)) : fine;
+      else if constexpr (member.rule == Rule::one_of)
+        fine = member.enumeration->has(value);
+      if (fine) continue;
+      fault = refuse(member, of, static_cast<double>(value), member.elements > 1 ? k : -1);
+      if (!read && fault.status == WRC_ERROR_RANGE) {
+        fault.low = fault.high = 0.0;
+        fault.cause = member.otherwise;
+      }
+      return false;
+    }
+    return true;
+  }
+}
+
+template <typename Struct, std::size_t... i>
+Fault check_members(const Struct& ours, const char* of, std::index_sequence<i...>) {
+  Fault fault;
+  const auto* bytes = reinterpret_cast<const char*>(&ours);
+  // Numbers behind pointers last: by then their count is known to be one.
+  if ((conforms<Struct, i, false>(bytes, of, fault) && ...))
+    (void)(conforms<Struct, i, true>(bytes, of, fault) && ...);
+  return fault;
+}
+
+}  // namespace detail
+
+/// Reads the caller's struct, of whatever version, over today's defaults, and checks each of its members by
+/// what the header says of it. `name`: what messages call it.
 template <typename Struct>
 Fault read(const Struct* theirs, const char* name, Struct& ours) {
   ours = defaults<Struct>();
   if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
-  const Fault fault = check_size(*theirs);
-  if (fault.failed()) return fault;
-  std::memcpy(&ours, theirs, theirs->struct_size);
-  ours.struct_size = sizeof(Struct);
+  if constexpr (Description<Struct>::versioned) {
+    const Fault fault = check_size(*theirs);
+    if (fault.failed()) return fault;
+    std::memcpy(&ours, theirs, theirs->struct_size);
+    ours.struct_size = sizeof(Struct);
+  } else {
+    ours = *theirs;
+  }
+  return detail::check_members(ours, name,
+                               std::make_index_sequence<std::size(Description<Struct>::members)>());
+}
+
+/// The same where NULL means the defaults.
+template <typename Struct>
+Fault read_or_defaults(const Struct* theirs, const char* name, Struct& ours) {
+  if (theirs != nullptr) return read(theirs, name, ours);
+  ours = defaults<Struct>();
   return {};
 }
 
@@ -100,9 +178,13 @@ Fault read(const Struct* theirs, const char* name, Struct& ours) {
 template <typename Struct>
 void write(const Struct& ours, Struct* theirs) {
   if (theirs == nullptr || check_size(*theirs).failed()) return;
-  const std::uint32_t size = theirs->struct_size;
-  std::memcpy(theirs, &ours, size);
-  theirs->struct_size = size;
+  if constexpr (Description<Struct>::versioned) {
+    const std::uint32_t size = theirs->struct_size;
+    std::memcpy(theirs, &ours, size);
+    theirs->struct_size = size;
+  } else {
+    *theirs = ours;
+  }
 }
 
 /// Output of a call about to run: zeroed now, so that a failure leaves no old numbers behind. NULL is fine.
@@ -133,7 +215,8 @@ inline Fault first_of(std::initializer_list<Fault> faults) {
   return {};
 }
 
-/// One number against its range [low, high]; NaN and infinity are told apart from a range error.
+/// One number against its range [low, high]; NaN and infinity are told apart from a range error. Of arguments
+/// and of ranges that other members set; a member's own is in its description.
 inline Fault check(double value, const char* field, const char* unit, double low, double high,
                    const char* too_low = nullptr, const char* too_high = nullptr) {
   if (!std::isfinite(value)) {
@@ -163,6 +246,12 @@ inline Fault check_all(const double* values, std::size_t count, const char* fiel
     if (fault.failed()) return fault;
   }
   return {};
+}
+
+/// Has an enumerator of the inside the value of the interface's? Then the one may be cast to the other.
+template <auto theirs, class Enum>
+constexpr bool same(Enum ours) {
+  return static_cast<std::int64_t>(theirs) == static_cast<std::int64_t>(ours);
 }
 
 }  // namespace wrc::abi

@@ -4,38 +4,28 @@
 namespace wrc::abi {
 namespace {
 
-Fault read_laws(const wrc_wear_laws* theirs, WearLaws& laws) {
-  if (theirs == nullptr) return {};  // the published ones
-  wrc_wear_laws ours;
-  const Fault fault = read(theirs, "laws", ours);
-  if (fault.failed()) return fault;
-  const Fault checks[] = {
-      check(ours.t_gamma_mild_end, "laws.t_gamma_mild_end", "N", 0.001, 1000000000.0),
-      check(ours.t_gamma_severe_start, "laws.t_gamma_severe_start", "N", ours.t_gamma_mild_end, 1000000000.0),
-      check(ours.t_gamma_mild_slope, "laws.t_gamma_mild_slope", "mm^3/(km N)", 0.0, 1000000.0),
-      check(ours.t_gamma_plateau, "laws.t_gamma_plateau", "mm^3/km", 0.0, 1000000000.0),
-      check(ours.t_gamma_severe_slope, "laws.t_gamma_severe_slope", "mm^3/(km N)", 0.0, 1000000.0),
-      check(ours.t_gamma_severe_offset, "laws.t_gamma_severe_offset", "mm^3/km", 0.0,
-            ours.t_gamma_severe_slope * ours.t_gamma_severe_start),
-      check(ours.sheffield_mild_end, "laws.sheffield_mild_end", "N/mm^2", 1e-06, 1000000000.0),
-      check(ours.sheffield_severe_end, "laws.sheffield_severe_end", "N/mm^2", ours.sheffield_mild_end,
-            1000000000.0),
-      check(ours.sheffield_mild_slope, "laws.sheffield_mild_slope", "microgram/(m N)", 0.0, 1000000.0),
-      check(ours.sheffield_catastrophic_slope, "laws.sheffield_catastrophic_slope", "microgram/(m N)", 0.0,
-            1000000.0),
-      check(ours.density, "laws.density", "kg/m^3", 100.0, 100000.0),
-      check(ours.hardness, "laws.hardness", "Pa", 1000000.0, 1000000000000.0),
-      check(ours.archard_slow, "laws.archard_slow", "", 0.0, 1.0),
-      check(ours.archard_severe, "laws.archard_severe", "", 0.0, 1.0),
-      check(ours.archard_fast, "laws.archard_fast", "", 0.0, 1.0),
-      check(ours.archard_seizure, "laws.archard_seizure", "", 0.0, 1.0),
-      check(ours.archard_severe_start, "laws.archard_severe_start", "m/s", 0.0, 1000.0),
-      check(ours.archard_severe_end, "laws.archard_severe_end", "m/s", ours.archard_severe_start, 1000.0),
-      check(ours.seizure_pressure, "laws.seizure_pressure", "", 0.0, 1000.0),
+/// A limit of a regime may not lie below that of the one before it, nor a law turn negative.
+Fault check_order(const wrc_wear_laws& laws) {
+  const auto at_least = [](Member member, double value, double low) {
+    member.low = low;
+    return check(member, "laws", value);
   };
-  for (const Fault& each : checks) {
-    if (each.failed()) return each;
-  }
+  Member offset = member<wrc_wear_laws>("t_gamma_severe_offset");
+  offset.high = laws.t_gamma_severe_slope * laws.t_gamma_severe_start;
+  return first_of({at_least(member<wrc_wear_laws>("t_gamma_severe_start"), laws.t_gamma_severe_start,
+                            laws.t_gamma_mild_end),
+                   check(offset, "laws", laws.t_gamma_severe_offset),
+                   at_least(member<wrc_wear_laws>("sheffield_severe_end"), laws.sheffield_severe_end,
+                            laws.sheffield_mild_end),
+                   at_least(member<wrc_wear_laws>("archard_severe_end"), laws.archard_severe_end,
+                            laws.archard_severe_start)});
+}
+
+Fault read_laws(const wrc_wear_laws* theirs, WearLaws& laws) {
+  wrc_wear_laws ours;
+  Fault fault = read_or_defaults(theirs, "laws", ours);
+  if (!fault.failed()) fault = check_order(ours);
+  if (fault.failed()) return fault;
   laws.t_gamma.t1 = ours.t_gamma_mild_end;
   laws.t_gamma.t2 = ours.t_gamma_severe_start;
   laws.t_gamma.slope_mild = ours.t_gamma_mild_slope;
@@ -61,7 +51,7 @@ Fault read_laws(const wrc_wear_laws* theirs, WearLaws& laws) {
 }  // namespace
 }  // namespace wrc::abi
 
-extern "C" int32_t wrc_wear_numbers(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
+extern "C" int32_t wrc_contact_wear(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
   namespace abi = wrc::abi;
   return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
     wrc::WearLaws ours;

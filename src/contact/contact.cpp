@@ -4,17 +4,10 @@
 #include <cmath>
 #include <new>
 
-#include "felt.hpp"
+#include "base/flush_subnormals.hpp"
+#include "contact/methods.hpp"
 #include "geometry/gap_rows.hpp"
-#include "normal/analyn.hpp"
 #include "normal/damping.hpp"
-#include "normal/ekp.hpp"
-#include "normal/hertz.hpp"
-#include "normal/kik_piotrowski.hpp"
-#include "normal/load_search.hpp"
-#include "normal/penetration.hpp"
-#include "normal/strip_halfspace.hpp"
-#include "normal/stripes.hpp"
 
 namespace wrc {
 namespace {
@@ -39,9 +32,9 @@ struct PressedWheel {
   PosedWheel wheel;
   ContactPoint origin;
 
-  PressedWheel(const Model& model, Pose pose, const ContactPoint& first_touch) : origin(first_touch) {
+  PressedWheel(const Wheel& placed, Pose pose, const ContactPoint& first_touch) : origin(first_touch) {
     pose.vertical += first_touch.vertical_gap + pressed_depth / first_touch.cosine;
-    wheel = posed(model.wheel, pose);
+    wheel = posed(placed, pose);
     origin.vertical_gap = 0.0;
   }
 };
@@ -76,8 +69,12 @@ double contact_of(Contact& contact, const Strips& strips, const StripTotals& ext
   return strips.y[std::max_element(strips.peak, strips.peak + strips.count) - strips.peak];
 }
 
+/// A patch narrower than this is none, a tenth of an atom [m]: the borders of its strips may be the same
+/// number.
+constexpr double least_patch_width = 1e-11;
+
 /// Splits the strips into patches. Those beyond the room the model has are dropped from the tangential stage
-/// and flagged; the normal result keeps them.
+/// and flagged; the normal result keeps them. So are those without a width, which carry next to nothing.
 Fault find_patches(Contact& contact) {
   const Strips strips = all_strips(contact);
   contact.extent = totals(strips);
@@ -85,6 +82,12 @@ Fault find_patches(Contact& contact) {
   std::int32_t first = 0;
   while (first < strips.count) {
     const std::int32_t end = patch_end(strips, first);
+    const Strips own = slice(strips, first, end);
+    const StripTotals extent = totals(own);
+    if (extent.y_max - extent.y_min < least_patch_width) {
+      first = end;
+      continue;
+    }
     if (contact.patches == contact.model->options.max_patches) {
       return {.status = WRC_FLAG_MORE_PATCHES,
               .field = "config.max_patches",
@@ -95,8 +98,7 @@ Fault find_patches(Contact& contact) {
     patch = {};
     patch.first = first;
     patch.count = end - first;
-    const Strips own = slice(strips, first, end);
-    patch.extent = totals(own);
+    patch.extent = extent;
     patch.y_contact = contact_of(contact, own, patch.extent);
     if (patch.extent.normal_force > contact.patch[contact.main_patch].extent.normal_force) {
       contact.main_patch = contact.patches;
@@ -119,13 +121,16 @@ std::size_t contact_bytes(const Model& model) {
   return state_bytes(model) + std::max(state_bytes(model), model.layout.behind);
 }
 
-Contact& make_contact(const Model& model, void* memory) {
+Contact& make_contact(const Model& model, Side side, void* memory) {
   auto* bytes = static_cast<unsigned char*>(memory);
   std::fill_n(bytes, contact_bytes(model), static_cast<unsigned char>(0));  // also touches every page, once
   auto* contact = new (memory) Contact;
   contact->model = &model;
+  contact->side = side;
   return *contact;
 }
+
+const Bodies& bodies(const Contact& contact) { return contact.model->bodies[static_cast<int>(contact.side)]; }
 
 double* array(Contact& contact, Array which) {
   return reinterpret_cast<double*>(reinterpret_cast<char*>(&contact) + offset(contact, which));
@@ -188,18 +193,19 @@ Fault find_gap(Contact& contact, const Pose& pose) {
         "pose", "the model was made without profiles: hand over a gap, or give config.wheel and config.rail");
   }
   std::int32_t found = 0;
-  Fault fault = find_contact(model.rail, posed(model.wheel, pose), 1, &contact.point, found);
+  const auto& [placed, rail] = bodies(contact);
+  Fault fault = find_contact(rail, posed(placed, pose), 1, &contact.point, found);
   if (fault.failed()) return fault;
   if (moved_on && model.options.warm_start) carry_start_over_leap(contact, before);
 
-  const auto [wheel, origin] = PressedWheel(model, pose, contact.point);
-  const GapWindow window = gap_window(model.rail, wheel, origin, {model.options.gap_limit, gap_half_width});
+  const auto [wheel, origin] = PressedWheel(placed, pose, contact.point);
+  const GapWindow window = gap_window(rail, wheel, origin, {model.options.gap_limit, gap_half_width});
   GapRows rows;
   const GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
                             array(contact, Array::gap_height), array(contact, Array::gap_centre),
                             array(contact, Array::gap_curvature)};
-  worsen(fault, fill_gap_rows(model.rail, wheel, origin, window, memory.capacity, memory,
-                              *model.geometry_kernels, rows));
+  keep_worst(fault,
+             fill_gap_rows(rail, wheel, origin, window, memory.capacity, memory, *model.kernels, rows));
   if (fault.failed()) return fault;
   for (std::int32_t j = 0; j < rows.count; ++j) memory.height[j] += pressed_depth;
   contact.gap_rows = rows.count;
@@ -210,14 +216,14 @@ Fault find_gap(Contact& contact, const Pose& pose) {
 }
 
 SurfaceGap surface_gap(const Contact& contact) {
-  const auto [wheel, origin] = PressedWheel(*contact.model, contact.pose, contact.point);
-  return {contact.model->rail, wheel, origin};
+  const auto [wheel, origin] = PressedWheel(bodies(contact).wheel, contact.pose, contact.point);
+  return {bodies(contact).rail, wheel, origin};
 }
 
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
   if (!contact.posed)
-    return sequence("pose", "call wrc_geometry first: creepages belong to its contact point");
-  rigid = creepage(posed(contact.model->wheel, contact.pose), contact.point, motion);
+    return sequence("pose", "call wrc_contact_geometry first: creepages belong to its contact point");
+  rigid = creepage(posed(bodies(contact).wheel, contact.pose), contact.point, motion);
   if (rigid.limited) return {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "motion"};
   return {};
 }
@@ -229,7 +235,8 @@ void take_gap(Contact& contact, const GapRows& rows) {
   std::copy_n(rows.y, rows.count, array(contact, Array::gap_y));
   std::copy_n(rows.height, rows.count, array(contact, Array::gap_height));
   if (rows.centre != nullptr) {
-    std::transform(rows.centre, rows.centre + rows.count, array(contact, Array::gap_centre), felt);
+    std::transform(rows.centre, rows.centre + rows.count, array(contact, Array::gap_centre),
+                   flush_subnormals);
   } else {
     std::fill_n(array(contact, Array::gap_centre), rows.count, 0.0);
   }
@@ -257,50 +264,23 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
 
 namespace {
 
-/// The strip half-space solver with its scratch memory, from its last solution where the model asks for that;
-/// beyond what the gap carries it is continued as the other methods are.
-Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
-  const ModelOptions& options = contact.model->options;
-  NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace_bytes};
-  StripHalfspaceStart start{options.sizes.strips,
-                            options.warm_start ? contact.start_strips : 0,
-                            array(contact, Array::start_y),
-                            array(contact, Array::start_width),
-                            array(contact, Array::start_length_squared),
-                            array(contact, Array::start_shift)};
-  const auto solve = [&](const NormalProblem& posed) {
-    return solve_strip_halfspace(posed, {.max_sweeps = options.max_iterations}, *contact.model->strip_kernel,
-                                 workspace, start, strips, contact.normal);
-  };
-  bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
-  Fault fault;
-  if (!beyond) {
-    fault = solve(problem);
-    beyond = fault.status == WRC_ERROR_LOAD || (!fault.failed() && contact.normal.approach > problem.deepest);
-    if (beyond) start.count = 0;  // what is beyond the gap is no start
-  }
-  if (beyond) {
-    NormalProblem end = problem;
-    end.prescribed = Prescribed::approach;
-    end.approach = std::min(deepest_approach(problem.gap, minimum(problem.gap)), problem.deepest);
-    fault = solve(end);
-    if (!fault.failed()) fault = continue_beyond(problem, strips, contact.normal);
-  }
-  contact.start_strips = fault.failed() ? 0 : start.count;
-  return fault;
-}
-
 /// The smallest approach taken for a contact: a hundredth of an atom. Below, down to the smallest number
 /// there is, areas and pressures lose their digits and then vanish.
 constexpr double smallest_approach = 1e-12;  // [m]
 
 /// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
-/// slender than a strip that the strip's own displacement has no digits left, nor where the patch is narrower
-/// than an atom, so that the borders of its strips are the same number.
-bool carries_load(const StripTotals& patch) {
-  constexpr double least_width = 1e-11;  // [m]
-  return std::isfinite(patch.normal_force) && std::isfinite(patch.area) && std::isfinite(patch.length) &&
-         patch.normal_force > 0.0 && patch.area > 0.0 && patch.y_max - patch.y_min >= least_width;
+/// slender than a strip that the strip's own displacement has no digits left, nor where every patch is
+/// narrower than an atom.
+bool carries_load(const Strips& strips) {
+  const StripTotals sum = totals(strips);
+  if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&
+        sum.normal_force > 0.0 && sum.area > 0.0))
+    return false;
+  for (std::int32_t first = 0; first < strips.count; first = patch_end(strips, first)) {
+    const StripTotals patch = totals(slice(strips, first, patch_end(strips, first)));
+    if (patch.y_max - patch.y_min >= least_patch_width) return true;
+  }
+  return false;
 }
 
 /// The same patch under `share` times the pressure.
@@ -317,7 +297,7 @@ constexpr double least_damping_factor = 1e-9;
 }  // namespace
 
 Fault solve_normal(Contact& contact, const Load& load) {
-  if (contact.gap_rows == 0) return sequence("gap", "call wrc_geometry first, or hand over a gap");
+  if (contact.gap_rows == 0) return sequence("gap", "call wrc_contact_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
   contact.pressed = true;
   contact.load = load;
@@ -336,34 +316,11 @@ Fault solve_normal(Contact& contact, const Load& load) {
   problem.strips = options.sizes.strips;
   problem.max_iterations = options.max_iterations;
   problem.force_tolerance = options.load_tolerance;
-  problem.kernels = &normal_kernels(options.instruction_set);
+  problem.kernels = contact.model->kernels;
 
   Strips strips = all_strips(contact);
-  Fault fault;
-  switch (options.normal_method) {
-    case NormalMethod::hertz:
-      fault = solve_hertz(problem, strips, contact.normal);
-      break;
-    case NormalMethod::kik_piotrowski:
-      fault = solve_kik_piotrowski(problem, {}, strips, contact.normal);
-      break;
-    case NormalMethod::ekp:
-      fault = solve_ekp(problem, {EkpScale::area}, strips, contact.normal);
-      break;
-    case NormalMethod::ekp_ellipse:
-      fault = solve_ekp(problem, {EkpScale::ellipse}, strips, contact.normal);
-      break;
-    case NormalMethod::analyn:
-      fault = solve_analyn(problem, strips, contact.normal);
-      break;
-    case NormalMethod::stripes:
-      fault = solve_stripes(problem, strips, contact.normal);
-      break;
-    case NormalMethod::strip_halfspace:
-      fault = solve_from_start(contact, problem, strips);
-      break;
-  }
-  if (!fault.failed() && strips.count > 0 && !carries_load(totals(strips)))
+  Fault fault = options.normal_method->solve(contact, problem, strips);
+  if (!fault.failed() && strips.count > 0 && !carries_load(strips))
     fault = {.status = WRC_ERROR_LOAD,
              .field = "gap",
              .cause =
@@ -391,7 +348,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
   }
   contact.strips = strips.count;
   contact.touching = strips.count > 0;
-  worsen(fault, find_patches(contact));
+  keep_worst(fault, find_patches(contact));
   return fault;
 }
 
@@ -404,12 +361,12 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   std::copy_n(strips.y, strips.count, ours.y);
   std::copy_n(strips.width, strips.count, ours.width);
   if (strips.centre != nullptr) {
-    std::transform(strips.centre, strips.centre + strips.count, ours.centre, felt);
+    std::transform(strips.centre, strips.centre + strips.count, ours.centre, flush_subnormals);
   } else {
     std::fill_n(ours.centre, strips.count, 0.0);
   }
   std::copy_n(strips.half_length, strips.count, ours.half_length);
-  std::transform(strips.peak, strips.peak + strips.count, ours.peak, felt);
+  std::transform(strips.peak, strips.peak + strips.count, ours.peak, flush_subnormals);
   const Fault fault = find_patches(contact);
   contact.touching = contact.extent.normal_force > 0.0;
   return contact.touching ? fault : Fault{.status = WRC_FLAG_NO_CONTACT};
@@ -438,14 +395,14 @@ Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_forc
 
 Fault regularise_patch(Contact& contact) {
   if (contact.reached < Stage::patch) {
-    return sequence("strips", "there is no patch: call wrc_normal first, or hand over strips");
+    return sequence("strips", "there is no patch: call wrc_contact_normal first, or hand over strips");
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    worsen(fault,
-           regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
+    keep_worst(fault,
+               regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
   }
   return fault;
 }

@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/fault.hpp"
 #include "contact/model.hpp"
 #include "damage/wear.hpp"
-#include "fault.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/creepages.hpp"
 #include "geometry/surface_gap.hpp"
@@ -61,7 +61,7 @@ struct Friction {
   FrictionLaw law;
   ZoneFrame zone_frame = ZoneFrame::contact;
   double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
-  SlopeFall slope;               ///< of modified FASTSIM
+  SlopeFall slope;               ///< what it does to the slope as slip grows
 };
 
 /// Which way and how fast the bodies roll. Backwards the leading edge is at -x; creepages are sliding
@@ -90,7 +90,6 @@ struct StepSensitivities {
 
 /// A wheel on a rail as a host has them, track axes; what the wheel is displaced from is in wrc_wheel.h.
 struct HostedWheel {
-  Side side = Side::right;
   bool of_wheelset = true;  ///< the reference point is the middle of the axle; otherwise that of the wheel
   double y = 0.0, z = 0.0;  ///< displacement of the reference point [m]
   double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
@@ -151,7 +150,8 @@ struct Contact {
   std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
   std::int32_t strips = 0;        ///< of all patches
   std::int32_t patches = 0;
-  std::int64_t main_patch = 0;  ///< the one that carries most
+  std::int32_t main_patch = 0;  ///< the one that carries most
+  Side side = Side::right;      ///< which wheel of the wheelset
 
   Pose pose;  ///< of the last geometry stage
   ContactPoint point;
@@ -201,7 +201,10 @@ std::size_t contact_bytes(const Model& model);
 std::size_t state_bytes(const Model& model);
 
 /// Makes an empty contact in `memory` (contact_bytes, aligned).
-Contact& make_contact(const Model& model, void* memory);
+Contact& make_contact(const Model& model, Side side, void* memory);
+
+/// Wheel and rail of the contact's side.
+const Bodies& bodies(const Contact& contact);
 
 /// An array of the contact; its length follows from the sizes in the model.
 double* array(Contact& contact, Array which);
@@ -217,7 +220,7 @@ Strips region_strips(Contact& contact, const Patch& patch);
 /// j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
 
-/// Does the tangential method give tractions and slip of every cell? The book of tables does not.
+/// Does the tangential method give tractions and slip of every cell?
 bool gives_fields(const Contact& contact);
 
 /// Stages. Each returns what went wrong and leaves the contact usable.
@@ -231,8 +234,8 @@ Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
                        const Rolling& rolling, TangentialSensitivities* sensitivities = nullptr);
 
-/// Does the tangential method carry exact derivatives with it? Not so FaStrip, modified FASTSIM, mixed
-/// flexibilities, the half-space on coarse grids, the book of tables, and friction that falls with speed.
+/// Did the last tangential stage have exact derivatives? Not so where the method has none, with flexibilities
+/// that depend on the creepages, and with friction or a slope that falls as they grow.
 bool differentiates(const Contact& contact);
 
 /// A hosted wheel as the right-hand one of src/surface, and what leads back.
@@ -246,7 +249,7 @@ struct PlacedWheel {
 
 /// WRC_ERROR_UNSUPPORTED where the model has no surfaces: no profiles, or another normal method. The problem
 /// points to `hosted` where friction has a law.
-Fault place_wheel(const Model& model, const HostedWheel& hosted, PlacedWheel& placed);
+Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed);
 
 /// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
 void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result);

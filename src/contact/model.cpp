@@ -4,12 +4,10 @@
 #include <new>
 
 #include "contact/contact.hpp"
-#include "damage/simd/kernels.hpp"
+#include "contact/methods.hpp"
 #include "geometry/profile_points.hpp"
-#include "geometry/simd/kernels.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
-#include "tangential/coarse_halfspace.hpp"
 #include "tangential/force_table_file.hpp"
 
 namespace wrc {
@@ -88,8 +86,8 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
 }
 
 /// The influence tables of the strip half-space solver, for the models that use it.
-std::size_t kernel_bytes(const ModelOptions& options) {
-  return options.normal_method == NormalMethod::strip_halfspace ? sizeof(StripKernel) : 0;
+std::size_t influence_bytes(const ModelOptions& options) {
+  return options.normal_method->half_space ? sizeof(InfluenceTables) : 0;
 }
 
 /// The table of forces, for the models that use one; a multiple of what doubles are aligned to.
@@ -99,8 +97,7 @@ std::size_t table_bytes(const ModelOptions& options) {
 
 /// Contact on the rail's surface goes with the strip half-space solver.
 bool has_surface(const ModelOptions& options) {
-  return options.wheel.kind != ProfileSource::Kind::none &&
-         options.normal_method == NormalMethod::strip_halfspace;
+  return options.wheel.kind != ProfileSource::Kind::none && options.normal_method->half_space;
 }
 
 std::size_t surface_bytes(const ModelOptions& options) {
@@ -119,8 +116,8 @@ std::size_t model_bytes(const ModelOptions& options) {
   // Besides the placed profiles, room for those given and for scratch while they are read.
   const std::size_t profiles = doubles(options.wheel) + doubles(options.rail);
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
-  return sizeof(Model) + kernel_bytes(options) + surface_bytes(options) + table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + 2 * profiles + scratch);
+  return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + table_bytes(options) +
+         sizeof(double) * (march_grid_size(options.sizes.cells) + 3 * profiles + scratch);
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -129,26 +126,25 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.wheel = {};
   model->options.rail = {};
   model->options.force_table = nullptr;
-  if (kernel_bytes(options) > 0) {
-    model->options.sizes.normal_workspace_bytes = strip_halfspace_workspace(options.sizes.strips);
-  }
-  if (options.tangential_method == TangentialMethod::coarse_halfspace) {
-    model->options.sizes.tangential_workspace_bytes = coarse_halfspace_workspace();
-  }
+  if (const auto workspace = options.normal_method->workspace)
+    model->options.sizes.normal_workspace_bytes = workspace(options.sizes.strips);
+  if (const auto workspace = options.tangential_method->workspace)
+    model->options.sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
   if (has_surface(options)) {
     model->options.sizes.surface_state_bytes = surface_state_bytes();
     model->options.sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel));
   }
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
+  model->kernels = &kernels_for(options.instruction_set);
 
   auto* behind = reinterpret_cast<char*>(model + 1);
-  if (kernel_bytes(options) > 0) {
-    auto* kernel = new (behind) StripKernel;
-    tabulate(*kernel, options.instruction_set);
-    model->strip_kernel = kernel;
+  if (influence_bytes(options) > 0) {
+    auto* influence = new (behind) InfluenceTables;
+    tabulate(*influence);
+    model->influence = influence;
   }
-  behind += kernel_bytes(options);
+  behind += influence_bytes(options);
   void* const surface = behind;
   behind += surface_bytes(options);
   if (table_bytes(options) > 0) {
@@ -160,39 +156,44 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     adapt_to_poisson(options.material.poisson, model->force_table);
   }
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
-  model->march_grid = make_march_grid(options.sizes.cells, arrays, options.instruction_set);
+  model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
   arrays += march_grid_size(options.sizes.cells);
-  model->geometry_kernels = &geometry_kernels(options.instruction_set);
-  model->damage_kernels = &damage_kernels(options.instruction_set);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
-    const ProfileMemory wheel_memory = cut(arrays, node_count(options.wheel));
-    const ProfileMemory rail_memory = cut(arrays, node_count(options.rail));
+    ProfileMemory wheel_memory[2], rail_memory[2];
+    for (ProfileMemory& each : wheel_memory) each = cut(arrays, node_count(options.wheel));
+    for (ProfileMemory& each : rail_memory) each = cut(arrays, node_count(options.rail));
     const ProfileMemory given_wheel_memory = cut(arrays, node_count(options.wheel));
     const ProfileMemory given_rail_memory = cut(arrays, node_count(options.rail));
     double* const scratch = arrays;
     Profile given_wheel, given_rail;
     Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_wheel_memory, given_wheel,
                                model->wheel_deviation);
-    if (!fault.failed())
-      fault = place_wheel(given_wheel, options.wheelset, options.side, wheel_memory, model->wheel);
+    for (const Side side : {Side::right, Side::left}) {
+      const auto k = static_cast<int>(side);
+      if (!fault.failed())
+        fault = place_wheel(given_wheel, options.wheelset, side, wheel_memory[k], model->bodies[k].wheel);
+    }
     if (fault.failed()) return named(fault, "config.wheel");
     fault = load_profile(options.rail, ProfileBody::rail, scratch, given_rail_memory, given_rail,
                          model->rail_deviation);
-    if (!fault.failed())
-      fault = place_rail(given_rail, options.track, options.side, rail_memory, model->rail);
+    for (const Side side : {Side::right, Side::left}) {
+      const auto k = static_cast<int>(side);
+      if (!fault.failed())
+        fault = place_rail(given_rail, options.track, side, rail_memory[k], model->bodies[k].rail);
+    }
     if (fault.failed()) return named(fault, "config.rail");
     if (has_surface(options)) {
       fault = make_surface_model({.wheel = given_wheel,
                                   .rail = given_rail,
                                   .rail_inclination = options.track.rail_inclination,
-                                  .rail_origin_y = model->rail.outward * model->rail.origin_y,
-                                  .rail_origin_z = model->rail.origin_z,
+                                  .rail_origin_y = model->bodies[0].rail.origin_y,
+                                  .rail_origin_z = model->bodies[0].rail.origin_z,
                                   .nominal_radius = options.wheelset.nominal_radius,
                                   .material = options.material,
-                                  .kernel = model->strip_kernel,
-                                  .kernels = &surface_kernels(options.instruction_set),
+                                  .influence = model->influence,
+                                  .kernels = model->kernels,
                                   .ellipse = &model->linear_theory.ellipse(),
                                   .grid = &model->march_grid},
                                  surface, model->surface);

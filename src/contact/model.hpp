@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/fault.hpp"
 #include "contact/layout.hpp"
-#include "fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
-#include "linear_theory/sdec.hpp"
+#include "kernels/kernels.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
@@ -18,27 +18,12 @@
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
 #include "tangential/rolling_contact.hpp"
+#include "theory/sdec.hpp"
 
 namespace wrc {
 
-struct DamageKernels;
-struct GeometryKernels;
-
-/// The methods a model can be made of, one per stage.
-enum class NormalMethod { hertz, kik_piotrowski, ekp, ekp_ellipse, analyn, stripes, strip_halfspace };
-enum class TangentialMethod {
-  fastsim,
-  fastsim_eqe,
-  fastsim_eql,
-  fastsim_sdec,
-  strip_fastsim,
-  modified_fastsim,
-  fastrip,
-  fastrip_modified,
-  fastrip_sdec,
-  coarse_halfspace,
-  table
-};
+struct NormalMethod;
+struct TangentialMethod;
 
 /// Where a profile comes from: a standard shape or points of the caller.
 struct ProfileSource {
@@ -50,9 +35,10 @@ struct ProfileSource {
 };
 
 struct ModelOptions {
-  NormalMethod normal_method = NormalMethod::ekp;
+  const NormalMethod* normal_method = nullptr;  ///< a row of methods.hpp
   SecondCriterion regularisation = SecondCriterion::width;
-  TangentialMethod tangential_method = TangentialMethod::fastsim_sdec;
+  const TangentialMethod* tangential_method = nullptr;  ///< see normal_method
+  PatchModel patch_model;                               ///< as it is where the method does not read it
   TractionBound traction_bound = TractionBound::parabolic;
   FlexibilityForm flexibility = FlexibilityForm::separate;
   InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
@@ -64,30 +50,33 @@ struct ModelOptions {
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
   double shear_yield = 0.0;     ///< k [Pa]
-  Side side = Side::right;
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
-  const char* force_table = nullptr;  ///< file, with TangentialMethod::table
+  const char* force_table = nullptr;  ///< file, for the methods that read it
   ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table
+};
+
+/// Wheel and rail of one side, as placed.
+struct Bodies {
+  Wheel wheel;
+  Rail rail;
 };
 
 /// The options, and the profiles as placed; its arrays follow it in the same block of memory.
 struct Model {
   ModelOptions options;  ///< profile sources and file name cleared: no pointer of the caller is kept
   bool has_geometry = false;
-  Wheel wheel;  ///< wheel and rail are meaningful with has_geometry
-  Rail rail;
+  Bodies bodies[2];              ///< right and left; meaningful with has_geometry
   double wheel_deviation = 0.0;  ///< largest distance of a given point from the smoothed curve [m]
   double rail_deviation = 0.0;   ///< see wheel_deviation
-  const StripKernel* strip_kernel = nullptr;          ///< with NormalMethod::strip_halfspace
-  SdecTable linear_theory;                            ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                               ///< along each strip, and the kernels
-  const GeometryKernels* geometry_kernels = nullptr;  ///< of the same instruction set
-  const DamageKernels* damage_kernels = nullptr;      ///< of the same instruction set
-  ForceTable force_table;                             ///< with TangentialMethod::table
-  const SurfaceModel* surface = nullptr;              ///< with profiles and NormalMethod::strip_halfspace
-  ArrayLayout layout;                                 ///< of every contact of this model
+  const InfluenceTables* influence = nullptr;  ///< with NormalMethod::half_space
+  SdecTable linear_theory;                     ///< for the bodies' Poisson ratio
+  MarchGrid march_grid;                        ///< along each strip
+  const Kernels* kernels = nullptr;            ///< of the instruction set; everything else has this pointer
+  ForceTable force_table;                      ///< with Option::force_table
+  const SurfaceModel* surface = nullptr;       ///< with profiles and NormalMethod::half_space
+  ArrayLayout layout;                          ///< of every contact of this model
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

@@ -1,30 +1,17 @@
-/// The tangential and damage stages: which region a variant works on, and the frames around it.
+/// The tangential and damage stages: which region a method works on, and the frames around it.
 #include <algorithm>
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/methods.hpp"
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
-#include "tangential/coarse_halfspace.hpp"
-#include "tangential/fastrip.hpp"
-#include "tangential/fastsim.hpp"
-#include "tangential/fastsim_eqe.hpp"
-#include "tangential/fastsim_eql.hpp"
-#include "tangential/fastsim_sdec.hpp"
-#include "tangential/force_table.hpp"
-#include "tangential/modified_fastsim.hpp"
-#include "tangential/simd/kernels.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "kernels/kernels.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
-
-/// Does the variant replace the patch by its equivalent ellipse?
-bool works_on_ellipse(TangentialMethod method) {
-  return method == TangentialMethod::fastsim || method == TangentialMethod::fastsim_eqe ||
-         method == TangentialMethod::fastrip;
-}
 
 // Every method rolls along x. Rolling backwards is its mirror image: x, what points along it and what turns
 // about y or z change sign, on the way in and on the way out.
@@ -61,13 +48,13 @@ void mirror_region(Contact& contact, const Patch& patch) {
   }
 }
 
-/// Fills the region's strips of one patch, in the frame the variant wants them: about the patch's initial
-/// contact point, or about the ellipse's own centre.
-void prepare_region(Contact& contact, Patch& patch, TangentialMethod method, double way) {
+/// Fills the region's strips of one patch, about its initial contact point or, of an ellipse that replaces
+/// it, about the ellipse's own centre.
+void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, double way) {
   patch.region_first = patch.first;
   patch.region_count = patch.count;
   Strips region = region_strips(contact, patch);
-  if (works_on_ellipse(method)) {
+  if (model.on_ellipse) {
     const Sdec ellipse{patch.sdec.a, patch.sdec.b, 0.0};
     sdec_strips(ellipse, 0.0, 0.0, patch.extent.normal_force, patch.count, region);
     patch.region_count = region.count;
@@ -93,27 +80,15 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
-/// The variants refer everything to the patch's initial contact point, which is not the origin of the contact
-/// frame for a second patch, or for a gap of the host: nu_x there is nu_x - phi y_contact, and M_z comes back
-/// by - y_contact F_x.
-Creepage creepage_at_patch(const Contact& contact, const Patch& patch, double way) {
-  Creepage creepage = mirrored(contact.creepage, way);
-  creepage.longitudinal -= creepage.spin * patch.y_contact;
-  return creepage;
-}
-
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin,
                              double way) {
-  const ModelOptions& options = contact.model->options;
   FrictionFrame frame{.origin = origin};
   if (friction.zone_frame == ZoneFrame::rail) {
     frame.zone_origin = contact.point.y_rail;
-    frame.zone_slope = options.side == Side::left ? -contact.point.cosine : contact.point.cosine;
+    frame.zone_slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
   }
-  const SlidingSpeed sliding = options.tangential_method == TangentialMethod::modified_fastsim
-                                   ? SlidingSpeed::of_patch
-                                   : SlidingSpeed::of_strip;
+  const SlidingSpeed sliding = friction.slope.falls() ? SlidingSpeed::of_patch : SlidingSpeed::of_strip;
   return evaluate(friction.law, region_strips(contact, patch), frame, mirrored(contact.creepage, way),
                   contact.rolling.speed, sliding, array(contact, Array::strip_friction) + patch.region_first);
 }
@@ -129,27 +104,13 @@ void show_region(Contact& contact, const Patch& patch, double origin) {
   }
 }
 
-/// One patch by the book of tables.
-Fault look_up(Contact& contact, Patch& patch, const Friction& friction, double way) {
+/// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
+Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
+           TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
-  prepare_region(contact, patch, TangentialMethod::table, way);
-  patch.friction = strip_friction(contact, patch, friction, patch.y_contact, way).mean;
-  Fault fault;
-  patch.forces = table_forces(model.force_table, patch.sdec, patch.extent.normal_force,
-                              model.options.material.shear_modulus * friction.slope_reduction, patch.friction,
-                              creepage_at_patch(contact, patch, way), fault);
-  patch.forces.mz -= patch.y_contact * patch.forces.fx;
-  show_region(contact, patch, patch.y_contact);
-  return fault;
-}
-
-/// One patch by a method that has tractions.
-/// `sensitivities`: see solve_tangential().
-Fault march_over(Contact& contact, Patch& patch, const Friction& friction, double way,
-                 TangentialSensitivities* sensitivities) {
-  const Model& model = *contact.model;
-  const TangentialMethod method = model.options.tangential_method;
-  prepare_region(contact, patch, method, way);
+  const TangentialMethod& method = *model.options.tangential_method;
+  const PatchModel& shape = model.options.patch_model;
+  prepare_region(contact, patch, shape, way);
   RollingContact rolling;
   rolling.region = region_strips(contact, patch);
   rolling.a = patch.sdec.a;
@@ -158,65 +119,31 @@ Fault march_over(Contact& contact, Patch& patch, const Friction& friction, doubl
   rolling.shear_modulus = model.options.material.shear_modulus * friction.slope_reduction;
   rolling.linear_theory = &model.linear_theory;
   rolling.grid = &model.march_grid;
-  rolling.creepage = creepage_at_patch(contact, patch, way);
-  const double centre = method == TangentialMethod::fastsim_eqe ? patch.sdec.psi * patch.sdec.b : 0.0;
+  rolling.model = shape;
+  // The methods refer everything to the patch's initial contact point, which is not the origin of the contact
+  // frame for a second patch, or for a gap of the host; and on an ellipse about mid-width to its centre.
+  const double centre = shape.at_middle ? patch.sdec.psi * patch.sdec.b : 0.0;
+  rolling.creepage = seen_from(patch.y_contact, mirrored(contact.creepage, way));
+  if (shape.at_middle) rolling.creepage = seen_from(centre, rolling.creepage);
   rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre, way);
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
   rolling.slope_reduction = friction.slope_reduction;
+  rolling.normal_force = patch.extent.normal_force;
+  rolling.force_table = &model.force_table;
+  rolling.workspace = array(contact, Array::tangential_workspace);
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
-  switch (method) {
-    case TangentialMethod::fastsim:
-      patch.forces = fastsim(rolling, fields, fault, sensitivities);
-      break;
-    case TangentialMethod::fastsim_eqe:
-      patch.forces = fastsim_eqe(rolling, fields, fault, sensitivities);
-      break;
-    case TangentialMethod::fastsim_eql:
-      patch.forces = fastsim_eql(rolling, fields, fault, sensitivities);
-      break;
-    case TangentialMethod::fastsim_sdec:
-      patch.forces = fastsim_sdec(rolling, fields, fault, sensitivities);
-      break;
-    case TangentialMethod::strip_fastsim:
-      patch.forces = strip_fastsim(rolling, fields, fault, sensitivities);
-      break;
-    case TangentialMethod::modified_fastsim:
-      patch.forces = modified_fastsim(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastrip:
-      patch.forces = fastrip(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastrip_modified:
-      patch.forces = fastrip_modified(rolling, fields, fault);
-      break;
-    case TangentialMethod::fastrip_sdec:
-      patch.forces = fastrip_sdec(rolling, fields, fault);
-      break;
-    case TangentialMethod::coarse_halfspace:
-      patch.forces = coarse_halfspace(rolling, array(contact, Array::tangential_workspace), fields, fault);
-      break;
-    case TangentialMethod::table:
-      break;  // look_up()
-  }
+  patch.forces = method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside.
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
-  patch.forces.mz -= patch.y_contact * patch.forces.fx;
-  if (sensitivities) refer_to(patch.y_contact, *sensitivities);
+  if (shape.at_middle) refer_back(centre, patch.forces, sensitivities);
+  refer_back(patch.y_contact, patch.forces, sensitivities);
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
-  place_cells(contact, patch);
-  return fault;
-}
-
-/// One patch, rolling along x times `way`.
-Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
-           TangentialSensitivities* sensitivities) {
-  const Fault fault = gives_fields(contact) ? march_over(contact, patch, friction, way, sensitivities)
-                                            : look_up(contact, patch, friction, way);
+  if (method.gives_tractions) place_cells(contact, patch);
   if (way > 0.0) return fault;
   mirror(patch.forces, way);
   mirror_region(contact, patch);
@@ -231,7 +158,7 @@ Fault roll_both_ways(Contact& contact, Patch& patch, const Friction& friction,
   TangentialSensitivities others;
   Fault fault = roll(contact, patch, friction, -rolling.way, sensitivities ? &others : nullptr);
   const TangentialForces other = patch.forces;
-  worsen(fault, roll(contact, patch, friction, rolling.way, sensitivities));
+  keep_worst(fault, roll(contact, patch, friction, rolling.way, sensitivities));
   const auto blend = [&](double& own, double of_other) {
     own = (1.0 - rolling.other_way) * own + rolling.other_way * of_other;
   };
@@ -279,7 +206,7 @@ void assess_patch(Contact& contact, const Patch& patch, DamageNumbers& damage) {
                             .power_density = cell_block(contact, Array::power_density, patch),
                             .fatigue_index = cell_block(contact, Array::fatigue_index, patch),
                             .strip_power = array(contact, Array::strip_power) + patch.region_first};
-  const CellDamage found = assess_cells(task, *model.damage_kernels);
+  const CellDamage found = assess_cells(task, *model.kernels);
   damage.power += found.power;
   damage.peak_power_density = std::max(damage.peak_power_density, found.peak_power_density);
   damage.local_fatigue_index = std::max(damage.local_fatigue_index, found.fatigue_index);
@@ -288,21 +215,14 @@ void assess_patch(Contact& contact, const Patch& patch, DamageNumbers& damage) {
 }  // namespace
 
 bool gives_fields(const Contact& contact) {
-  return contact.model->options.tangential_method != TangentialMethod::table;
+  return contact.model->options.tangential_method->gives_tractions;
 }
 
 bool differentiates(const Contact& contact) {
   const ModelOptions& options = contact.model->options;
-  if (contact.law.law.fall != FrictionLaw::Fall::none) return false;
-  switch (options.tangential_method) {
-    case TangentialMethod::fastsim:
-    case TangentialMethod::fastsim_eqe:
-    case TangentialMethod::fastsim_eql:
-    case TangentialMethod::fastsim_sdec:
-      return options.flexibility == FlexibilityForm::separate;
-    default:
-      return options.tangential_method == TangentialMethod::strip_fastsim;
-  }
+  const Friction& friction = contact.law;
+  return options.tangential_method->gives_derivatives && options.flexibility == FlexibilityForm::separate &&
+         friction.law.fall == FrictionLaw::Fall::none && !friction.slope.falls();
 }
 
 Friction friction_of(const Contact& contact) {
@@ -319,12 +239,12 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
-            .cause = "there is no patch: call wrc_normal first, or hand over strips or a patch"};
+            .cause = "there is no patch: call wrc_contact_normal first, or hand over strips or a patch"};
   }
   if (friction.zone_frame == ZoneFrame::rail && !contact.posed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "friction.zone_frame",
-            .cause = "zones over the rail need the contact point of a wrc_geometry"};
+            .cause = "zones over the rail need the contact point of a wrc_contact_geometry"};
   }
   contact.reached = Stage::tangential;
   contact.creepage = creepage;
@@ -347,8 +267,8 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
     Patch& patch = contact.patch[k];
     TangentialSensitivities own;
     TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
-    worsen(fault, rolling.other_way > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
-                                          : roll(contact, patch, friction, rolling.way, wanted));
+    keep_worst(fault, rolling.other_way > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
+                                              : roll(contact, patch, friction, rolling.way, wanted));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
     if (!sensitivities) continue;
@@ -361,17 +281,17 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
   if (rolling.other_way > 0.0) {
-    worsen(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
-                   .field = "creepage.other_way",
-                   .value = rolling.other_way,
-                   .unit = ""});
+    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
+                       .field = "creepage.other_way",
+                       .value = rolling.other_way,
+                       .unit = ""});
   }
   return fault;
 }
 
 Fault assess_damage(Contact& contact) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
   }
   contact.reached = Stage::damage;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
@@ -387,8 +307,8 @@ Fault assess_damage(Contact& contact) {
       damage.power += patch.forces.power_per_speed * contact.rolling.speed;
     }
 
-    // Variants that spread the load over the equivalent ellipse have that ellipse's peak pressure.
-    const bool on_ellipse = works_on_ellipse(options.tangential_method);
+    // Methods that spread the load over the equivalent ellipse have that ellipse's peak pressure.
+    const bool on_ellipse = options.patch_model.on_ellipse;
     const double peak = on_ellipse
                             ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
                             : patch.extent.peak_pressure;
@@ -410,12 +330,12 @@ Fault assess_damage(Contact& contact) {
 Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
   wear = {};
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
   }
   if (!gives_fields(contact)) {
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config.tangential_method",
-            .cause = "WRC_TANGENTIAL_TABLE has no tractions to wear by: choose another, or use T-gamma"};
+            .cause = "this method has no tractions to wear by: choose another, or use T-gamma"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const ModelOptions& options = contact.model->options;

@@ -25,11 +25,11 @@ Fault step(Contact& contact, const Load& load, double shift, double (&result)[4]
   if (shift != 0.0) {
     Pose pose = contact.pose;
     pose.lateral += shift;
-    worsen(fault, find_gap(contact, pose));
+    keep_worst(fault, find_gap(contact, pose));
   }
-  if (!fault.failed()) worsen(fault, solve_normal(contact, load));
-  if (!fault.failed()) worsen(fault, regularise_patch(contact));
-  if (!fault.failed()) worsen(fault, solve_tangential(contact, creepage, friction, rolling));
+  if (!fault.failed()) keep_worst(fault, solve_normal(contact, load));
+  if (!fault.failed()) keep_worst(fault, regularise_patch(contact));
+  if (!fault.failed()) keep_worst(fault, solve_tangential(contact, creepage, friction, rolling));
   result[0] = contact.forces.fx;
   result[1] = contact.forces.fy;
   result[2] = contact.forces.mz;
@@ -71,7 +71,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
       if (input == 1) creepage.lateral += change;
       if (input == 2) creepage.spin += change;
       if (input == 3) scale(friction, copy, 1.0 + change);
-      worsen(fault, solve_tangential(copy, creepage, friction, contact.rolling));
+      keep_worst(fault, solve_tangential(copy, creepage, friction, contact.rolling));
       ends[end][0] = copy.forces.fx;
       ends[end][1] = copy.forces.fy;
       ends[end][2] = copy.forces.mz;
@@ -94,7 +94,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
 Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities) {
   sensitivities = {};
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
@@ -108,7 +108,7 @@ Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities
   if (contact.reached < Stage::tangential || !contact.pressed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "forces",
-            .cause = "call wrc_step, or wrc_normal and wrc_tangential, first"};
+            .cause = "call wrc_contact_step, or wrc_contact_normal and wrc_contact_tangential, first"};
   }
   // Wide enough that the last digits of the normal solution, whose strips are cut anew for every patch, do
   // not show: they are 1e-4 of the forces.
@@ -122,7 +122,7 @@ Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities
       const double sign = end == 0 ? -1.0 : 1.0;
       Load load = contact.load;
       load.value += sign * by_load;
-      worsen(fault, step(copy_of(contact), load, sign * by_shift, ends[end]));
+      keep_worst(fault, step(copy_of(contact), load, sign * by_shift, ends[end]));
     }
     if (fault.failed()) return fault;
     for (int r = 0; r < 4; ++r) result[r] = (ends[1][r] - ends[0][r]) / (2.0 * (by_load + by_shift));
@@ -130,7 +130,7 @@ Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities
   };
   Fault fault = difference(load_step, 0.0, sensitivities.by_load);
   if (!fault.failed() && contact.posed)
-    worsen(fault, difference(0.0, lateral_step, sensitivities.by_lateral));
+    keep_worst(fault, difference(0.0, lateral_step, sensitivities.by_lateral));
   if (fault.failed()) sensitivities = {};
   return fault;
 }

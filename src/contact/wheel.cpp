@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
 #include "contact/contact.hpp"
-#include "elementary.hpp"
+#include "contact/methods.hpp"
 
 namespace wrc {
 namespace {
@@ -53,6 +54,9 @@ void mirror_wrench(Wrench& wrench) {
   }
 }
 
+/// The bodies of src/surface are right-hand ones.
+const Bodies& right(const Model& model) { return model.bodies[static_cast<int>(Side::right)]; }
+
 /// Of a region's point on right-hand bodies, wheel at its height.
 RegionPlace place_of(const Model& model, const WheelOnRail& problem, const double* point) {
   const WheelMotion& wheel = problem.wheel;
@@ -61,11 +65,11 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
     for (int i = 0; i < 3; ++i) from_wheel[k] += wheel.rotation[i][k] * (point[i] - wheel.position[i]);
   }
   const auto [sine, cosine] = sine_cosine(problem.rail.roll);
-  const double y = point[1] - std::abs(model.rail.origin_y) - problem.rail.y;
-  const double z = point[2] - model.rail.origin_z - problem.rail.z;
+  const double y = point[1] - right(model).rail.origin_y - problem.rail.y;
+  const double z = point[2] - right(model).rail.origin_z - problem.rail.z;
   return {.y_wheel = from_wheel[1],
           .z_wheel = std::sqrt(from_wheel[0] * from_wheel[0] + from_wheel[2] * from_wheel[2]) -
-                     model.wheel.nominal_radius,
+                     right(model).wheel.nominal_radius,
           .y_rail = cosine * y + sine * z,
           .z_rail = cosine * z - sine * y};
 }
@@ -83,7 +87,8 @@ double steepest(const SurfaceModel& surface, const Wrench& wrench, double roll) 
 
 }  // namespace
 
-Fault place_wheel(const Model& model, const HostedWheel& hosted, PlacedWheel& placed) {
+Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed) {
+  const Model& model = *contact.model;
   if (model.surface == nullptr) {
     return {
         .status = WRC_ERROR_UNSUPPORTED,
@@ -94,16 +99,16 @@ Fault place_wheel(const Model& model, const HostedWheel& hosted, PlacedWheel& pl
                      : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
   }
   placed = {};
-  placed.left = hosted.side == Side::left;
+  placed.left = contact.side == Side::left;
   const double outward = placed.left ? -1.0 : 1.0;
-  const double half_base = outward * std::abs(model.wheel.origin_y);
+  const double half_base = outward * right(model).wheel.origin_y;
   if (hosted.of_wheelset) {
     for (int i = 0; i < 3; ++i) placed.arm[i] = hosted.rotation[i][1] * half_base;
   }
   placed.reference[1] = hosted.y + (hosted.of_wheelset ? 0.0 : half_base);
-  placed.reference[2] = hosted.z - model.wheel.nominal_radius;
-  placed.rail[0] = outward * std::abs(model.rail.origin_y) + hosted.rail.y;
-  placed.rail[1] = model.rail.origin_z + hosted.rail.z;
+  placed.reference[2] = hosted.z - right(model).wheel.nominal_radius;
+  placed.rail[0] = outward * right(model).rail.origin_y + hosted.rail.y;
+  placed.rail[1] = right(model).rail.origin_z + hosted.rail.z;
 
   WheelOnRail& problem = placed.problem;
   for (int i = 0; i < 3; ++i) {
@@ -130,7 +135,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& resu
   if (placed.left) mirror_wrench(wrench);
   add_cross(wrench.moment, placed.arm, wrench.force);
   const double z = placed.problem.load_prescribed ? wrench.height - placed.arm[2] : placed.reference[2];
-  wrench.height = z + model.wheel.nominal_radius;
+  wrench.height = z + right(model).wheel.nominal_radius;
   const double from_rail[3] = {placed.reference[0], placed.reference[1] - placed.rail[0], z - placed.rail[1]};
   double about_rail[3] = {wrench.moment[0], wrench.moment[1], wrench.moment[2]};
   add_cross(about_rail, from_rail, wrench.force);
@@ -142,13 +147,14 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   contact.wheel = {};
   const Model& model = *contact.model;
   PlacedWheel placed;
-  Fault fault = place_wheel(model, hosted, placed);
+  Fault fault = place_wheel(contact, hosted, placed);
   if (fault.failed()) return fault;
-  if (model.options.tangential_method != TangentialMethod::strip_fastsim) {
+  if (!model.options.tangential_method->on_surface) {
     return {
         .status = WRC_ERROR_UNSUPPORTED,
         .field = "contact",
-        .cause = "wrc_wheel_step needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+        .cause =
+            "wrc_contact_wrench needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
   }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));

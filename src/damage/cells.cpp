@@ -2,7 +2,7 @@
 
 namespace wrc {
 
-CellDamage assess_cells(const simd::CellTask& task, const DamageKernels& kernels) {
+CellDamage assess_cells(const simd::CellTask& task, const Kernels& kernels) {
   simd::CellExtremes extremes;
   kernels.assess_cells(task, extremes);
   double power = 0.0;

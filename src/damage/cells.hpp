@@ -9,7 +9,8 @@
 /// which is no_fatigue_index in strips that carry no pressure.
 #pragma once
 
-#include "damage/simd/kernels.hpp"
+#include "damage/simd/tasks.hpp"
+#include "kernels/kernels.hpp"
 
 namespace wrc {
 
@@ -21,6 +22,6 @@ struct CellDamage {
 };
 
 /// Fills the task's arrays and adds up; work proportional to strips times cells.
-CellDamage assess_cells(const simd::CellTask& task, const DamageKernels& kernels);
+CellDamage assess_cells(const simd::CellTask& task, const Kernels& kernels);
 
 }  // namespace wrc

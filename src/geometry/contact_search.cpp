@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc {
 namespace {
@@ -61,7 +61,7 @@ struct Search {
         if (moved < refine_tolerance) return middle;
       }
     }
-    worsen(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "contact search"});
+    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "contact search"});
     return low.gap < high.gap ? low : high;
   }
 };
@@ -93,14 +93,6 @@ void insert(const ContactPoint& point, std::int32_t capacity, ContactPoint* poin
   for (std::int32_t i = count - 1; i > place; --i) points[i] = points[i - 1];
   points[place] = point;
 }
-
-constexpr double weight_spacing = 0.1e-3;  ///< of the integration over the overlap [m]
-constexpr std::int32_t weight_cap = 1000;  ///< stations on either side
-
-/// Sums of the weight g^(5/2), of y and of the angle over the overlap.
-struct OverlapSums {
-  double weight = 0.0, y = 0.0, angle = 0.0;
-};
 
 }  // namespace
 
@@ -166,45 +158,6 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
             .cause = "wheel and rail are closest at the end of a profile: is the profile cut too short?"};
   }
   return fault;
-}
-
-ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
-                                    const ContactPoint& first_contact, double overlap) {
-  OverlapSums sums;
-  // Relative to the first contact, so that nothing cancels in the sums. False where the overlap has ended.
-  const auto add = [&](Search& search, double s) {
-    const Station station = search.at(s);
-    const double depth = overlap + first_contact.vertical_gap - station.gap;
-    if (!(depth > 0.0) || !station.over_rail) return false;
-    const double weight = depth * depth * std::sqrt(depth) * station.outline.dy_ds;
-    sums.weight += weight;
-    sums.y += weight * (station.outline.y - first_contact.y);
-    sums.angle += weight * (arctangent(evaluate(rail.profile, station.outline.y, search.rail_piece).slope) -
-                            first_contact.angle);
-    return true;
-  };
-  const double start = first_contact.wheel_s;
-  Search search{rail, wheel, piece_at(rail.profile, first_contact.y), piece_at(wheel.wheel->profile, start)};
-  Search downwards = search;
-  if (!add(search, start)) return first_contact;
-  for (std::int32_t i = 1; i < weight_cap && add(search, start + i * weight_spacing); ++i) continue;
-  for (std::int32_t i = 1; i < weight_cap && add(downwards, start - i * weight_spacing); ++i) continue;
-
-  // The wheel's point over the weighted y: Newton, well started by the first contact.
-  const double y = first_contact.y + sums.y / sums.weight;
-  double s = start;
-  Station station = search.at(s);
-  for (std::int32_t i = 0; i < refine_cap && std::abs(y - station.outline.y) > refine_tolerance; ++i) {
-    s += (y - station.outline.y) / station.outline.dy_ds;
-    station = search.at(s);
-  }
-  ContactPoint point = contact_point(rail, wheel, station);
-  point.vertical_gap = first_contact.vertical_gap;
-  point.angle = first_contact.angle + sums.angle / sums.weight;
-  const auto [sine, cosine] = sine_cosine(point.angle);
-  point.cosine = cosine;
-  point.sine = sine;
-  return point;
 }
 
 }  // namespace wrc

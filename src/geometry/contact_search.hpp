@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
 
@@ -34,18 +34,6 @@ struct ContactPoint {
 /// do not overlap laterally or are closest at the end of a profile, where they have no common tangent.
 Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capacity, ContactPoint* points,
                    std::int32_t& count);
-
-/// The point the reference program of the field (CONTACT) refers its creepages, contact angle and moments to:
-/// the rail position and contact angle averaged over the overlap of the undeformed bodies, weighted with the
-/// square of the overlap,
-///     y_ref = IInt y g^2 dx dy / IInt g^2 dx dy,   angle likewise,   g(x, y) = overlap, vertical.
-/// Across x the overlap is a parabola of constant curvature, so the weight of a strip is g^(5/2) with g its
-/// overlap. Unlike the point of first contact, which jumps across the tread, it moves continuously with the
-/// pose while the overlap stays in one piece. `overlap` is the vertical overlap at the point of first contact
-/// [m], > 0; only the contiguous region around it counts. The point keeps the vertical gap of the first
-/// contact, so that a gap in its frame touches zero there.
-ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
-                                    const ContactPoint& first_contact, double overlap);
 
 /// Spacing of the scan along the wheel's profile [m]: two minima closer than this count as one. The global
 /// minimum cannot be lost between two stations: the gap of a missed pair of minimum and maximum falls on

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/simd/kernels.hpp"
+#include "geometry/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -160,7 +160,7 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
                     const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
-                    const GeometryKernels& kernels, GapRows& rows) {
+                    const Kernels& kernels, GapRows& rows) {
   rows = {};
   if (count < 4 || count > memory.capacity) {
     return {.status = WRC_ERROR_BUFFER,

@@ -8,15 +8,14 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
+#include "kernels/kernels.hpp"
 #include "patch/gap.hpp"
 
 namespace wrc {
-
-struct GeometryKernels;
 
 /// Memory of the rows, owned by the caller.
 struct GapRowMemory {
@@ -58,6 +57,6 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 /// Newton iteration did not reach its tolerance; WRC_ERROR_GAP if the window is empty.
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
                     const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
-                    const GeometryKernels& kernels, GapRows& rows);
+                    const Kernels& kernels, GapRows& rows);
 
 }  // namespace wrc

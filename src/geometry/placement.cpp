@@ -55,17 +55,19 @@ Fault check_range(const char* field, double value, const char* unit, double low,
 
 Fault check(const TrackDimensions& track) {
   Fault fault;
-  worsen(fault, check_range("track.gauge", track.gauge, "m", 0.3, 2.5));
-  worsen(fault, check_range("track.gauge_depth", track.gauge_depth, "m", 0.005, 0.040));
-  worsen(fault, check_range("track.rail_inclination", track.rail_inclination, "", -0.2, 0.2));
+  keep_worst(fault, check_range("track.gauge", track.gauge, "m", 0.3, 2.5));
+  keep_worst(fault, check_range("track.gauge_depth", track.gauge_depth, "m", 0.005, 0.040));
+  keep_worst(fault, check_range("track.rail_inclination", track.rail_inclination, "", -0.2, 0.2));
   return fault;
 }
 
 Fault check(const WheelsetDimensions& wheelset) {
   Fault fault;
-  worsen(fault, check_range("wheelset.flange_back_distance", wheelset.flange_back_distance, "m", 0.3, 2.5));
-  worsen(fault, check_range("wheelset.flange_back_to_origin", wheelset.flange_back_to_origin, "m", 0.0, 0.2));
-  worsen(fault, check_range("wheelset.nominal_radius", wheelset.nominal_radius, "m", 0.1, 1.5));
+  keep_worst(fault,
+             check_range("wheelset.flange_back_distance", wheelset.flange_back_distance, "m", 0.3, 2.5));
+  keep_worst(fault,
+             check_range("wheelset.flange_back_to_origin", wheelset.flange_back_to_origin, "m", 0.0, 0.2));
+  keep_worst(fault, check_range("wheelset.nominal_radius", wheelset.nominal_radius, "m", 0.1, 1.5));
   return fault;
 }
 

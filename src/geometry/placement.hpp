@@ -13,7 +13,7 @@
 
 namespace wrc {
 
-enum class Side { right, left };
+enum class Side : std::int32_t { right, left };
 
 /// A rotation towards the track centre and then a shift, in the coordinates of a right-hand profile.
 struct Placement {

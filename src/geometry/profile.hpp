@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 namespace wrc {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "geometry/profile.hpp"
 
 namespace wrc {

@@ -21,10 +21,10 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
+#include "base/number.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
-#include "number.hpp"
 
 namespace wrc {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc {
 namespace {

@@ -19,24 +19,21 @@ void add(double factor, const Vector& a, Vector& b) {
 
 }  // namespace
 
-GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, const Vector& rhs,
-                  double tolerance, int max_products, Vector& x) {
-  GmresResult result;
+void gmres(const LinearMap& matrix, const LinearMap& preconditioner, const Vector& rhs, double tolerance,
+           int max_products, Vector& x) {
   x.assign(rhs.size(), 0.0);
   const double norm = std::sqrt(dot(rhs, rhs));
-  if (norm == 0.0) return result;
+  if (norm == 0.0) return;
 
   std::vector<Vector> basis, hessenberg;  // hessenberg[k]: column k after the Givens rotations
   Vector cosines, sines, projected{norm};
   basis.push_back(rhs);
   for (double& v : basis[0]) v /= norm;
-  result.residual = 1.0;
-  while (result.products < max_products && result.residual > tolerance) {
-    const auto k = static_cast<std::size_t>(result.products);
+  double residual = 1.0;  // |b - A x| / |b|
+  for (std::size_t k = 0; k < static_cast<std::size_t>(max_products) && residual > tolerance; ++k) {
     Vector next(rhs.size());
     preconditioner(basis[k], x);
     matrix(x, next);
-    ++result.products;
 
     Vector column(k + 2);
     for (std::size_t i = 0; i <= k; ++i) {
@@ -60,7 +57,7 @@ GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, cons
     hessenberg.push_back(std::move(column));
     projected.push_back(-sines[k] * projected[k]);
     projected[k] *= cosines[k];
-    result.residual = std::abs(projected[k + 1]) / norm;
+    residual = std::abs(projected[k + 1]) / norm;
     if (length == 0.0) break;
     for (double& v : next) v /= length;
     basis.push_back(std::move(next));
@@ -73,7 +70,6 @@ GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, cons
     add(projected[k], basis[k], combination);
   }
   preconditioner(combination, x);
-  return result;
 }
 
 }  // namespace wrc::halfspace

@@ -9,15 +9,10 @@ namespace wrc::halfspace {
 using Vector = std::vector<double>;
 using LinearMap = std::function<void(const Vector& in, Vector& out)>;
 
-struct GmresResult {
-  int products = 0;       ///< applications of the matrix
-  double residual = 0.0;  ///< |b - A x| / |b| at the end, as GMRES estimates it
-};
-
 /// Solves matrix(x) = rhs from x = 0 with the preconditioner on the right (so that the residual is the true
 /// one), until |b - A x| <= tolerance |b| or `max_products`. No restarts: memory is max_products vectors at
 /// most.
-GmresResult gmres(const LinearMap& matrix, const LinearMap& preconditioner, const Vector& rhs,
-                  double tolerance, int max_products, Vector& x);
+void gmres(const LinearMap& matrix, const LinearMap& preconditioner, const Vector& rhs, double tolerance,
+           int max_products, Vector& x);
 
 }  // namespace wrc::halfspace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -64,11 +64,11 @@ void finish(const Grid& grid, GapSolution& s) {
       s.normal_force += p * grid.cell_area();
       s.peak_pressure = std::max(s.peak_pressure, p);
       if (i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1) {
-        worsen(s.fault, {.status = WRC_FLAG_PATCH_AT_EDGE});
+        keep_worst(s.fault, {.status = WRC_FLAG_PATCH_AT_EDGE});
       }
     }
   }
-  if (s.area == 0.0) worsen(s.fault, {.status = WRC_FLAG_NO_CONTACT});
+  if (s.area == 0.0) keep_worst(s.fault, {.status = WRC_FLAG_NO_CONTACT});
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 /// they go (Polonsky & Keer, Wear 231, 1999) with FFT convolutions as products.
 #pragma once
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
 #include "halfspace/turned_convolution.hpp"

@@ -14,7 +14,8 @@ double semicircle_integral(double t) {
   return 0.5 * (c * std::sqrt((1.0 - c) * (1.0 + c)) + std::asin(c) + 0.5 * pi);
 }
 
-// Adds to row j the x-means of peak sqrt(1 - ((x - centre)/l)^2), times weight.
+}  // namespace
+
 void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, double l, double weight,
                       Field& field) {
   if (l <= 0.0) return;
@@ -24,38 +25,6 @@ void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, doubl
     field[grid.index(i, j)] += weight * peak * l * (above - below) / grid.dx;
     below = above;
   }
-}
-
-}  // namespace
-
-double SdecPatch::half_length(double y) const {
-  const double t = y / (y > 0.0 ? b * (1.0 + psi) : b * (1.0 - psi));
-  return std::abs(t) < 1.0 ? a * std::sqrt((1.0 - t) * (1.0 + t)) : 0.0;
-}
-
-Grid grid_over(const SdecPatch& patch, int nx, int ny) {
-  return grid_over_box(-patch.a, patch.a, -patch.b * (1.0 - patch.psi), patch.b * (1.0 + patch.psi), nx, ny);
-}
-
-Field sdec_pressure(const SdecPatch& patch, double peak, const Grid& grid, CellPressure rule) {
-  Field field(grid.cells(), 0.0);
-  constexpr int lines =
-      16;  // midpoint rule across a cell; the integrand is smooth but at the joint and the tips
-  for (int j = 0; j < grid.ny; ++j) {
-    if (rule == CellPressure::mean) {
-      for (int k = 0; k < lines; ++k) {
-        const double l = patch.half_length(grid.y(j) + grid.dy * ((k + 0.5) / lines - 0.5));
-        add_semi_ellipse(grid, j, peak * l / patch.a, 0.0, l, 1.0 / lines, field);
-      }
-      continue;
-    }
-    const double l = patch.half_length(grid.y(j));
-    for (int i = 0; i < grid.nx; ++i) {
-      const double x = grid.x(i);
-      if (std::abs(x) < l) field[grid.index(i, j)] = peak * std::sqrt((l - x) * (l + x)) / patch.a;
-    }
-  }
-  return field;
 }
 
 Field strip_pressure(const Strips& strips, const Grid& grid) {

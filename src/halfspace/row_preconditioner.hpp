@@ -7,34 +7,24 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <cstddef>
 #include <vector>
 
 #include "halfspace/convolution.hpp"
 #include "halfspace/gmres.hpp"
+#include "tangential/rolling_newton.hpp"
 
 namespace wrc::halfspace {
-
-/// How the traction of one cell may change in a Newton step: freely in adhesion, along the circle |p| = g in
-/// slip.
-struct CellUnknowns {
-  int i = 0, j = 0;       ///< the cell
-  std::size_t first = 0;  ///< index of its first unknown
-  int count = 0;          ///< 2: changes of p_x and p_y; 1: change along (tx, ty)
-  double tx = 0.0, ty = 0.0;
-  double stiffening = 0.0;  ///< slip: |s| / g, resistance to turning [1/Pa]
-};
 
 class RowPreconditioner {
  public:
   /// Factors the rows; cells ordered by row. Single precision: it only steers the iteration.
-  void factor(const std::vector<CellUnknowns>& cells, const Convolution& coefficients);
+  void factor(const std::vector<NewtonCell>& cells, const Convolution& coefficients);
 
   void apply(const Vector& in, Vector& out) const;
 
  private:
   struct Row {
-    std::size_t first = 0;
+    int first = 0;
     Eigen::Index size = 0;
     Eigen::PartialPivLU<Eigen::MatrixXf> inverse;
   };

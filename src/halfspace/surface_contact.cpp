@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -366,7 +366,7 @@ SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double 
     const RollingSolution before = std::move(rolled);
     rolling.start = warm ? &before : nullptr;
     rolled = roller.solve(rolling);
-    worsen(s.fault, rolled.fault);
+    keep_worst(s.fault, rolled.fault);
     if (s.fault.failed()) return s;
     s.traction_x = rolled.traction_x;
     s.traction_y = rolled.traction_y;
@@ -386,8 +386,9 @@ SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double 
     if (change <= options_.force_tolerance * options_.force_tolerance * size) break;
     if (!options_.turned) break;  // nothing couples
     if (s.turns == options_.max_turns) {
-      worsen(s.fault,
-             {.status = WRC_FLAG_ITERATION_CAP, .field = "surface.turns", .value = std::sqrt(change / size)});
+      keep_worst(
+          s.fault,
+          {.status = WRC_FLAG_ITERATION_CAP, .field = "surface.turns", .value = std::sqrt(change / size)});
       break;
     }
   }
@@ -448,7 +449,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
       const double force = -s.force[2];
       if (std::abs(force - load) <= tolerance * load) break;
       if (heights == options_.max_heights) {
-        worsen(
+        keep_worst(
             s.fault,
             {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = force, .unit = "N"});
         break;

@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/rolling_surfaces.hpp"
 #include "halfspace/tangential.hpp"

@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "halfspace/gmres.hpp"
 #include "halfspace/resample.hpp"
 #include "halfspace/row_preconditioner.hpp"
+#include "tangential/rolling_newton.hpp"
 
 namespace wrc::halfspace {
 namespace {
-
-// A cell whose traction is sought.
-struct Cell {
-  std::size_t at = 0;  // index into fields
-  double bound = 0.0;  // g [Pa]; unused in full adhesion
-  double wx = 0.0, wy = 0.0;
-};
 
 double friction_of(const RollingProblem& problem, std::size_t at) {
   return problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at];
@@ -39,16 +34,17 @@ class Newton {
   double linearise();
   void step();
   void convolve();
+  void clear_field();
+  void gather(Vector& out);
   void apply_matrix(const Vector& in, Vector& out);
 
   const RollingProblem& problem_;
   RollingSolution& solution_;
   TurnedConvolution& convolution_;
   double rho_;
-  std::vector<Cell> cells_;
-  std::vector<Cell> frictionless_;  // in contact, but without traction whatever the slip
-  std::vector<CellUnknowns> unknowns_;
-  Vector radial_x_, radial_y_;  // changes of traction that bring slipping cells onto the circle
+  std::vector<NewtonCell> cells_;
+  Vector bound_;                          // of each of them, g [Pa]; infinite in full adhesion
+  std::vector<NewtonCell> frictionless_;  // in contact, but without traction whatever the slip
   Vector rhs_;
   Field field_x_, field_y_;
   RowPreconditioner preconditioner_;
@@ -69,21 +65,21 @@ Newton::Newton(const Grid& grid, TurnedConvolution& convolution, const RollingPr
     for (int i = 0; i < grid.nx; ++i) {
       const std::size_t at = grid.index(i, j);
       if (problem.pressure[at] <= 0.0) continue;
-      const double bound = full() ? 0.0 : friction_of(problem, at) * problem.pressure[at];
-      const Cell cell{.at = at,
-                      .bound = bound,
-                      .wx = by_cell ? problem.rigid_slip_x[at] : c.longitudinal - c.spin * grid.y(j),
-                      .wy = by_cell ? problem.rigid_slip_y[at] : c.lateral + c.spin * (grid.x(i) + ahead)};
-      if (!full() && bound <= 0.0) {
+      const double bound =
+          full() ? std::numeric_limits<double>::infinity() : friction_of(problem, at) * problem.pressure[at];
+      const NewtonCell cell{
+          .at = static_cast<int>(at),
+          .i = i,
+          .wx = by_cell ? problem.rigid_slip_x[at] : c.longitudinal - c.spin * grid.y(j),
+          .wy = by_cell ? problem.rigid_slip_y[at] : c.lateral + c.spin * (grid.x(i) + ahead)};
+      if (bound <= 0.0) {
         frictionless_.push_back(cell);
         continue;
       }
       cells_.push_back(cell);
-      unknowns_.push_back({.i = i, .j = j});
+      bound_.push_back(bound);
     }
   }
-  radial_x_.resize(cells_.size());
-  radial_y_.resize(cells_.size());
 }
 
 void Newton::convolve() {
@@ -96,129 +92,86 @@ void Newton::update_slip() {
   field_x_ = s.traction_x;
   field_y_ = s.traction_y;
   convolve();
-  for (const Cell& c : cells_) {
-    s.slip_x[c.at] = c.wx + field_x_[c.at];
-    s.slip_y[c.at] = c.wy + field_y_[c.at];
+  for (const std::vector<NewtonCell>* cells : {&cells_, &frictionless_}) {
+    for (const NewtonCell& c : *cells) {
+      const auto at = static_cast<std::size_t>(c.at);
+      s.slip_x[at] = c.wx + field_x_[at];
+      s.slip_y[at] = c.wy + field_y_[at];
+    }
   }
-  for (const Cell& c : frictionless_) {
-    s.slip_x[c.at] = c.wx + field_x_[c.at];
-    s.slip_y[c.at] = c.wy + field_y_[c.at];
-    s.state[c.at] = CellState::slip;
-  }
+  for (const NewtonCell& c : frictionless_) s.state[static_cast<std::size_t>(c.at)] = CellState::slip;
 }
 
-// Derives the Newton system at the present tractions and slips; returns the residual of the convergence test.
-//
-// With z = p - rho s: |z| <= g sticks, and the change of traction d is to make s + C d = 0. Otherwise the
-// cell slips; with n = z/|z| and t across it, the derivative of p = g z/|z| demands n.(p + d) = g, and along
-// t
-//     (|z| - g)/(rho g) d_t + (C d)_t = -|z|/(rho g) p_t,
-// where (|z| - g)/(rho g) tends to |s|/g. Sticking tractions may exceed g on the way: cut back to the circle
-// they would hide from the next iteration how far the adhesion area is from carrying itself, and the border
-// would creep by one cell per iteration.
+// Sets up the Newton system at the present tractions and slips; returns the residual of the convergence test.
 double Newton::linearise() {
   RollingSolution& s = solution_;
   rhs_.clear();
-  double error = 0.0, norm = 0.0;
+  NewtonResidual sums;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const Cell& c = cells_[k];
-    CellUnknowns& u = unknowns_[k];
-    const double px = s.traction_x[c.at], py = s.traction_y[c.at];
-    const double sx = s.slip_x[c.at], sy = s.slip_y[c.at];
-    const double zx = px - rho_ * sx, zy = py - rho_ * sy, z = std::sqrt(zx * zx + zy * zy);
-    const bool sticks = full() || z <= c.bound;
-    s.state[c.at] = sticks ? CellState::adhesion : CellState::slip;
-    u.first = rhs_.size();
-    if (sticks) {
-      u.count = 2;
-      radial_x_[k] = radial_y_[k] = 0.0;
-      rhs_.push_back(-sx);
-      rhs_.push_back(-sy);
-      error += rho_ * rho_ * (sx * sx + sy * sy);
-    } else {
-      const double nx = zx / z, ny = zy / z;
-      u.count = 1;
-      u.tx = -ny;
-      u.ty = nx;
-      u.stiffening = (z - c.bound) / (rho_ * c.bound);
-      radial_x_[k] = (c.bound - px * nx - py * ny) * nx;
-      radial_y_[k] = (c.bound - px * nx - py * ny) * ny;
-      rhs_.push_back(-(px * u.tx + py * u.ty) * z / (rho_ * c.bound));
-      const double ex = px - c.bound * nx, ey = py - c.bound * ny;
-      error += ex * ex + ey * ey;
-    }
-    // Small creepages ask for tractions far below the bound: these are what the error is compared with.
-    const double p2 = px * px + py * py;
-    const double w2 = rho_ * rho_ * (c.wx * c.wx + c.wy * c.wy);
-    norm += full() ? p2 : std::min(c.bound * c.bound, std::max(p2, w2));
+    NewtonCell& c = cells_[k];
+    const auto at = static_cast<std::size_t>(c.at);
+    const double px = s.traction_x[at], py = s.traction_y[at];
+    double rhs[2];
+    const bool slides = wrc::linearise(bound_[k], rho_, px, py, s.slip_x[at], s.slip_y[at],
+                                       static_cast<int>(rhs_.size()), c, rhs, sums);
+    s.state[at] = slides ? CellState::slip : CellState::adhesion;
+    rhs_.insert(rhs_.end(), rhs, rhs + c.count);
+    sums.norm_squared += full() ? px * px + py * py : asked_squared(bound_[k], rho_, px, py, c);
   }
-  if (norm > 0.0) return std::sqrt(error / norm);
-  return error > 0.0 ? 1.0 : 0.0;
+  return sums.value();
+}
+
+void Newton::clear_field() {
+  std::fill(field_x_.begin(), field_x_.end(), 0.0);
+  std::fill(field_y_.begin(), field_y_.end(), 0.0);
+}
+
+// Slip that the tractions in the field cause, as left-hand sides of the equations.
+void Newton::gather(Vector& out) {
+  convolve();
+  for (const NewtonCell& c : cells_) {
+    const auto at = static_cast<std::size_t>(c.at);
+    equations_of(c, field_x_[at], field_y_[at], out.data());
+  }
 }
 
 void Newton::apply_matrix(const Vector& in, Vector& out) {
-  std::fill(field_x_.begin(), field_x_.end(), 0.0);
-  std::fill(field_y_.begin(), field_y_.end(), 0.0);
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const CellUnknowns& u = unknowns_[k];
-    field_x_[cells_[k].at] = u.count == 2 ? in[u.first] : in[u.first] * u.tx;
-    field_y_[cells_[k].at] = u.count == 2 ? in[u.first + 1] : in[u.first] * u.ty;
+  clear_field();
+  for (const NewtonCell& c : cells_) {
+    const auto at = static_cast<std::size_t>(c.at);
+    traction_of(c, in.data(), field_x_[at], field_y_[at]);
   }
-  convolve();
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const CellUnknowns& u = unknowns_[k];
-    const double x = field_x_[cells_[k].at], y = field_y_[cells_[k].at];
-    if (u.count == 2) {
-      out[u.first] = x;
-      out[u.first + 1] = y;
-    } else {
-      out[u.first] = u.tx * x + u.ty * y + u.stiffening * in[u.first];
-    }
+  gather(out);
+  for (const NewtonCell& c : cells_) {
+    const auto first = static_cast<std::size_t>(c.first);
+    if (c.count == 1) out[first] += c.stiffening * in[first];
   }
 }
 
 void Newton::step() {
   RollingSolution& s = solution_;
+  Vector change(rhs_.size());
   if (!full()) {  // the slip caused by the radial changes goes to the right-hand side
-    std::fill(field_x_.begin(), field_x_.end(), 0.0);
-    std::fill(field_y_.begin(), field_y_.end(), 0.0);
-    for (std::size_t k = 0; k < cells_.size(); ++k) {
-      field_x_[cells_[k].at] = radial_x_[k];
-      field_y_[cells_[k].at] = radial_y_[k];
+    clear_field();
+    for (const NewtonCell& c : cells_) {
+      field_x_[static_cast<std::size_t>(c.at)] = c.radial_x;
+      field_y_[static_cast<std::size_t>(c.at)] = c.radial_y;
     }
-    convolve();
-    for (std::size_t k = 0; k < cells_.size(); ++k) {
-      const CellUnknowns& u = unknowns_[k];
-      const double x = field_x_[cells_[k].at], y = field_y_[cells_[k].at];
-      rhs_[u.first] -= u.count == 2 ? x : u.tx * x + u.ty * y;
-      if (u.count == 2) rhs_[u.first + 1] -= y;
-    }
+    gather(change);
+    for (std::size_t k = 0; k < rhs_.size(); ++k) rhs_[k] -= change[k];
   }
-  preconditioner_.factor(unknowns_, convolution_.planar());  // within a row nothing is turned
+  preconditioner_.factor(cells_, convolution_.planar());  // within a row nothing is turned
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = full() ? 0.1 * problem_.tolerance : 1e-2;
   constexpr int max_products = 100;
-  Vector change;
   gmres([this](const Vector& in, Vector& out) { apply_matrix(in, out); },
         [this](const Vector& in, Vector& out) { preconditioner_.apply(in, out); }, rhs_, accuracy,
         max_products, change);
-  // A full step converges in a few iterations; where a few cells keep changing between adhesion and slip
-  // (about one problem in 400, near a spin pole) shorter steps break the cycle.
-  constexpr int full_steps = 12;
-  const double share = s.iterations < full_steps || s.iterations % 4 == 3 ? 1.0 : 0.5;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const CellUnknowns& u = unknowns_[k];
-    const std::size_t at = cells_[k].at;
-    const double dx = u.count == 2 ? change[u.first] : change[u.first] * u.tx;
-    const double dy = u.count == 2 ? change[u.first + 1] : change[u.first] * u.ty;
-    const double x = s.traction_x[at] + share * (radial_x_[k] + dx);
-    const double y = s.traction_y[at] + share * (radial_y_[k] + dy);
-    const double length = std::sqrt(x * x + y * y);
-    const double cut =
-        u.count == 1 ? cells_[k].bound / length : 1.0;  // from the tangent back onto the circle
-    s.traction_x[at] = cut * x;
-    s.traction_y[at] = cut * y;
+    const auto at = static_cast<std::size_t>(cells_[k].at);
+    advance(cells_[k], bound_[k], change.data(), share_of_step(s.iterations), s.traction_x[at],
+            s.traction_y[at]);
   }
 }
 

@@ -3,11 +3,10 @@
 /// Slip of the wheel over the rail per unit rolled length, particles travelling towards -x:
 ///     s(x, y) = w(x, y) - du/dx,    w = (nu_x - phi y, nu_y + phi x),
 /// u the displacement difference wheel minus rail from tractions p on the wheel (influence.hpp). Where |p| <
-/// g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g s / |s|. Both say p = P(p - rho s) for any rho >
-/// 0, P the projection onto the disk of radius g: that equation is solved, by Newton's method with a moving
-/// adhesion area (a primal-dual active set), its linear systems by GMRES with the rows along x inverted as
-/// preconditioner and FFT convolutions as products, started from the solution on a grid of half as many cells
-/// each way.
+/// g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g s / |s|. That is solved by Newton's method with a
+/// moving adhesion area (a primal-dual active set; tangential/rolling_newton.hpp), its linear systems by
+/// GMRES with the rows along x inverted as preconditioner and FFT convolutions as products, started from the
+/// solution on a grid of half as many cells each way.
 ///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
@@ -17,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
 #include "halfspace/turned_convolution.hpp"

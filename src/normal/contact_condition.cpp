@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "normal/elliptic_integrals.hpp"
 #include "normal/octave_axis.hpp"
+#include "normal/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -70,8 +71,8 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
   return width * rest - 2.0 * l * (integral_of_log(y_to / l) - integral_of_log(y_from / l));
 }
 
-double impose_approach(const NormalKernels& kernels, double approach, const Material& material, double x,
-                       double y, Strips& strips) noexcept {
+double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
+                       Strips& strips) noexcept {
   // The pressures are found last: until then their place holds what each strip does at the point.
   kernels.displacements_at({&line_table[0].c0, x, y, strips.count},
                            {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);

@@ -1,7 +1,7 @@
 /// The contact condition at one point: elastic displacement under strips of semi-elliptic pressure.
 #pragma once
 
-#include "normal/simd/kernels.hpp"
+#include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
 
@@ -27,7 +27,7 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
 ///
 /// Strips whose middle is shifted in x by s count by the factor sqrt((l^2 + dy^2) / (l^2 + dy^2 + s^2)): the
 /// leading effect of s both near the strip and far from it; right for the skew yaw gives a patch, s < l / 2.
-double impose_approach(const NormalKernels& kernels, double approach, const Material& material, double x,
-                       double y, Strips& strips) noexcept;
+double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
+                       Strips& strips) noexcept;
 
 }  // namespace wrc

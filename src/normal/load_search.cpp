@@ -86,11 +86,11 @@ void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_e
   solution.area = sum.area;
   solution.y_contact = lowest.y;
   if (at_edge)
-    worsen(fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
-                   .field = "gap",
-                   .value = lowest.y,
-                   .unit = "m",
-                   .cause = "give the gap over a wider range"});
+    keep_worst(fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
+                       .field = "gap",
+                       .value = lowest.y,
+                       .unit = "m",
+                       .cause = "give the gap over a wider range"});
 }
 
 }  // namespace wrc

@@ -138,6 +138,185 @@ inline bool leaps_between(const Trial& low, const Trial& high) noexcept {
                                        steepest_power * low.normal_force * (high.approach - low.approach);
 }
 
+/// The search of search_approach(), step by step; see there.
+template <class ScaleAt, class Force>
+class LoadSearch {
+ public:
+  LoadSearch(const NormalProblem& problem, const GapMinimum& lowest, ScaleAt& scale_at, Force& force,
+             Strips& strips, NormalSolution& solution) noexcept
+      : problem_(problem),
+        lowest_(lowest),
+        scale_at_(scale_at),
+        force_(force),
+        strips_(strips),
+        solution_(solution),
+        ceiling_(std::min(deepest_approach(problem.gap, lowest), problem.deepest)) {}
+
+  /// The patch at the prescribed approach.
+  Fault at_approach() noexcept {
+    settle(std::min(problem_.approach, ceiling_));
+    return problem_.approach > ceiling_ ? continue_beyond(problem_, strips_, solution_) : Fault{};
+  }
+
+  /// The approach of the prescribed load.
+  Fault for_load(double start) noexcept {
+    const double tolerance = std::max(problem_.force_tolerance, rounding);
+    high_.approach = ceiling_;
+    double approach = std::min(start, ceiling_);
+    for (std::int32_t i = 0; i < problem_.max_iterations; ++i) {
+      const Trial trial = evaluate(approach);
+      const double x = straightened(trial.normal_force);
+      take_slope(approach, x);
+      if (std::abs(trial.normal_force / target_ - 1.0) <= tolerance && i > 0) return arrive(trial, x);
+      if (trial.normal_force < target_) {
+        if (approach >= ceiling_) {
+          settle(ceiling_);
+          return continue_beyond(problem_, strips_, solution_);
+        }
+        low_ = trial;
+      } else {
+        high_ = trial;
+        bracketed_ = true;
+        if (high_.approach < least_share * ceiling_) break;  // a needle of a gap: any approach carries more
+      }
+      const bool steep = bracketed_ && leaps_between(low_, high_);
+      if (steep && leaps_ < most_leaps) {
+        ++leaps_;
+        const Fault leap = look_into_leap();
+        if (leap.status != WRC_OK) return leap;
+        approach = go_on_from_leap();
+        continue;
+      }
+      previous_ = approach;
+      x_previous_ = x;
+      approach = steep ? 0.5 * (low_.approach + high_.approach) : next_approach(approach, x);
+    }
+    settle(bracketed_ ? high_.approach : approach);
+    scale_to_target(solution_.normal_force);
+    return {.status = WRC_FLAG_ITERATION_CAP,
+            .field = "config.max_iterations",
+            .value = static_cast<double>(problem_.max_iterations),
+            .unit = "steps"};
+  }
+
+ private:
+  static constexpr double probe = 1e-4;         // relative step of a stiffness that no two iterates give
+  static constexpr double least_share = 1e-12;  // of the ceiling: below, halving would go on to denormals
+  static constexpr double least_step = 1e-7;    // relative: over less, rounding is felt in a secant's slope
+  static constexpr double rounding = 1e-12;     // of a load, from where the borders' root search ends
+  static constexpr int most_leaps = 4;          // looked into
+
+  Trial evaluate(double approach) noexcept {
+    ++solution_.iterations;
+    const auto scale = scale_at_(approach);
+    const Span span = penetration_span(problem_.gap, lowest_, scale, approach);
+    return Trial{approach, force_(approach, scale, span), span};
+  }
+
+  /// The solution at an approach, its stiffness by a difference.
+  void settle(double approach) noexcept {
+    const double beside = evaluate(approach * (1.0 - probe)).normal_force;
+    solution_.approach = approach;
+    solution_.normal_force = evaluate(approach).normal_force;
+    solution_.stiffness = (solution_.normal_force - beside) / (approach * probe);
+  }
+
+  void scale_to_target(double from) noexcept {
+    for (std::int32_t j = 0; j < strips_.count; ++j) strips_.peak[j] *= target_ / from;
+    solution_.normal_force = target_;
+  }
+
+  /// The secant through the trial before.
+  void take_slope(double approach, double x) noexcept {
+    if (std::abs(approach - previous_) > least_step * approach)
+      slope_ = (x - x_previous_) / (approach - previous_);
+    // A step across a merging patch may have misled the secant.
+    if (!(slope_ > 0.0) && approach > 0.0) slope_ = x / approach;
+  }
+
+  /// The last secant step, taken without another evaluation.
+  Fault arrive(const Trial& trial, double x) noexcept {
+    solution_.approach = trial.approach + (x_target_ - x) / slope_;
+    // dN/d(approach) = (16/11) (N / x) dx/d(approach)
+    solution_.stiffness = 16.0 / 11.0 * target_ / x_target_ * slope_;
+    scale_to_target(trial.normal_force);
+    return {};
+  }
+
+  /// Where to look next: by the secant, kept inside the bracket of what is known.
+  double next_approach(double approach, double x) const noexcept {
+    double next = approach + (x_target_ - x) / slope_;
+    if (!bracketed_) next = std::min(std::max(next, 1.001 * approach), 10.0 * approach);
+    if (!bracketed_ && next >= ceiling_) next = ceiling_;
+    if (bracketed_ && !(next > low_.approach && next < high_.approach))
+      next = 0.5 * (low_.approach + high_.approach);
+    return next;
+  }
+
+  /// Narrows the leap between the ends of the bracket. If the load lies in it, that is the solution, with
+  /// WRC_FLAG_LOAD_LEAPS; if not, the bracket is what is left on the load's side.
+  Fault look_into_leap() noexcept {
+    // The slope of the larger patch, as far as one is known.
+    const double chord = high_.normal_force / high_.approach;
+    Trial before = low_, after = high_;
+    narrow_leap(problem_.gap, lowest_, scale_at_, before, after);
+    before = evaluate(before.approach);
+    after = evaluate(after.approach);
+    reached_before_ = before.normal_force >= target_;
+    const bool reached_after = after.normal_force >= target_;
+    if (!reached_before_ && reached_after && leaps_between(before, after)) {
+      const double rise = high_.normal_force - after.normal_force;
+      const double run = high_.approach - after.approach;
+      solution_.approach = after.approach;
+      solution_.stiffness = run > probe * high_.approach && rise > 0.0 ? rise / run : chord;
+      if (join_gradually({before.span, before.normal_force}, target_, strips_))
+        solution_.normal_force = target_;
+      else
+        scale_to_target(after.normal_force);
+      return {.status = WRC_FLAG_LOAD_LEAPS,
+              .field = "load.normal_force",
+              .value = target_,
+              .unit = "N",
+              .cause =
+                  "as the approach grows a second region joins the patch, or its curvature changes, at once; "
+                  "the patch after that carries the load, and more iterations do not help"};
+    }
+    if (reached_before_) {
+      high_ = before;
+    } else if (reached_after) {
+      low_ = before;
+      high_ = after;
+    } else {
+      low_ = after;
+    }
+    return {};
+  }
+
+  /// The search goes on from the end of the leap: by the chord of what is left, and then by secants through
+  /// that end, which is near.
+  double go_on_from_leap() noexcept {
+    const double x_low = straightened(low_.normal_force), x_high = straightened(high_.normal_force);
+    previous_ = reached_before_ ? high_.approach : low_.approach;
+    x_previous_ = reached_before_ ? x_high : x_low;
+    return low_.approach + (x_target_ - x_low) / (x_high - x_low) * (high_.approach - low_.approach);
+  }
+
+  const NormalProblem& problem_;
+  const GapMinimum& lowest_;
+  ScaleAt& scale_at_;
+  Force& force_;
+  Strips& strips_;
+  NormalSolution& solution_;
+  const double ceiling_;  ///< the deepest approach that is solved [m]
+  const double target_ = problem_.normal_force, x_target_ = straightened(target_);
+  Trial low_, high_;  ///< what is known: low carries less than the target, high more once `bracketed_`
+  bool bracketed_ = false, reached_before_ = false;
+  int leaps_ = 0;
+  double previous_ = 0.0,
+         x_previous_ = 0.0;  ///< the trial before; the unloaded state is a point of the curve
+  double slope_ = 0.0;       ///< of the straightened load over the approach
+};
+
 /// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps
 /// kept inside the bracket of what is known, bisection where they leave it. A method is two functions:
 /// `scale_at` gives the scale of the penetration at an approach [m], and `force` (approach, scale, extent of
@@ -153,131 +332,8 @@ inline bool leaps_between(const Trial& low, const Trial& high) noexcept {
 template <class ScaleAt, class Force>
 Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, double start,
                       ScaleAt&& scale_at, Force&& force, Strips& strips, NormalSolution& solution) noexcept {
-  constexpr double probe = 1e-4;         // relative step of a stiffness that no two iterates give
-  constexpr double least_share = 1e-12;  // of the ceiling: below, halving would go on to denormal approaches
-  constexpr double least_step = 1e-7;    // relative: over less, rounding is felt in a secant's slope
-  constexpr double rounding = 1e-12;     // of a load, from where the borders' root search ends
-  constexpr int most_leaps = 4;          // looked into
-  const GapRows& rows = problem.gap;
-  const double ceiling = std::min(deepest_approach(rows, lowest), problem.deepest);
-  const auto evaluate = [&](double approach) {
-    ++solution.iterations;
-    const auto scale = scale_at(approach);
-    const Span span = penetration_span(rows, lowest, scale, approach);
-    return Trial{approach, force(approach, scale, span), span};
-  };
-  const auto settle = [&](double approach) {
-    const double beside = evaluate(approach * (1.0 - probe)).normal_force;
-    solution.approach = approach;
-    solution.normal_force = evaluate(approach).normal_force;
-    solution.stiffness = (solution.normal_force - beside) / (approach * probe);
-  };
-
-  if (problem.prescribed == Prescribed::approach) {
-    settle(std::min(problem.approach, ceiling));
-    return problem.approach > ceiling ? continue_beyond(problem, strips, solution) : Fault{};
-  }
-
-  const double target = problem.normal_force;
-  const double x_target = straightened(target);
-  const double tolerance = std::max(problem.force_tolerance, rounding);
-  const auto scale_to_target = [&](double from) {
-    for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= target / from;
-    solution.normal_force = target;
-  };
-  Trial low, high;
-  high.approach = ceiling;
-  bool bracketed = false;
-  int leaps = 0;
-  double approach = std::min(start, ceiling);
-  double previous = 0.0, x_previous = 0.0;  // the unloaded state is a point of the curve
-  double slope = 0.0;
-  for (std::int32_t i = 0; i < problem.max_iterations; ++i) {
-    const Trial trial = evaluate(approach);
-    const double x = straightened(trial.normal_force);
-    if (std::abs(approach - previous) > least_step * approach)
-      slope = (x - x_previous) / (approach - previous);
-    // A step across a merging patch may have misled the secant.
-    if (!(slope > 0.0) && approach > 0.0) slope = x / approach;
-    const double error = trial.normal_force / target - 1.0;
-    if (std::abs(error) <= tolerance && i > 0) {
-      solution.approach = approach + (x_target - x) / slope;
-      // dN/d(approach) = (16/11) (N / x) dx/d(approach)
-      solution.stiffness = 16.0 / 11.0 * target / x_target * slope;
-      scale_to_target(trial.normal_force);
-      return {};
-    }
-    if (trial.normal_force < target) {
-      if (approach >= ceiling) {
-        settle(ceiling);
-        return continue_beyond(problem, strips, solution);
-      }
-      low = trial;
-    } else {
-      high = trial;
-      bracketed = true;
-      if (high.approach < least_share * ceiling) break;  // a needle of a gap: any approach carries more
-    }
-    double next = approach + (x_target - x) / slope;
-    if (!bracketed) next = std::min(std::max(next, 1.001 * approach), 10.0 * approach);
-    if (!bracketed && next >= ceiling) next = ceiling;
-    if (bracketed && !(next > low.approach && next < high.approach))
-      next = 0.5 * (low.approach + high.approach);
-    const bool steep = bracketed && leaps_between(low, high);
-    if (steep) next = 0.5 * (low.approach + high.approach);
-    if (steep && leaps < most_leaps) {
-      ++leaps;
-      // The slope of the larger patch, as far as one is known.
-      const double chord = high.normal_force / high.approach;
-      Trial before = low, after = high;
-      narrow_leap(rows, lowest, scale_at, before, after);
-      before = evaluate(before.approach);
-      after = evaluate(after.approach);
-      const bool reached_before = before.normal_force >= target, reached_after = after.normal_force >= target;
-      if (!reached_before && reached_after && leaps_between(before, after)) {
-        const double rise = high.normal_force - after.normal_force;
-        const double run = high.approach - after.approach;
-        solution.approach = after.approach;
-        solution.stiffness = run > probe * high.approach && rise > 0.0 ? rise / run : chord;
-        if (join_gradually({before.span, before.normal_force}, target, strips))
-          solution.normal_force = target;
-        else
-          scale_to_target(after.normal_force);
-        return {
-            .status = WRC_FLAG_LOAD_LEAPS,
-            .field = "load.normal_force",
-            .value = target,
-            .unit = "N",
-            .cause =
-                "as the approach grows a second region joins the patch, or its curvature changes, at once; "
-                "the patch after that carries the load, and more iterations do not help"};
-      }
-      // The load is reached on one side of the leap, where the search goes on from that side's end: by the
-      // chord of what is left, and then by secants through the end, which is near.
-      if (reached_before) {
-        high = before;
-      } else if (reached_after) {
-        low = before;
-        high = after;
-      } else {
-        low = after;
-      }
-      const double x_low = straightened(low.normal_force), x_high = straightened(high.normal_force);
-      previous = reached_before ? high.approach : low.approach;
-      x_previous = reached_before ? x_high : x_low;
-      approach = low.approach + (x_target - x_low) / (x_high - x_low) * (high.approach - low.approach);
-      continue;
-    }
-    previous = approach;
-    x_previous = x;
-    approach = next;
-  }
-  settle(bracketed ? high.approach : approach);
-  scale_to_target(solution.normal_force);
-  return {.status = WRC_FLAG_ITERATION_CAP,
-          .field = "config.max_iterations",
-          .value = static_cast<double>(problem.max_iterations),
-          .unit = "steps"};
+  LoadSearch search(problem, lowest, scale_at, force, strips, solution);
+  return problem.prescribed == Prescribed::approach ? search.at_approach() : search.for_load(start);
 }
 
 }  // namespace wrc

@@ -87,7 +87,7 @@ OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, co
   return regions;
 }
 
-void divide_regions(const NormalKernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
                     const PenetrationScale& scale, double approach, const OverlapRegions& regions,
                     std::int32_t count, Strips& strips) noexcept {
   if (regions.count == 1)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "kernels/kernels.hpp"
 #include "normal/penetration.hpp"
 
 namespace wrc {
@@ -54,7 +55,7 @@ OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, co
 
 /// divide_span() over several regions: strips of one width over all of them together, and where one would lie
 /// across a border, its parts on either side; no more than `count`. Area and load then move with the borders.
-void divide_regions(const NormalKernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
                     const PenetrationScale& scale, double approach, const OverlapRegions& regions,
                     std::int32_t count, Strips& strips) noexcept;
 

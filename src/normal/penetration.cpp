@@ -1,8 +1,10 @@
 #include "normal/penetration.hpp"
 
+#include "normal/simd/tasks.hpp"
+
 namespace wrc {
 
-void divide_span(const NormalKernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
                  Strips& strips) noexcept {
   const auto above = std::upper_bound(rows.y, rows.y + rows.count, span.y_from) - rows.y;

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "fault.hpp"
-#include "normal/simd/kernels.hpp"
+#include "base/fault.hpp"
+#include "kernels/kernels.hpp"
 #include "patch/gap.hpp"
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
@@ -29,7 +29,7 @@ struct NormalProblem {
   std::int32_t strips = 0;                 ///< strips to divide the patch into
   std::int32_t max_iterations = 0;         ///< cap of the root find
   double force_tolerance = 0.0;            ///< relative error of the load at which the root find stops
-  const NormalKernels* kernels = &normal_kernels(InstructionSet::baseline);  ///< that the processor has
+  const Kernels* kernels = nullptr;        ///< of an instruction set the processor has
 };
 
 struct NormalSolution {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "normal/simd/tasks.hpp"
+
 namespace wrc {
 namespace {
 
@@ -56,12 +58,12 @@ void end_sources(StripSystem& s) {
 
 /// Displacements at the edges of the active strips towards +x (side = 1) or -x (side = -1), over the
 /// compliance [m Pa].
-void find_edge_displacements(const StripKernel& kernel, const StripSystem& s, double side,
-                             double* displacement) {
+void find_edge_displacements(const Kernels& kernels, const InfluenceTables& influence, const StripSystem& s,
+                             double side, double* displacement) {
   for (std::int32_t a = 0; a < s.active_count; ++a)
     s.edge[a] = s.sources.centre[a] + side * s.half_length[s.active[a]];
-  kernel.kernels->edge_displacements(
-      {kernel.tables(), s.active_count, s.sources, s.pairs, s.edge, s.sources.y, s.half_width, displacement});
+  kernels.edge_displacements({influence.tables(), s.active_count, s.sources, s.pairs, s.edge, s.sources.y,
+                              s.half_width, displacement});
 }
 
 /// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch take the value
@@ -86,14 +88,14 @@ void smooth(const StripSystem& s, double* value) {
 
 }  // namespace
 
-double move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach,
+double move_edges(const NormalProblem& problem, const InfluenceTables& influence, double approach,
                   StripSystem& s) noexcept {
   const double compliance = problem.material.normal_compliance();
   list_sources(s);
   join_pairs(s);
   end_sources(s);
-  find_edge_displacements(kernel, s, 1.0, s.leading);
-  if (s.skewed) find_edge_displacements(kernel, s, -1.0, s.trailing);
+  find_edge_displacements(*problem.kernels, influence, s, 1.0, s.leading);
+  if (s.skewed) find_edge_displacements(*problem.kernels, influence, s, -1.0, s.trailing);
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
     const double l = s.half_length[j];

@@ -1,8 +1,8 @@
 /// The second half of a sweep of the half-space solver (strip_halfspace.hpp): lengths for given pressures.
 #pragma once
 
+#include "normal/influence_tables.hpp"
 #include "normal/problem.hpp"
-#include "normal/strip_kernel.hpp"
 #include "normal/strip_system.hpp"
 
 namespace wrc {
@@ -14,7 +14,7 @@ namespace wrc {
 /// (curvature l^2 / 2), at constant q. A single thin strip hardly feels its own length, only that of its
 /// neighbourhood: a sawtooth of lengths meets every condition. The level is smooth along y, also at the ends
 /// of a patch where p and l vanish together, so it is the level that is averaged over three strips.
-double move_edges(const NormalProblem& problem, const StripKernel& kernel, double approach,
+double move_edges(const NormalProblem& problem, const InfluenceTables& influence, double approach,
                   StripSystem& s) noexcept;
 
 /// Fits the outermost strips of every patch of three or more to its border, where l^2, linear through the

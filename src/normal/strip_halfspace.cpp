@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "normal/check.hpp"
 #include "normal/load_search.hpp"
 #include "normal/penetration.hpp"
-#include "normal/recut_strips.hpp"
+#include "normal/resample_strips.hpp"
 #include "normal/strip_edges.hpp"
 #include "normal/strip_pressures.hpp"
 #include "normal/strip_system.hpp"
@@ -107,7 +107,7 @@ struct State {
 /// Sweeps over a grid of `count` strips, from `start` if that has any, until less of the area moves than the
 /// tolerance. The grid is widened if contact reaches its end.
 void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& options,
-                   const StripKernel& kernel, const GapMinimum& lowest, std::int32_t count,
+                   const InfluenceTables& influence, const GapMinimum& lowest, std::int32_t count,
                    StripHalfspaceStart& start, StripSystem& s, State& state) {
   const double guess = state.approach;
   double depth = depth_per_approach * guess;
@@ -120,11 +120,11 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
     for (std::int32_t sweep = 0; sweep < options.max_sweeps && !state.converged && s.active_count > 0;
          ++sweep) {
       const Search search = sweep == 0 ? Search::everywhere : Search::beside_contact;
-      state.approach = solve_pressures(problem, kernel, search, s, state.stiffness);
+      state.approach = solve_pressures(problem, influence, search, s, state.stiffness);
       ++state.sweeps;
       if (s.active_count == 0) break;
       // Steps shrink geometrically, and slowly in slender patches: what is left is the rest of the series.
-      const double moved = move_edges(problem, kernel, state.approach, s);
+      const double moved = move_edges(problem, influence, state.approach, s);
       const double left = moved < moved_before ? moved * moved / (moved_before - moved) : moved;
       state.converged = std::max(moved, left) <= options.tolerance;
       moved_before = moved;
@@ -165,7 +165,7 @@ double hand_out(StripSystem& s, std::int32_t count, Strips& strips) {
     s.half_length[a] = s.half_length[j];
     s.peak[a] = s.peak[j];
   }
-  return recut_strips(
+  return resample_strips(
       {s.active_count, s.grid.y, s.grid.width, s.centre, s.half_length, s.peak, s.grid.region}, count,
       strips);
 }
@@ -175,8 +175,8 @@ double hand_out(StripSystem& s, std::int32_t count, Strips& strips) {
 std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept { return strip_system_bytes(strips); }
 
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
-                            const StripKernel& kernel, NormalWorkspace& workspace, StripHalfspaceStart& start,
-                            Strips& strips, NormalSolution& solution) noexcept {
+                            const InfluenceTables& influence, NormalWorkspace& workspace,
+                            StripHalfspaceStart& start, Strips& strips, NormalSolution& solution) noexcept {
   solution = {};
   Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
@@ -198,10 +198,10 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   if (start.count == 0 && count >= 2 * fewest_coarse_strips) {
     // A cold start finds its way on half the strips, at a sixth of the cost.
     const StripHalfspaceOptions coarse{options.max_sweeps, std::max(coarse_tolerance, options.tolerance)};
-    solve_on_grid(problem, coarse, kernel, lowest, count / 2, start, s, state);
+    solve_on_grid(problem, coarse, influence, lowest, count / 2, start, s, state);
     if (state.approach > 0.0) remember(s, start);
   }
-  if (state.approach > 0.0) solve_on_grid(problem, options, kernel, lowest, count, start, s, state);
+  if (state.approach > 0.0) solve_on_grid(problem, options, influence, lowest, count, start, s, state);
   const double approach = state.approach;
   solution.iterations = state.sweeps;
   if (!(approach > 0.0))
@@ -231,10 +231,10 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   complete_solution(strips, lowest, at_edge, solution, fault);
   solution.stiffness = punch_stiffness(state.stiffness, totals(strips));
   if (!state.converged)
-    worsen(fault, {.status = WRC_FLAG_ITERATION_CAP,
-                   .field = "config.max_iterations",
-                   .value = static_cast<double>(options.max_sweeps),
-                   .unit = "sweeps"});
+    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP,
+                       .field = "config.max_iterations",
+                       .value = static_cast<double>(options.max_sweeps),
+                       .unit = "sweeps"});
   return fault;
 }
 

@@ -6,7 +6,8 @@
 ///   at strip centres   u(x_cj, y_j)       = delta - h(x_cj, y_j)                   (dense linear system for
 ///   p) at strip edges     u(x_cj +- l_j, y_j) = delta - h(x_cj +- l_j, y_j)           (smooth edge; gives
 ///   l_j and x_cj) u(x, y) = (1 - nu) / (pi G) sum_i p_i l_i-line potential of strip i over its width
-///   (strip_kernel.hpp) p_j >= 0; strips that would pull leave, strips where the bodies would overlap enter.
+///   (influence_tables.hpp) p_j >= 0; strips that would pull leave, strips where the bodies would overlap
+///   enter.
 ///
 /// All contact regions of the gap are in one system, so that neighbouring spots push each other apart as they
 /// do in reality. Each sweep solves p for the present lengths and then moves the lengths; three to five
@@ -22,8 +23,8 @@
 /// half-space theory, so no conformal contact.
 #pragma once
 
+#include "normal/influence_tables.hpp"
 #include "normal/problem.hpp"
-#include "normal/strip_kernel.hpp"
 
 namespace wrc {
 
@@ -56,7 +57,7 @@ struct StripHalfspaceStart {
 /// Solves the problem. Statuses as the other methods (check.hpp, load_search.hpp); WRC_FLAG_ITERATION_CAP
 /// when max_sweeps ended it, the patch is then that of the last sweep, and in equilibrium with the load.
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
-                            const StripKernel& kernel, NormalWorkspace& workspace, StripHalfspaceStart& start,
-                            Strips& strips, NormalSolution& solution) noexcept;
+                            const InfluenceTables& influence, NormalWorkspace& workspace,
+                            StripHalfspaceStart& start, Strips& strips, NormalSolution& solution) noexcept;
 
 }  // namespace wrc

@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "normal/simd/kernels.hpp"
+#include "kernels/kernels.hpp"
+#include "normal/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -17,16 +18,17 @@ double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence
 
 /// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
 /// in each of the strips.
-void find_influence(const StripKernel& kernel, const StripSystem& s, std::int32_t j) {
+void find_influence(const Kernels& kernels, const InfluenceTables& influence, const StripSystem& s,
+                    std::int32_t j) {
   if (s.row_known[j] != 0) return;
   s.row_known[j] = 1;
   double* const row = influence_row(s, j);
   const std::int32_t first = s.in_reach.first;
   const simd::InfluenceTask task{
-      kernel.tables(),  s.in_reach.count,         s.grid.y + first, s.grid.width + first,
-      s.centre + first, s.inverse_length + first, s.skewed};
-  kernel.kernels->influence_row(task, j - first, row + first);
-  row[j] = s.grid.width[j] * kernel.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
+      influence.tables(), s.in_reach.count,         s.grid.y + first, s.grid.width + first,
+      s.centre + first,   s.inverse_length + first, s.skewed};
+  kernels.influence_row(task, j - first, row + first);
+  row[j] = s.grid.width[j] * influence.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }
 
 /// The equations of the active strips: their influence on each other; the right-hand sides 1 / compliance,
@@ -83,7 +85,9 @@ bool release(StripSystem& s) {
 }
 
 /// Takes in the strips where the bodies would overlap. True if there are any.
-bool admit(const StripKernel& kernel, Search search, double compliance, double approach, StripSystem& s) {
+bool admit(const NormalProblem& problem, const InfluenceTables& influence, Search search, double approach,
+           StripSystem& s) {
+  const double compliance = problem.material.normal_compliance();
   constexpr std::int32_t beside = 1;  // strips from the nearest in contact that still count as beside it
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
@@ -93,7 +97,7 @@ bool admit(const StripKernel& kernel, Search search, double compliance, double a
     if (in) {
       ++a;
     } else if (s.height[j] < approach && (near || search == Search::everywhere)) {
-      find_influence(kernel, s, j);
+      find_influence(*problem.kernels, influence, s, j);
       const double* const row = influence_row(s, j);
       double displacement = 0.0;
       for (std::int32_t b = 0; b < m; ++b) displacement += row[s.active[b]] * s.peak[s.active[b]];
@@ -109,19 +113,20 @@ bool admit(const StripKernel& kernel, Search search, double compliance, double a
 
 }  // namespace
 
-double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, Search search, StripSystem& s,
-                       double& stiffness) noexcept {
+double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
+                       StripSystem& s, double& stiffness) noexcept {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
   std::fill_n(s.row_known, s.grid.count, 0);
   s.in_reach = strips_in_reach(search, s);
-  for (std::int32_t a = 0; a < s.active_count; ++a) find_influence(kernel, s, s.active[a]);
+  for (std::int32_t a = 0; a < s.active_count; ++a)
+    find_influence(*problem.kernels, influence, s, s.active[a]);
 
   double approach = problem.approach;
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
     const std::int32_t m = s.active_count;
-    kernel.kernels->eliminate(gather(s, compliance));
+    problem.kernels->eliminate(gather(s, compliance));
 
     double load_by_approach = 0.0, load_by_height = 0.0;
     for (std::int32_t a = 0; a < m; ++a) {
@@ -136,7 +141,7 @@ double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, 
 
     std::fill(s.peak, s.peak + s.grid.count, 0.0);
     for (std::int32_t a = 0; a < m; ++a) s.peak[s.active[a]] = approach * s.by_approach[a] - s.by_height[a];
-    if (!release(s) && !admit(kernel, search, compliance, approach, s)) break;
+    if (!release(s) && !admit(problem, influence, search, approach, s)) break;
     if (s.active_count == 0) break;
   }
   return approach;

@@ -1,8 +1,8 @@
 /// The first half of a sweep of the half-space solver (strip_halfspace.hpp): pressures for given lengths.
 #pragma once
 
+#include "normal/influence_tables.hpp"
 #include "normal/problem.hpp"
-#include "normal/strip_kernel.hpp"
 #include "normal/strip_system.hpp"
 
 namespace wrc {
@@ -14,7 +14,7 @@ enum class Search { everywhere, beside_contact };
 /// returns the approach [m], and in `stiffness` the growth of the load with it at these lengths [N/m]. Strips
 /// that pull leave and strips that overlap enter, a few times at most: what is left over is settled in the
 /// next sweep.
-double solve_pressures(const NormalProblem& problem, const StripKernel& kernel, Search search, StripSystem& s,
-                       double& stiffness) noexcept;
+double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
+                       StripSystem& s, double& stiffness) noexcept;
 
 }  // namespace wrc

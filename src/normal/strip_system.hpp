@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "normal/collocation_grid.hpp"
-#include "normal/simd/kernels.hpp"
+#include "normal/simd/tasks.hpp"
 #include "patch/gap.hpp"
 
 namespace wrc {

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 namespace wrc {
 

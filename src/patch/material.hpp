@@ -1,7 +1,7 @@
 /// Elastic constants of the pair of bodies, as the half-space theory needs them.
 #pragma once
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc {
 

@@ -6,24 +6,14 @@
 #include "patch/material.hpp"
 
 namespace wrc {
-namespace {
-
-/// Semi-axes by criteria (1) and (2) or (2b).
-Sdec semi_axes(const StripTotals& patch, SecondCriterion criterion) {
-  const double width = patch.y_max - patch.y_min;
-  Sdec sdec;
-  sdec.b =
-      criterion == SecondCriterion::width ? 0.5 * width : std::sqrt(patch.area / pi * width / patch.length);
-  sdec.a = patch.area / (pi * sdec.b);
-  return sdec;
-}
-
-}  // namespace
 
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept {
   sdec = {};
   if (!(patch.area > 0.0)) return {.status = WRC_FLAG_NO_CONTACT};
-  sdec = semi_axes(patch, criterion);
+  const double width = patch.y_max - patch.y_min;
+  sdec.b =
+      criterion == SecondCriterion::width ? 0.5 * width : std::sqrt(patch.area / pi * width / patch.length);
+  sdec.a = patch.area / (pi * sdec.b);
   const double y_mid = 0.5 * (patch.y_min + patch.y_max) - y_contact;
   const double psi = y_mid / sdec.b;
   sdec.psi = std::clamp(psi, -largest_psi, largest_psi);
@@ -34,15 +24,6 @@ Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion cri
             .low = -largest_psi,
             .high = largest_psi,
             .cause = "the contact point lies at the border of the patch"};
-  return {};
-}
-
-Fault equivalent_ellipse(const StripTotals& patch, SecondCriterion criterion,
-                         EquivalentEllipse& equivalent) noexcept {
-  equivalent = {};
-  if (!(patch.area > 0.0)) return {.status = WRC_FLAG_NO_CONTACT};
-  equivalent.ellipse = semi_axes(patch, criterion);
-  equivalent.y_centre = 0.5 * (patch.y_min + patch.y_max);
   return {};
 }
 

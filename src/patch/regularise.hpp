@@ -1,4 +1,4 @@
-/// Regularisation of any contact patch to an equivalent SDEC region or ellipse.
+/// Regularisation of any contact patch to an equivalent SDEC region.
 ///
 /// Criteria of Piotrowski, Liu and Bruni (2017), and the source paper's variant that keeps the width:
 ///   (1)  pi a b = area of the patch
@@ -8,15 +8,15 @@
 ///        from there.
 #pragma once
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "patch/sdec.hpp"
 #include "patch/strips.hpp"
 
 namespace wrc {
 
 enum class SecondCriterion {
-  aspect_ratio,  ///< (2): a / b as in the patch
   width,         ///< (2b): b as in the patch
+  aspect_ratio,  ///< (2): a / b as in the patch
 };
 
 /// Largest |psi| handed out: beyond it one half ellipse is a sliver the linear theory has no coefficients
@@ -27,15 +27,5 @@ inline constexpr double largest_psi = 0.95;
 /// largest_psi, which happens when the contact point lies near or beyond a border of the patch, and flagged
 /// with WRC_FLAG_TABLE_RANGE. WRC_FLAG_NO_CONTACT for a patch without strips.
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept;
-
-/// The equivalent ellipse by the same criteria: the SDEC region with psi = 0. Its centre belongs at mid-width
-/// of the patch, `y_centre` [m], not at the contact point: creepages referred to the contact point must be
-/// moved there.
-struct EquivalentEllipse {
-  Sdec ellipse;
-  double y_centre = 0.0;
-};
-Fault equivalent_ellipse(const StripTotals& patch, SecondCriterion criterion,
-                         EquivalentEllipse& equivalent) noexcept;
 
 }  // namespace wrc

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 namespace wrc {
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 namespace wrc {
 

@@ -1,7 +1,7 @@
 /// The outline of a posed wheel, seen along the track: one point for each place on its profile (overlap.hpp).
 #pragma once
 
-#include "number.hpp"
+#include "base/number.hpp"
 #include "surface/overlap.hpp"
 
 namespace wrc {

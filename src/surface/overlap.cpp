@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "surface/outline.hpp"
-#include "surface/simd/kernels.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -73,7 +73,7 @@ void find_knots(double* memory, WheelCurve& wheel) {
   wheel.knot_slope = slope;
 }
 
-void find_overlaps(const SurfaceKernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+void find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                    const RelativePose& pose, double margin, const OverlapScratch& scratch,
                    Overlaps& overlaps) noexcept {
   const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};

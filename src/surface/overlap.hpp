@@ -11,13 +11,12 @@
 
 #include <cstdint>
 
+#include "kernels/kernels.hpp"
 #include "surface/curve.hpp"
 #include "surface/rail_strips.hpp"
 #include "surface/wheel_on_rail.hpp"
 
 namespace wrc {
-
-struct SurfaceKernels;
 
 /// A wheel's profile: curve.y from the tape circle, curve.z below the axle: the radius [m]. Its knots, where
 /// pieces meet, in whole packs.
@@ -63,7 +62,7 @@ struct OverlapScratch {
 };
 
 /// Finds all strips with depth > -margin.
-void find_overlaps(const SurfaceKernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+void find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                    const RelativePose& pose, double margin, const OverlapScratch& scratch,
                    Overlaps& overlaps) noexcept;
 

@@ -8,11 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
 #include "tangential/fastrip_strip.hpp"
 #include "tangential/flexibility_form.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -92,7 +93,8 @@ void roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a, cons
     const StripSolution strip = solve_strip(growth, std::max(a.bound[j], least_stress) / l, 0.0, 0.0, l);
     const Creepage rigid{in.slip_x[j], in.slip_y[j], in.spin[j]};
     const RolledStrip rolled =
-        roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid, in.count, j, fields);
+        roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid,
+                   {fields.traction_x, fields.traction_y, fields.slip_x, fields.slip_y}, in.count, j, fields);
     forces.fx[j] = rolled.fx;
     forces.fy[j] = rolled.fy;
     forces.mz[j] = rolled.mz;

@@ -12,7 +12,7 @@
 
 #include <array>
 
-#include "linear_theory/kalker.hpp"
+#include "theory/kalker.hpp"
 
 namespace wrc {
 

@@ -1,37 +1,19 @@
 /// The fitted constants of strip FASTSIM on the rail's surface: how contact of finite width deviates from
-/// strip theory as it saturates.
-///
-/// Each quantity is a sum of constants times terms, strip by strip. x, e, s are the longitudinal force, the
-/// lateral force of lateral slip and that of spin in linear theory, over the friction limit, each the mean
-/// over neighbouring strips (surface_rolling.hpp); with Q = 1 + x^2 + e^2 + s^2 every term lies between -1
-/// and 1, vanishes with the slips (but for the first two) and tends to a constant for large ones. u is the
-/// slenderness (a - b) / (a + b) of the ellipse whose strips are held alike. All terms stay the same when the
-/// bodies are mirrored and when all slips change sign.
-///
-/// tests/calibration makes the constants; its README has the commands. Zeros are terms the fit did not need.
+/// strip theory as it saturates. Strip by strip; x, e, s are means over neighbouring strips
+/// (surface_rolling.hpp), and u is of the ellipse whose strips are held alike.
 #pragma once
+
+#include "tangential/saturation_terms.hpp"
 
 namespace wrc {
 
 struct SurfaceCalibration {
-  enum Term {
-    constant,
-    slender,         ///< u
-    longitudinal,    ///< x^2 / Q
-    lateral,         ///< e^2 / Q
-    spin,            ///< s^2 / Q
-    pull,            ///< e s / Q: lateral slip pulls with spin (> 0) or against it
-    pull_squared,    ///< its square
-    longitudinal_u,  ///< u x^2 / Q
-    lateral_u,       ///< u e^2 / Q
-    spin_u,          ///< u s^2 / Q
-    pull_u,          ///< u e s / Q
-    pull_squared_u,  ///< u times the square
-    unison,    ///< 1 where s^2 = 1, where strip theory lets all strips slip at once; falls off to both sides
-    unison_u,  ///< u times that
-    spin_squared,       ///< s^4 / Q^2
-    lateral_spin,       ///< e^2 s^2 / Q^2
-    longitudinal_spin,  ///< x^2 s^2 / Q^2
+  using enum SaturationTerms::Term;
+  enum {
+    unison_u = saturation_terms,  ///< u times the last of those
+    spin_squared,                 ///< s^4 / Q^2
+    lateral_spin,                 ///< e^2 s^2 / Q^2
+    longitudinal_spin,            ///< x^2 s^2 / Q^2
     terms
   };
   enum Quantity {

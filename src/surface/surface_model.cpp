@@ -4,7 +4,7 @@
 #include <cmath>
 #include <new>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc {
 namespace {
@@ -50,7 +50,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->rail_origin_y = bodies.rail_origin_y;
   model->rail_origin_z = bodies.rail_origin_z;
   model->material = bodies.material;
-  model->kernel = bodies.kernel;
+  model->influence = bodies.influence;
   model->kernels = bodies.kernels;
   model->coefficients = StripCoefficientTable(*bodies.ellipse);
   model->grid = bodies.grid;

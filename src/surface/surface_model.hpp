@@ -6,7 +6,8 @@
 #include <cstdint>
 
 #include "geometry/profile.hpp"
-#include "normal/strip_kernel.hpp"
+#include "kernels/kernels.hpp"
+#include "normal/influence_tables.hpp"
 #include "patch/material.hpp"
 #include "surface/overlap.hpp"
 #include "surface/rail_strips.hpp"
@@ -26,8 +27,8 @@ struct SurfaceBodies {
   double nominal_radius = 0.0;                      ///< of the wheel at its profile's origin [m]
   Material material;
   // These outlive the model:
-  const StripKernel* kernel = nullptr;
-  const SurfaceKernels* kernels = nullptr;
+  const InfluenceTables* influence = nullptr;
+  const Kernels* kernels = nullptr;
   const KalkerTable* ellipse = nullptr;  ///< of the material's Poisson ratio
   const MarchGrid* grid = nullptr;
 };
@@ -38,8 +39,8 @@ struct SurfaceModel {
   WheelCurve wheel;
   double rail_origin_y = 0.0, rail_origin_z = 0.0;
   Material material;
-  const StripKernel* kernel = nullptr;
-  const SurfaceKernels* kernels = nullptr;
+  const InfluenceTables* influence = nullptr;
+  const Kernels* kernels = nullptr;
   StripCoefficientTable coefficients;
   const MarchGrid* grid = nullptr;
 };

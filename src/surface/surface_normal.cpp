@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
-#include "number.hpp"
+#include "base/elementary.hpp"
+#include "base/number.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -70,8 +71,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
 
 /// What a solve needs to know throughout.
 struct Problem {
-  const SurfaceKernels& kernels;
-  const NormalKernels& eliminate;
+  const Kernels& kernels;
   simd::SurfaceTables tables;
   double compliance;
 };
@@ -135,8 +135,8 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
       double* const row = w.matrix + a * stride;
       if (a < kept) {
         const std::int32_t i = w.active[a];
-        problem.kernels.influence_row(problem.tables, sources, {w.place[a], w.centre[a], w.ny[a], w.nz[a]},
-                                      skewed, w.row);
+        problem.kernels.surface_influence_row(problem.tables, sources,
+                                              {w.place[a], w.centre[a], w.ny[a], w.nz[a]}, skewed, w.row);
         std::copy_n(w.row, kept, row);
         for (std::int64_t c = kept; c < stride; ++c) row[c] = 0.0;
         row[size] = s.depth[i];
@@ -145,13 +145,13 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
         row[a] = 1.0;
       }
     }
-    problem.eliminate.eliminate({size, stride, w.matrix, w.r, w.s});
+    problem.kernels.eliminate({size, stride, w.matrix, w.r, w.s});
     bool changed = false;
     for (std::int32_t i = 0; i < s.count; ++i) {
       if (w.in[i]) continue;
       if (!everywhere && !(i > 0 && w.in[i - 1]) && !(i + 1 < s.count && w.in[i + 1])) continue;
-      problem.kernels.influence_row(problem.tables, sources,
-                                    {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
+      problem.kernels.surface_influence_row(
+          problem.tables, sources, {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
       double u = 0.0;
       for (std::int32_t a = 0; a < kept; ++a) u += w.row[a] * w.r[a];
       if (u < s.depth[i] * (1.0 - 1e-12)) {
@@ -179,7 +179,8 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     const std::int32_t i = w.active[a];
     const double l = w.l[i], L = l * l;
     const auto at = [&](double x) {
-      return problem.kernels.edge_displacement(problem.tables, unit, {w.place[a], x, w.ny[a], w.nz[a]});
+      return problem.kernels.surface_edge_displacement(problem.tables, unit,
+                                                       {w.place[a], x, w.ny[a], w.nz[a]});
     };
     const double leading = at(w.centre[a] + l);
     const double trailing = skewed ? at(w.centre[a] - l) : leading;
@@ -194,14 +195,17 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     residual[i] = -s.L[i];
     shift_residual[i] = 0.0;
   }
+  // Means over the strips within reach, weighted by their loads. Strips that are not in contact have the
+  // place they would enter with.
   std::int32_t from = 0;
-  for (std::int32_t a = 0; a < kept; ++a) {
-    const std::int32_t i = w.active[a];
+  for (std::int32_t i = 0, a = 0; i < s.count; ++i) {
+    const bool in = a < kept && w.active[a] == i;
+    if (!in && !skewed) continue;
     const double reach = larger(smoothing_length, smoothing_widths * s.width[i]);
-    while (w.place[a] - w.place[from] >= reach) ++from;
+    while (from < kept && s.place[i] - w.place[from] >= reach) ++from;
     double weights = 0.0, level = 0.0, shift = 0.0;
     for (std::int32_t b = from; b < kept; ++b) {
-      const double t = (w.place[b] - w.place[a]) / reach;
+      const double t = (w.place[b] - s.place[i]) / reach;
       if (t >= 1.0) break;
       const double near = 1.0 - t * t;
       const double weight = near * near * near * s.width[w.active[b]] * w.strength[b];
@@ -210,12 +214,15 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
       shift += weight * w.wanted_shift[b];
     }
     const bool lone = !(weights > 0.0);
-    s.level[i] = lone ? w.wanted_level[a] : level / weights;
-    if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
+    if (in) {
+      s.level[i] = lone ? w.wanted_level[a] : level / weights;
+      if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
+    }
     if (skewed) {
-      const double wanted = lone ? w.wanted_shift[a] : shift / weights;
+      const double wanted = !lone ? shift / weights : in ? w.wanted_shift[a] : 0.0;
       shift_residual[i] = smaller(larger(wanted, -longest_shift), longest_shift) - s.shift[i];
     }
+    if (in) ++a;
   }
 }
 
@@ -344,10 +351,11 @@ std::int64_t surface_normal_doubles(std::int32_t most) {
   return cut(&nothing, most, w) + 2 * most;
 }
 
-SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o, const StripKernel& kernel,
-                                         const SurfaceKernels& kernels, double compliance,
-                                         const SurfaceNormalOptions& options, double* memory,
-                                         SurfaceStart& start, const SurfacePressure& p) noexcept {
+SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o,
+                                         const InfluenceTables& influence, const Kernels& kernels,
+                                         double compliance, const SurfaceNormalOptions& options,
+                                         double* memory, SurfaceStart& start,
+                                         const SurfacePressure& p) noexcept {
   SurfaceNormalResult result;
   Scratch w;
   auto* const pair_of = reinterpret_cast<std::int32_t*>(memory + cut(memory, o.capacity, w));
@@ -367,7 +375,7 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
     s.shift[i] = start.set ? start.shift[j] : 0.0;
     started = started || s.L[i] > 0.0;
   }
-  const Problem problem{kernels, *kernel.kernels, {kernel.tables(), kernel.mean_under.data()}, compliance};
+  const Problem problem{kernels, {influence.tables(), influence.mean_under.data()}, compliance};
   if (o.count == 0) {
     result.converged = true;
   } else {

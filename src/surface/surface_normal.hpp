@@ -21,9 +21,9 @@
 
 #include <cstdint>
 
-#include "normal/strip_kernel.hpp"
+#include "kernels/kernels.hpp"
+#include "normal/influence_tables.hpp"
 #include "surface/overlap.hpp"
-#include "surface/simd/kernels.hpp"
 
 namespace wrc {
 
@@ -60,7 +60,7 @@ std::int64_t surface_normal_doubles(std::int32_t most);
 /// Solves at the depths given. `start` is read where it is set, and left with the solution. `compliance`:
 /// that of the pair, (1 - nu) / (pi G) [1/Pa].
 SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& overlaps,
-                                         const StripKernel& kernel, const SurfaceKernels& kernels,
+                                         const InfluenceTables& influence, const Kernels& kernels,
                                          double compliance, const SurfaceNormalOptions& options,
                                          double* workspace, SurfaceStart& start,
                                          const SurfacePressure& pressure) noexcept;

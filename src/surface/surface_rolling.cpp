@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/tasks.hpp"
 #include "tangential/strip_fastsim.hpp"
 
 namespace wrc {

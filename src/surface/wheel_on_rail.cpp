@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
+#include "base/number.hpp"
 #include "geometry/creepages.hpp"
-#include "number.hpp"
 #include "surface/surface_model.hpp"
 
 namespace wrc {
@@ -179,9 +179,10 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, 
     for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
 }
 
-/// Solves at a height; the wrench is complete but for `height` and the sums over earlier sweeps.
-Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, Work& w, SurfaceStart& start,
-               const SurfaceNormalOptions& options, Wrench& out) {
+/// Solves at a height; the wrench is complete but for `height` and the sums over earlier sweeps. `found`: the
+/// overlaps at this height stand in w.overlaps already.
+Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
+               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
   Fault fault;
   const std::int32_t sweeps_before = out.sweeps;
   out = {};
@@ -189,10 +190,10 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   out.height = height;
   const Seen seen = see(model, in, height);
   Overlaps& o = w.overlaps;
-  find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
+  if (!found) find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
   const SurfaceNormalResult normal =
-      solve_surface_normal(model.rail, o, *model.kernel, *model.kernels, model.material.normal_compliance(),
-                           options, w.normal, start, w.pressure);
+      solve_surface_normal(model.rail, o, *model.influence, *model.kernels,
+                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
   out.sweeps += normal.sweeps;
   if (!normal.converged)
     fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
@@ -203,31 +204,31 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   double load = 0.0, sliding = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
-    const std::int32_t k = count++;
     const std::int32_t j = o.strip[i];
     const double l = std::sqrt(p.length_squared[i]);
     double v[3];
     sliding_at(seen, p.centre[i], o.wy[i], o.wz[i], v);
     const double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
     const double damped = std::max(0.0, 1.0 + 1.5 * in.damping * approach_velocity);
+    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * model.rail.width[j] * l * peak;
+    if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
+    const std::int32_t k = count++;
     w.candidate[k] = i;
     w.place[k] = model.rail.s[j];
     w.width[k] = model.rail.width[j];
     w.half_length[k] = l;
-    w.peak[k] = damped * p.strength[i] / l;
+    w.peak[k] = peak;
     w.curvature[k] = o.curvature[i];
     w.slip_x[k] = v[0];
     w.slip_y[k] = v[1] * o.nz[i] - v[2] * o.ny[i];
     w.spin[k] = seen.angular_velocity[1] * o.ny[i] + seen.angular_velocity[2] * o.nz[i];
     w.friction[k] = in.friction;
     w.fx[k] = w.fy[k] = w.mz[k] = 0.0;
-    const double N = 0.5 * pi * w.width[k] * l * w.peak[k];
     load += N;
     sliding += N * v[0];
   }
-  if (count == 0 || !(load > 0.0)) {
-    worsen(fault, {.status = WRC_FLAG_NO_CONTACT});
-    return fault;
+  if (count == 0) {
+    return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
   }
   // the mean of the speeds at which wheel and rail material pass through the contact
   const double rolling_speed = seen.velocity[0] - 0.5 * sliding / load;
@@ -294,7 +295,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
         region_n[0] = region_n[1] = region_weight = 0.0;
       } else {
         region = &out.region[most_surface_regions - 1];  // beyond what is listed: counted with the last
-        worsen(fault, {.status = WRC_FLAG_MORE_PATCHES});
+        keep_worst(fault, {.status = WRC_FLAG_MORE_PATCHES});
       }
     }
     last_strip = j;
@@ -329,7 +330,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
 }
 
 /// The greatest height, no greater than that asked for, at which no overlap is deeper than `deepest_overlap`
-/// [m].
+/// [m]. Leaves the overlaps at the height asked for where that is the one.
 double height_at_border(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   double height = in.wheel.position[2];
   constexpr int most_steps = 12;
@@ -382,22 +383,22 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     if (asked > border) {
       // Beyond, the load goes on with the stiffness it had, in the directions it had.
       constexpr double step = 2e-6;  // [m]
-      solve_at(model, in, border - step, w, start, {}, out);
+      solve_at(model, in, border - step, false, w, start, {}, out);
       const double before = out.normal_force;
-      fault = solve_at(model, in, border, w, start, {}, out);
+      fault = solve_at(model, in, border, false, w, start, {}, out);
       if (out.normal_force > 0.0) {
         const double stiffness = larger(out.normal_force - before, 0.0) / step;
         scale(1.0 + stiffness * (asked - border) / out.normal_force, out);
       }
       out.height = asked;
-      worsen(fault, {.status = WRC_FLAG_BEYOND_GAP,
-                     .field = "overlap",
-                     .value = deepest_overlap + asked - border,
-                     .unit = "m",
-                     .high = deepest_overlap,
-                     .cause = "did you pass millimetres?"});
+      keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
+                         .field = "overlap",
+                         .value = deepest_overlap + asked - border,
+                         .unit = "m",
+                         .high = deepest_overlap,
+                         .cause = "did you pass millimetres?"});
     } else {
-      fault = solve_at(model, in, asked, w, start, {}, out);
+      fault = solve_at(model, in, asked, asked == border, w, start, {}, out);
     }
     state.height = in.wheel.position[2];
     state.set = start.set ? 1.0 : 0.0;
@@ -436,7 +437,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
   bool met = false;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    Fault here = solve_at(model, in, z, w, start, options, out);
+    Fault here = solve_at(model, in, z, false, w, start, options, out);
     const double load = -out.force[2];
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
     if (std::abs(load - asked) <= load_tolerance * asked) {
@@ -468,7 +469,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     z = next;
   }
   if (!met)
-    worsen(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
+    keep_worst(fault,
+               {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
   state.height = z;
   state.set = start.set ? 1.0 : 0.0;
   return fault;

@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "tangential/friction.hpp"
 
 namespace wrc {

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {

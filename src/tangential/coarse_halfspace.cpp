@@ -229,12 +229,12 @@ TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace
   }
   solved = fine.solve(contact.creepage, tolerance, max_iterations) && solved;
   if (!solved)
-    worsen(fault,
-           {.status = WRC_FLAG_ITERATION_CAP,
-            .field = "iterations of COARSE_HALFSPACE",
-            .value = max_iterations,
-            .unit = "",
-            .cause = "cells at the border keep changing between adhesion and slip: forces are usable"});
+    keep_worst(fault,
+               {.status = WRC_FLAG_ITERATION_CAP,
+                .field = "iterations of COARSE_HALFSPACE",
+                .value = max_iterations,
+                .unit = "",
+                .cause = "cells at the border keep changing between adhesion and slip: forces are usable"});
   Shares<fine_cells> fine_shares;
   find_shares(fine, fine_shares);
 

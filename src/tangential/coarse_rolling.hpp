@@ -1,10 +1,8 @@
 /// Kalker's exact theory of steady rolling on a grid of n x n cells, in fixed memory and capped work.
 ///
-/// The equations and the iteration are those of the offline solver: where |p| < g the surfaces stick, s = 0;
-/// elsewhere p = -g s / |s|; both say p = P(p - rho s), P the projection onto the disk of radius g. Newton's
-/// method with a moving adhesion area solves it, its linear systems by GMRES with the rows along x inverted
-/// as preconditioner. The slip is taken a quarter of a cell ahead of a cell's middle, its traction a quarter
-/// behind.
+/// The equations and the iteration are those of the exact solver (rolling_newton.hpp): Newton's method with a
+/// moving adhesion area, its linear systems by GMRES with the rows along x inverted as preconditioner. The
+/// slip is taken a quarter of a cell ahead of a cell's middle, its traction a quarter behind.
 ///
 /// Real-time: no memory but the object itself (about 300 KB for n = 16), work bounded by max_iterations and
 /// max_products.
@@ -15,6 +13,7 @@
 
 #include "tangential/coarse_grid.hpp"
 #include "tangential/problem.hpp"
+#include "tangential/rolling_newton.hpp"
 
 namespace wrc {
 
@@ -43,17 +42,6 @@ class CoarseRolling {
  private:
   static constexpr int max_products = 30;
 
-  /// A cell in contact, and how its traction may change in one Newton step: freely where it sticks, along the
-  /// circle |p| = g where it slides.
-  struct Cell {
-    int at = 0, i = 0;
-    double wx = 0.0, wy = 0.0;              ///< rigid slip
-    int first = 0, count = 0;               ///< its unknowns: 2 where it sticks, 1 where it slides
-    double tx = 0.0, ty = 0.0;              ///< across the traction
-    double stiffening = 0.0;                ///< |s| / g [1/Pa]
-    double radial_x = 0.0, radial_y = 0.0;  ///< change that brings the traction onto the circle
-  };
-
   struct Row {
     int first_cell = 0, cells = 0, first = 0, size = 0;
     double inverse[4 * n * n];  ///< LU factors by rows
@@ -70,7 +58,7 @@ class CoarseRolling {
   void gather(double* out) const;
   void gmres(double accuracy);
 
-  Cell cell_[cells];
+  NewtonCell cell_[cells];
   int cell_count_ = 0, size_ = 0, row_count_ = 0;
   Row row_[n];
   double rhs_[unknowns], change_[unknowns];
@@ -92,7 +80,7 @@ void CoarseRolling<n>::find_cells(const Creepage& creepage) {
         px[at] = py[at] = 0.0;
         continue;
       }
-      Cell& cell = cell_[cell_count_++];
+      NewtonCell& cell = cell_[cell_count_++];
       cell.at = at;
       cell.i = i;
       cell.wx = creepage.longitudinal - creepage.spin * grid.y(j);
@@ -108,55 +96,27 @@ template <int n>
 void CoarseRolling<n>::update_slip() {
   grid.slip(px, py, field_x_, field_y_);
   for (int k = 0; k < cell_count_; ++k) {
-    const Cell& cell = cell_[k];
+    const NewtonCell& cell = cell_[k];
     sx[cell.at] = cell.wx + field_x_[cell.at] + border_compliance[cell.at] * px[cell.at];
     sy[cell.at] = cell.wy + field_y_[cell.at] + border_compliance[cell.at] * py[cell.at];
   }
 }
 
-/// Sets up the Newton system at the present tractions and slips. With z = p - rho s: |z| <= g sticks, and the
-/// change d of traction is to make s + C d = 0. Otherwise the cell slides; with e = z / |z| and t across it,
-/// the derivative of p = g z / |z| demands e.(p + d) = g, and along t
-///     (|z| - g) / (rho g) d_t + (C d)_t = -|z| / (rho g) p_t.
-/// Sticking tractions may exceed g on the way: that tells the next iteration how far the adhesion area is
-/// from carrying itself.
+/// Sets up the Newton system at the present tractions and slips.
 template <int n>
 void CoarseRolling<n>::linearise(double rho) {
-  double error = 0.0, norm = 0.0;
+  NewtonResidual sums;
   size_ = 0;
   for (int k = 0; k < cell_count_; ++k) {
-    Cell& cell = cell_[k];
+    NewtonCell& cell = cell_[k];
     const int at = cell.at;
-    const double g = bound[at];
-    const double zx = px[at] - rho * sx[at], zy = py[at] - rho * sy[at];
-    const double z = std::sqrt(zx * zx + zy * zy);
-    slides[at] = z > g;
-    cell.first = size_;
-    if (slides[at]) {
-      const double ex = zx / z, ey = zy / z;
-      cell.count = 1;
-      cell.tx = -ey;
-      cell.ty = ex;
-      cell.stiffening = (z - g) / (rho * g);
-      const double radial = g - px[at] * ex - py[at] * ey;
-      cell.radial_x = radial * ex;
-      cell.radial_y = radial * ey;
-      rhs_[size_] = -(px[at] * cell.tx + py[at] * cell.ty) * z / (rho * g);
-      const double dx = px[at] - g * ex, dy = py[at] - g * ey;
-      error += dx * dx + dy * dy;
-    } else {
-      cell.count = 2;
-      cell.radial_x = cell.radial_y = 0.0;
-      rhs_[size_] = -sx[at];
-      rhs_[size_ + 1] = -sy[at];
-      error += rho * rho * (sx[at] * sx[at] + sy[at] * sy[at]);
-    }
+    double rhs[2];
+    slides[at] = wrc::linearise(bound[at], rho, px[at], py[at], sx[at], sy[at], size_, cell, rhs, sums);
+    sums.norm_squared += asked_squared(bound[at], rho, px[at], py[at], cell);
+    std::copy_n(rhs, cell.count, rhs_ + size_);
     size_ += cell.count;
-    const double wanted2 =
-        std::max(px[at] * px[at] + py[at] * py[at], rho * rho * (cell.wx * cell.wx + cell.wy * cell.wy));
-    norm += std::min(g * g, wanted2);
   }
-  residual = norm > 0.0 ? std::sqrt(error / norm) : 0.0;
+  residual = sums.value();
 }
 
 /// Unknowns to tractions on the grid.
@@ -165,9 +125,8 @@ void CoarseRolling<n>::spread(const double* in) {
   std::fill_n(field_x_, cells, 0.0);
   std::fill_n(field_y_, cells, 0.0);
   for (int k = 0; k < cell_count_; ++k) {
-    const Cell& cell = cell_[k];
-    field_x_[cell.at] = cell.count == 2 ? in[cell.first] : in[cell.first] * cell.tx;
-    field_y_[cell.at] = cell.count == 2 ? in[cell.first + 1] : in[cell.first] * cell.ty;
+    const int at = cell_[k].at;
+    traction_of(cell_[k], in, field_x_[at], field_y_[at]);
   }
 }
 
@@ -175,47 +134,29 @@ void CoarseRolling<n>::spread(const double* in) {
 template <int n>
 void CoarseRolling<n>::gather(double* out) const {
   for (int k = 0; k < cell_count_; ++k) {
-    const Cell& cell = cell_[k];
-    const double x = slip_x_[cell.at] + border_compliance[cell.at] * field_x_[cell.at],
-                 y = slip_y_[cell.at] + border_compliance[cell.at] * field_y_[cell.at];
-    if (cell.count == 2) {
-      out[cell.first] = x;
-      out[cell.first + 1] = y;
-    } else {
-      out[cell.first] = cell.tx * x + cell.ty * y;
-    }
+    const NewtonCell& cell = cell_[k];
+    equations_of(cell, slip_x_[cell.at] + border_compliance[cell.at] * field_x_[cell.at],
+                 slip_y_[cell.at] + border_compliance[cell.at] * field_y_[cell.at], out);
   }
 }
 
-/// LU factors, with row exchanges, of the equations of one row of cells on its own. Within a row the slip in
-/// x does not depend on p_y.
+/// LU factors, with row exchanges, of the equations of one row of cells on its own.
 template <int n>
 void CoarseRolling<n>::factor(Row& row) const {
   constexpr int stride = 2 * n;
-  const Cell* const first = cell_ + row.first_cell;
+  const NewtonCell* const first = cell_ + row.first_cell;
   row.first = first->first;
   row.size = first[row.cells - 1].first + first[row.cells - 1].count - row.first;
   double* const m = row.inverse;
   for (int a = 0; a < row.cells; ++a) {
     for (int b = 0; b < row.cells; ++b) {
-      const Cell &to = first[a], &from = first[b];
+      const NewtonCell &to = first[a], &from = first[b];
       const double own = a == b ? border_compliance[to.at] : 0.0;
       const double x = grid.xx[n - 1][to.i - from.i + n - 1] + own,
                    y = grid.yy[n - 1][to.i - from.i + n - 1] + own;
       double* const block = m + (to.first - row.first) * stride + from.first - row.first;
-      if (to.count == 2 && from.count == 2) {
-        block[0] = x;
-        block[1] = block[stride] = 0.0;
-        block[stride + 1] = y;
-      } else if (to.count == 2) {
-        block[0] = x * from.tx;
-        block[stride] = y * from.ty;
-      } else if (from.count == 2) {
-        block[0] = to.tx * x;
-        block[1] = to.ty * y;
-      } else {
-        block[0] = to.tx * x * from.tx + to.ty * y * from.ty + (a == b ? to.stiffening : 0.0);
-      }
+      couple(to, from, x, y, [&](int r, int c, double value) { block[r * stride + c] = value; });
+      if (a == b && to.count == 1) block[0] += to.stiffening;
     }
   }
   for (int k = 0; k < row.size; ++k) {
@@ -334,15 +275,8 @@ void CoarseRolling<n>::newton_step(double share) {
   for (int k = 0; k < row_count_; ++k) factor(row_[k]);
   gmres(1e-2);  // loosely: the next step moves the adhesion area anyway
   for (int k = 0; k < cell_count_; ++k) {
-    const Cell& cell = cell_[k];
-    const double dx = cell.count == 2 ? change_[cell.first] : change_[cell.first] * cell.tx;
-    const double dy = cell.count == 2 ? change_[cell.first + 1] : change_[cell.first] * cell.ty;
-    const double x = px[cell.at] + share * (cell.radial_x + dx),
-                 y = py[cell.at] + share * (cell.radial_y + dy);
-    const double length = std::sqrt(x * x + y * y);
-    const double cut = cell.count == 1 && length > 0.0 ? bound[cell.at] / length : 1.0;
-    px[cell.at] = cut * x;
-    py[cell.at] = cut * y;
+    const int at = cell_[k].at;
+    advance(cell_[k], bound[at], change_, share, px[at], py[at]);
   }
 }
 
@@ -350,15 +284,12 @@ template <int n>
 bool CoarseRolling<n>::solve(const Creepage& creepage, double tolerance, int max_iterations) {
   find_cells(creepage);
   const double rho = 1.0 / std::max(grid.xx[n - 1][n - 1], grid.yy[n - 1][n - 1]);
-  // A full step converges in a few iterations; where a few cells keep changing between adhesion and slip,
-  // shorter steps break the cycle.
-  constexpr int full_steps = 12;
   update_slip();
   for (iterations = 0;; ++iterations) {
     linearise(rho);
     if (residual <= tolerance) return true;
     if (iterations == max_iterations) return false;
-    newton_step(iterations < full_steps || iterations % 4 == 3 ? 1.0 : 0.5);
+    newton_step(share_of_step(iterations));
     update_slip();
   }
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "number.hpp"
+#include "base/number.hpp"
 
 namespace wrc {
 

@@ -33,23 +33,29 @@ StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
 }
 
 /// FASTSIM's part: traction bound and flexibilities.
-struct Directions {
+struct Fastsim {
   Flexibility separate;
   double common = 0.0;  ///< where a strip slips as a whole
   TractionBound bound = TractionBound::elliptic;
   double load_factor = 1.0;
 };
 
-TangentialForces solve(const RollingContact& contact, const StripGrowth& growth, const Directions& directions,
-                       const TangentialFields& fields) {
-  const StripFriction friction{contact.friction.mean * directions.load_factor, contact.friction.shares};
-  TangentialProblem problem{contact.region, contact.creepage, directions.separate, friction,
-                            directions.bound};
-  march(problem, *contact.grid, {fields.traction_x, fields.traction_y, nullptr, nullptr});
-  const double l = directions.common;
+/// Its tractions, in the contact's workspace.
+SlipDirections directions_of(const Fastsim& fastsim, const RollingContact& contact) {
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
+  auto* const x = static_cast<double*>(contact.workspace);
+  double *const y = x + cells, *const common_x = y + cells, *const common_y = common_x + cells;
+  const StripFriction friction{contact.friction.mean * fastsim.load_factor, contact.friction.shares};
+  TangentialProblem problem{contact.region, contact.creepage, fastsim.separate, friction, fastsim.bound};
+  march(problem, *contact.grid, {x, y, nullptr, nullptr});
+  const double l = fastsim.common;
   problem.flexibility = {l, l, l, l};
-  march(problem, *contact.grid, {fields.slip_x, fields.slip_y, nullptr, nullptr});
+  march(problem, *contact.grid, {common_x, common_y, nullptr, nullptr});
+  return {x, y, common_x, common_y};
+}
 
+TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
+                       const SlipDirections& directions, const TangentialFields& fields) {
   constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
   const Strips& strips = contact.region;
   RolledStrip total;
@@ -60,7 +66,7 @@ TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
         solve_strip(growth, steepness, strips.y[j], strips.centre[j], strips.half_length[j]);
     const SlidingStrip sliding{strips.half_length[j], strips.width[j], strips.centre[j],
                                strips.y[j],           bound,           contact.creepage};
-    total += roll_strip(sliding, strip, *contact.grid, strips.count, j, fields);
+    total += roll_strip(sliding, strip, *contact.grid, directions, strips.count, j, fields);
   }
   const Creepage& c = contact.creepage;
   const double balance =
@@ -73,35 +79,25 @@ TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
   return {total.fx, total.fy, total.mz, balance, total.adhesion_fraction()};
 }
 
-Directions on_ellipse(const RollingContact& contact, Fault& fault) {
-  const Flexibility separate = ellipse_flexibility(contact.a, contact.b, contact.shear_modulus,
-                                                   contact.linear_theory->ellipse(), fault);
-  return {separate, common_flexibility(separate, contact.a, contact.b, 0.0, contact.creepage),
-          TractionBound::elliptic, 1.0};
-}
-
 }  // namespace
 
+std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells) {
+  return static_cast<std::int64_t>(4 * sizeof(double)) * strips * cells;
+}
+
 TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
-  Directions directions = on_ellipse(contact, fault);
-  directions.bound = TractionBound::parabolic;
-  const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
-  directions.load_factor = 1.0 + slender * slender * slender * slender;
-  return solve(contact, growth_on_ellipse(contact, fault), directions, fields);
-}
-
-TangentialForces fastrip_modified(const RollingContact& contact, const TangentialFields& fields,
-                                  Fault& fault) {
-  return solve(contact, growth_on_ellipse(contact, fault), on_ellipse(contact, fault), fields);
-}
-
-TangentialForces fastrip_sdec(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
-  const Flexibility separate = sdec_flexibility(contact.a, contact.b, contact.shape_number,
-                                                contact.shear_modulus, *contact.linear_theory, fault);
-  const double common =
-      common_flexibility(separate, contact.a, contact.b, contact.shape_number, contact.creepage);
-  return solve(contact, growth_on_sdec(contact, fault), {separate, common, TractionBound::elliptic, 1.0},
-               fields);
+  Fastsim fastsim;
+  fastsim.separate = linear_flexibility(contact, fault);
+  fastsim.common = common_flexibility(fastsim.separate, contact.a, contact.b, contact.elastic_shape_number(),
+                                      contact.creepage);
+  if (contact.model.on_ellipse) {
+    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
+    fastsim.bound = TractionBound::parabolic;
+    fastsim.load_factor = 1.0 + slender * slender * slender * slender;
+  }
+  const StripGrowth growth =
+      contact.model.of_sdec ? growth_on_sdec(contact, fault) : growth_on_ellipse(contact, fault);
+  return solve(contact, growth, directions_of(fastsim, contact), fields);
 }
 
 }  // namespace wrc

@@ -19,37 +19,36 @@
 /// separate flexibilities, and with the common one of large creepages (flexibility_form.hpp) in strips that
 /// slip as a whole; Kalker's single one, up to sqrt(3) too soft, makes twice the error there.
 ///
-/// Published for ellipses, where k13 = 3 G c C23 / (2 pi a (1 - nu)). Three readings:
-///  - fastrip: on the equivalent ellipse centred at the contact point. FASTSIM has the parabolic bound, of a
-///    load larger by the factor 1 + (1 - a/b)^4 for a < b.
-///  - fastrip_modified: on the strips of the actual patch with the coefficients of its equivalent ellipse;
-///    FASTSIM has friction times pressure for its bound.
-///  - fastrip_sdec (own): the same with the coefficients of the double ellipse, and from its linear theory
-///    k13 = 3 G c^3 K13 / (4 pi a b^2).
+/// Published for ellipses, where k13 = 3 G c C23 / (2 pi a (1 - nu)). By the patch model:
+///  - the equivalent ellipse, at the contact point or at mid-width: FASTSIM has the parabolic bound, of a
+///  load
+///    larger by the factor 1 + (1 - a/b)^4 for a < b.
+///  - the patch with the ellipse's coefficients (modified FaStrip): FASTSIM has friction times pressure for
+///  its
+///    bound.
+///  - the patch with the double ellipse's coefficients (FaStrip-SDEC, own): the same, and from its linear
+///    theory k13 = 3 G c^3 K13 / (4 pi a b^2).
 ///
 /// The weight w is 1 - nu as in the reference program's source, where the formulas come from; the strip part
 /// is confirmed against its results. d belongs to w = 1 alone, for which (q, r + psi d) / d is a unit vector
-/// and the stick zone moves as a rigid body; fastrip_sdec takes that. Where the program's variants differ
+/// and the stick zone moves as a rigid body; FaStrip-SDEC takes that. Where the program's variants differ
 /// from ours: theory manual, section 5. Not published, or not read: what cells see (here means over them),
 /// and the slip: power is the balance -(Fx nu_x + Fy nu_y + Mz phi), and the slip, in the form of Carter's
 /// solution, is scaled to dissipate that.
 #pragma once
 
+#include <cstdint>
+
 #include "tangential/rolling_contact.hpp"
 
 namespace wrc {
 
-/// contact.region: the strips of the ellipse about the origin of the creepages. All four fields must be
-/// given: they hold FASTSIM's tractions on the way. contact.bound and contact.form are not used.
+/// Memory the method works in [bytes], aligned as doubles.
+std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells);
+
+/// contact.region: the strips contact.model asks for, about the origin of contact.creepage;
+/// contact.workspace: fastrip_workspace(). All four fields must be given. contact.bound and contact.form are
+/// not used.
 TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
-
-/// contact.region: the strips of the actual patch; contact.a, contact.b: its equivalent ellipse. See
-/// fastrip().
-TangentialForces fastrip_modified(const RollingContact& contact, const TangentialFields& fields,
-                                  Fault& fault);
-
-/// contact.region: the strips of the actual patch; contact.a, contact.b, contact.shape_number: its SDEC.
-/// See fastrip().
-TangentialForces fastrip_sdec(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
 
 }  // namespace wrc

@@ -44,7 +44,8 @@ StripSolution solve_strip(const StripGrowth& growth, double steepness, double y,
 }
 
 RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, const MarchGrid& grid,
-                       std::int32_t strips, std::int32_t j, const TangentialFields& fields) {
+                       const SlipDirections& directions, std::int32_t strips, std::int32_t j,
+                       const TangentialFields& fields) {
   const std::int32_t cells = grid.cells;
   const Creepage& creep = sliding.creepage;
   const double l = sliding.half_length, y = sliding.y, h = 2.0 * l / cells;
@@ -63,9 +64,8 @@ RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, 
       ex = strip.kappa * (1.0 - s);
       ey = strip.lambda * (1.0 - s) + strip.psi * s;
     } else {
-      // the common flexibility's tractions wait in the slip fields
-      const double tx = slips_as_a_whole ? fields.slip_x[at] : fields.traction_x[at];
-      const double ty = slips_as_a_whole ? fields.slip_y[at] : fields.traction_y[at];
+      const double tx = slips_as_a_whole ? directions.common_x[at] : directions.separate_x[at];
+      const double ty = slips_as_a_whole ? directions.common_y[at] : directions.separate_y[at];
       const double size = std::sqrt(tx * tx + ty * ty);
       ex = size > 0.0 ? tx / size : 0.0;
       ey = size > 0.0 ? ty / size : 0.0;

@@ -51,9 +51,16 @@ struct RolledStrip {
   double adhesion_fraction() const { return area > 0.0 ? 1.0 - slid / area : 0.0; }
 };
 
-/// Replaces FASTSIM's tractions of strip j of `strips` in the fields by FaStrip's; those of the common
-/// flexibility wait in the fields of slip, which get the slip, not yet scaled.
+/// FASTSIM's tractions in every cell, laid out as the fields: slip takes their directions.
+struct SlipDirections {
+  const double *separate_x, *separate_y;  ///< with separate flexibilities
+  const double *common_x, *common_y;      ///< with a common one, for strips that slip as a whole
+};
+
+/// Tractions and slip, not yet scaled, of strip j of `strips`. Cell by cell `fields` are written behind the
+/// reading of `directions`: they may be the same arrays.
 RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, const MarchGrid& grid,
-                       std::int32_t strips, std::int32_t j, const TangentialFields& fields);
+                       const SlipDirections& directions, std::int32_t strips, std::int32_t j,
+                       const TangentialFields& fields);
 
 }  // namespace wrc

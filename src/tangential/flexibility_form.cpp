@@ -50,18 +50,25 @@ Flexibility blended_flexibility(const Flexibility& separate, double a, double b,
   return {blend(separate.l11), blend(separate.l13), blend(separate.l22), blend(separate.l23)};
 }
 
-Flexibility in_form(const Flexibility& separate, const RollingContact& contact, double shape_number,
-                    const Creepage& creepage) {
+Flexibility linear_flexibility(const RollingContact& contact, Fault& fault) {
+  return contact.model.of_sdec ? sdec_flexibility(contact.a, contact.b, contact.shape_number,
+                                                  contact.shear_modulus, *contact.linear_theory, fault)
+                               : ellipse_flexibility(contact.a, contact.b, contact.shear_modulus,
+                                                     contact.linear_theory->ellipse(), fault);
+}
+
+Flexibility in_form(const Flexibility& separate, const RollingContact& contact) {
+  const double shape_number = contact.elastic_shape_number();
   switch (contact.form) {
     case FlexibilityForm::separate:
       break;
     case FlexibilityForm::single: {
-      const double l = single_flexibility(separate, contact.a, contact.b, shape_number, creepage);
+      const double l = single_flexibility(separate, contact.a, contact.b, shape_number, contact.creepage);
       return {l, l, l, l};
     }
     case FlexibilityForm::blended:
       return blended_flexibility(
-          separate, contact.a, contact.b, shape_number, creepage,
+          separate, contact.a, contact.b, shape_number, contact.creepage,
           contact.slope_reduction * contact.friction.mean * normal_force(contact.region));
   }
   return separate;

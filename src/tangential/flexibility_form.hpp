@@ -35,8 +35,10 @@ double common_flexibility(const Flexibility& separate, double a, double b, doubl
 Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                                 const Creepage& creepage, double limit);
 
-/// `separate` in the form the contact asks for. shape_number: 0 for flexibilities of an ellipse.
-Flexibility in_form(const Flexibility& separate, const RollingContact& contact, double shape_number,
-                    const Creepage& creepage);
+/// The flexibilities of linear theory, separate, of the shape the contact's patch model has.
+Flexibility linear_flexibility(const RollingContact& contact, Fault& fault);
+
+/// `separate`, those of linear_flexibility(), in the form the contact asks for.
+Flexibility in_form(const Flexibility& separate, const RollingContact& contact);
 
 }  // namespace wrc

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linear_theory/sdec.hpp"
 #include "patch/material.hpp"
+#include "theory/sdec.hpp"
 
 namespace wrc {
 namespace {
@@ -138,7 +138,7 @@ CreepageScale weighted(const std::array<CreepageScale, force_table_nodes>& nodes
 }
 
 void flag(const char* field, double value, double low, double high, Fault& fault) {
-  worsen(
+  keep_worst(
       fault,
       {.status = WRC_FLAG_TABLE_RANGE, .field = field, .value = value, .unit = "", .low = low, .high = high});
 }

@@ -1,4 +1,4 @@
-/// Book of tables: the total forces on a double ellipse (SDEC) in steady rolling, interpolated between
+/// Force table: the total forces on a double ellipse (SDEC) in steady rolling, interpolated between
 /// solutions of the exact half-space equations (in the spirit of KBTNH, Piotrowski, Liu and Bruni 2017).
 ///
 /// Forces over friction * load depend on five numbers: the axis ratio a/b, the shape number psi, and the
@@ -27,7 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "patch/sdec.hpp"
 #include "tangential/problem.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fault.hpp"
+#include "base/fault.hpp"
 #include "tangential/force_table.hpp"
 
 namespace wrc {

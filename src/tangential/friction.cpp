@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
-#include "felt.hpp"
+#include "base/elementary.hpp"
+#include "base/flush_subnormals.hpp"
 
 namespace wrc {
 namespace {
@@ -64,7 +64,8 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
       const double turn = creepage.spin * strips.half_length[j];
       slip = std::sqrt(x * x + lateral * lateral + turn * turn / 3.0);
     }
-    shares[j] = felt(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
+    shares[j] =
+        flush_subnormals(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
     const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
     limit += shares[j] * carried;
     load += carried;

@@ -1,9 +1,10 @@
 #include "tangential/march.hpp"
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
+#include "kernels/kernels.hpp"
 #include "patch/strips.hpp"
-#include "tangential/simd/kernels.hpp"
 #include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elementary.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc {
 
-MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set) {
+MarchGrid make_march_grid(std::int32_t cells, double* memory, const Kernels& kernels) {
   double* const parabolic_mean = memory;
   double* const parabolic_rise = memory + cells;
   double* const elliptic_mean = memory + 2 * cells;
@@ -45,7 +44,7 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set
           {elliptic_mean, elliptic_rise},
           {place, pressure, inverse_pressure},
           inverse_weight,
-          &kernels(set)};
+          &kernels};
 }
 
 }  // namespace wrc

@@ -5,12 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "simd/instruction_set.hpp"
+#include "kernels/kernels.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
-
-struct Kernels;
 
 /// A traction bound over a strip relative to its value at the strip's middle: 1 - s^2 (parabolic) or
 /// sqrt(1 - s^2) (elliptic), s = (x - centre) / half_length.
@@ -49,6 +47,6 @@ struct MarchGrid {
 constexpr std::size_t march_grid_size(std::int32_t cells) { return 8 * static_cast<std::size_t>(cells); }
 
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
-MarchGrid make_march_grid(std::int32_t cells, double* memory, InstructionSet set = InstructionSet::baseline);
+MarchGrid make_march_grid(std::int32_t cells, double* memory, const Kernels& kernels);
 
 }  // namespace wrc

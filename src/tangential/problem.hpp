@@ -8,9 +8,9 @@
 
 #include <cstdint>
 
-#include "linear_theory/flexibility.hpp"
 #include "patch/strips.hpp"
 #include "tangential/strip_friction.hpp"
+#include "theory/flexibility.hpp"
 
 namespace wrc {
 
@@ -62,11 +62,21 @@ struct TangentialSensitivities {
   double d[3][5] = {};
 };
 
-/// Sensitivities of a problem solved about the point y of the frame, made those of the frame: nu_x there is
-/// nu_x - y phi, and M_z comes back by - y F_x.
-inline void refer_to(double y, TangentialSensitivities& s) {
-  for (auto& row : s.d) row[2] -= y * row[0];
-  for (int k = 0; k < 5; ++k) s.d[2][k] -= y * s.d[0][k];
+// A problem may be solved about a point y of its frame: nu_x there is nu_x - y phi, and M_z comes back by
+// - y F_x.
+
+/// Creepages at y [m].
+inline Creepage seen_from(double y, const Creepage& creepage) {
+  return {creepage.longitudinal - creepage.spin * y, creepage.lateral, creepage.spin};
+}
+
+/// Forces of a problem solved about y, made those of the frame; so its sensitivities, nullptr: none.
+inline void refer_back(double y, TangentialForces& forces, TangentialSensitivities* sensitivities) {
+  forces.mz -= y * forces.fx;
+  if (sensitivities == nullptr) return;
+  auto& d = sensitivities->d;
+  for (auto& row : d) row[2] -= y * row[0];
+  for (int k = 0; k < 5; ++k) d[2][k] -= y * d[0][k];
 }
 
 }  // namespace wrc

@@ -2,35 +2,47 @@
 /// the creepages.
 #pragma once
 
-#include "linear_theory/sdec.hpp"
 #include "tangential/march_grid.hpp"
+#include "tangential/patch_model.hpp"
 #include "tangential/problem.hpp"
+#include "theory/sdec.hpp"
 
 namespace wrc {
+
+struct ForceTable;
 
 /// How the flexibilities of linear theory enter (flexibility_form.hpp).
 enum class FlexibilityForm { separate, single, blended };
 
-/// How a layer between the bodies lowers the slope of the creep curve further as slip grows, in modified
-/// FASTSIM; see there.
+/// How a layer between the bodies lowers the slope of the creep curve further as slip grows (fastsim.hpp).
 struct SlopeFall {
   double limit = 0.0;  ///< alpha_inf: share of the slope that is left at large creepages [-]
   double rate = 0.0;   ///< beta; 0: the slope does not fall [-]
+
+  bool falls() const { return rate > 0.0; }
 };
 
 struct RollingContact {
-  Strips region;               ///< strips the tractions live on; which ones, the method says
+  Strips region;               ///< strips the tractions live on, about the origin of the creepages
   double a = 0.0, b = 0.0;     ///< semi-axes of the equivalent ellipse or SDEC, a in rolling direction [m]
   double shape_number = 0.0;   ///< psi: the patch's mid-width lies at y = psi b [-]
   double shear_modulus = 0.0;  ///< G, times the slope reduction of a layer between the bodies [Pa]
   const SdecTable* linear_theory = nullptr;  ///< of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;           ///< cells along each strip
-  Creepage creepage;                         ///< at the initial contact point
-  StripFriction friction;                    ///< mu [-]
+  Creepage
+      creepage;  ///< at the initial contact point, or at the ellipse's centre where `model` has it elsewhere
+  StripFriction friction;  ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
   FlexibilityForm form = FlexibilityForm::separate;
   SlopeFall slope{};
-  double slope_reduction = 1.0;  ///< the factor that is in shear_modulus already [-]
+  double slope_reduction = 1.0;             ///< the factor that is in shear_modulus already [-]
+  PatchModel model{};                       ///< what `region` and the coefficients are those of
+  double normal_force = 0.0;                ///< of the patch, for methods that do not look at its strips [N]
+  const ForceTable* force_table = nullptr;  ///< of the model, if it has one
+  void* workspace = nullptr;                ///< as many bytes as the method asks for
+
+  /// psi of the linear theory the method follows.
+  double elastic_shape_number() const { return model.of_sdec ? shape_number : 0.0; }
 };
 
 }  // namespace wrc

@@ -8,7 +8,7 @@
 /// Number is double, or a pack of them: one strip per lane.
 #pragma once
 
-#include "number.hpp"
+#include "base/number.hpp"
 
 namespace wrc {
 

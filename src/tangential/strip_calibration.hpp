@@ -1,33 +1,16 @@
 /// The fitted constants of strip FASTSIM: how a patch of finite width deviates from strip theory as it
-/// saturates.
-///
-/// Each quantity is a sum of constants times terms. x, e, s are the longitudinal force (with the part spin
-/// has in it), the lateral force of lateral creepage and that of spin in linear theory, over the friction
-/// limit mu N; with Q = 1 + x^2 + e^2 + s^2 every term lies between -1 and 1, vanishes with the creepages
-/// (but for the first two) and tends to a constant for large ones. u = (a - b) / (a + b) is the slenderness.
-/// All terms stay the same when the patch is mirrored and when all creepages change sign.
-///
-/// tests/calibration makes the constants; its README has the commands. Zeros are terms the fit did not need.
+/// saturates. x is here with the part spin has in the longitudinal force, the slips are the creepages.
 #pragma once
+
+#include "tangential/saturation_terms.hpp"
 
 namespace wrc {
 
 struct StripCalibration {
-  enum Term {
-    constant,
-    slender,         ///< u
-    longitudinal,    ///< x^2 / Q
-    lateral,         ///< e^2 / Q
-    spin,            ///< s^2 / Q
-    pull,            ///< e s / Q: lateral creepage pulls with spin (> 0) or against it
-    pull_squared,    ///< its square
-    longitudinal_u,  ///< u x^2 / Q
-    lateral_u,       ///< u e^2 / Q
-    spin_u,          ///< u s^2 / Q
-    pull_u,          ///< u e s / Q
-    pull_squared_u,  ///< u times the square
-    unison,    ///< 1 where s^2 = 1, where strip theory lets all strips slip at once; falls off to both sides
-    lopsided,  ///< psi x s / Q: the wider half pulls with the longitudinal force or against it
+  using enum SaturationTerms::Term;
+  enum {
+    lopsided =
+        saturation_terms,  ///< psi x s / Q: the wider half pulls with the longitudinal force or against it
     terms
   };
   enum Quantity {

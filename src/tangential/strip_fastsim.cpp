@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
 #include "tangential/dual.hpp"
-#include "tangential/simd/kernels.hpp"
 #include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/tasks.hpp"
 #include "tangential/strip_calibration.hpp"
 
 namespace wrc {

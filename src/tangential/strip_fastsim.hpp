@@ -59,8 +59,8 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
                                           const StripCalibration& calibration);
 
 /// chi, the neutral line of spin in linear theory over psi b: with it and C13 the model has the C33 of an
-/// SDEC. u = (a - b) / (a + b). Fitted to the coefficients of src/halfspace/linear_theory.hpp for a/b 0.2 to
-/// 5, Poisson ratios 0.25 and 0.3, |psi| <= 0.7, within 0.018 (tests/calibration/neutral_line.cpp).
+/// SDEC. u = (a - b) / (a + b). Fitted to the coefficients of tools/linear_theory/linear_theory.hpp for a/b
+/// 0.2 to 5, Poisson ratios 0.25 and 0.3, |psi| <= 0.7, within 0.018 (tools/calibration/neutral_line.cpp).
 double neutral_line(double u, double poisson, double shape_number);
 
 }  // namespace wrc

@@ -26,9 +26,9 @@ double load_of_strips(const ReferenceWheel& wheel) {
   double load = 0.0;
   for (int32_t k = 0; k < wheel.patch.patches; ++k) {
     wrc_view width = made<wrc_view>(wrc_view_init), half = width, peak = width;
-    wrc_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
-    wrc_field(wheel.contact, k, WRC_FIELD_STRIP_HALF, &half);
-    wrc_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
+    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
+    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_HALF, &half);
+    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
     for (uint64_t j = 0; j < width.count[0]; ++j)
       load += 0.5 * pi * width.data[j] * half.data[j] * peak.data[j];
   }

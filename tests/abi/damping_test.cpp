@@ -118,17 +118,17 @@ TEST_F(Damping, HonoursOlderStructs) {
   motion.pitch_rate = -20.0 / 0.46;
   creepage.approach_velocity = 4711.0;
   creepage.struct_size = offsetof(wrc_creepage, approach_velocity);
-  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_creepages(contact, &motion, &creepage), WRC_OK) << error();
   EXPECT_EQ(creepage.approach_velocity, 4711.0);
 }
 
 TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
   pose.lateral = -5e-3;  // an inclined contact plane
-  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK) << error();
   wrc_motion motion = made<wrc_motion>(wrc_motion_init);
   motion.vertical_velocity = 0.3;
   motion.lateral_velocity = -0.2;
-  ASSERT_EQ(wrc_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
+  ASSERT_EQ(wrc_contact_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
   EXPECT_NEAR(creepage.approach_velocity, 0.3 * std::cos(point.angle) + 0.2 * std::sin(point.angle), 1e-12);
   EXPECT_EQ(creepage.longitudinal, 0.0);
 }
@@ -147,7 +147,7 @@ TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
     for (int i = 0; i < 4000; ++i) {
       load.approach = approach + 0.5 * step_size * velocity;
       load.approach_velocity = velocity;
-      EXPECT_GE(wrc_normal(contact, nullptr, &load, &patch), WRC_OK) << error();
+      EXPECT_GE(wrc_contact_normal(contact, nullptr, &load, &patch), WRC_OK) << error();
       rebound.least_force = std::fmin(rebound.least_force, patch.normal_force);
       const double before = velocity;
       velocity -= step_size * patch.normal_force / mass;
@@ -159,7 +159,7 @@ TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
     rebound.struck = 0.5 * mass * (speed * speed - velocity * velocity);
     return rebound;
   };
-  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
   const Rebound elastic = strike(0.0);
   EXPECT_NEAR(elastic.restitution, 1.0, 2e-3);
   for (double damping : {0.1, 0.25, 2.0}) {

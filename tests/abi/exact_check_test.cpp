@@ -68,9 +68,9 @@ TEST_F(ExactCheck, BackwardsIsTheMirrorImageOfForward) {
 TEST_F(ExactCheck, LeavesTheContactAsItWas) {
   ASSERT_EQ(step(), WRC_OK);
   wrc_damage before = made<wrc_damage>(wrc_damage_init), after = before;
-  ASSERT_EQ(wrc_damage_numbers(contact, &before), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, &before), WRC_OK);
   ASSERT_EQ(check(), WRC_OK);
-  ASSERT_EQ(wrc_damage_numbers(contact, &after), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, &after), WRC_OK);
   EXPECT_EQ(after.power, before.power);
   const double power = result.power;
   ASSERT_EQ(check(), WRC_OK);
@@ -84,7 +84,7 @@ TEST_F(ExactCheck, SolvesADoubleEllipseOfTheCaller) {
   patch.normal_force = 60e3;
   creepage = made<wrc_creepage>(wrc_creepage_init);
   creepage.longitudinal = 0.02;  // all slips: Coulomb's force, and its power
-  ASSERT_EQ(wrc_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
   ASSERT_EQ(check(), WRC_OK) << error();
   EXPECT_NEAR(result.fx / (-0.35 * 60e3), 1.0, 5e-3);
   EXPECT_NEAR(result.power / (0.35 * 60e3 * 0.02), 1.0, 5e-3);
@@ -103,7 +103,7 @@ TEST_F(ExactCheck, AContactThatDoesNotTouchIsFlagged) {
 
 TEST_F(ExactCheck, RefusesWhatItCannotCheck) {
   EXPECT_EQ(check(), WRC_ERROR_SEQUENCE);
-  EXPECT_NE(error().find("wrc_step"), std::string::npos) << error();
+  EXPECT_NE(error().find("wrc_contact_step"), std::string::npos) << error();
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_EQ(wrc_exact_check(nullptr, 32, 32, nullptr, nullptr, &result), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_exact_check(contact, 32, 32, nullptr, nullptr, nullptr), WRC_ERROR_NULL);
@@ -131,13 +131,13 @@ TEST_F(ExactCheck, IsCancelled) {
 // the surfaces themselves, within 2 mm of the outline on the tread.
 TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
   pose.yaw = 0.01;
-  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
   wrc_view view[4];
   const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
                              WRC_FIELD_GAP_CURVATURE};
   for (int k = 0; k < 4; ++k) {
     view[k] = made<wrc_view>(wrc_view_init);
-    ASSERT_EQ(wrc_field(contact, 0, fields[k], &view[k]), WRC_OK);
+    ASSERT_EQ(wrc_contact_field(contact, 0, fields[k], &view[k]), WRC_OK);
     ASSERT_EQ(view[k].stride[0], 1u);
   }
   const std::size_t rows = view[0].count[0];
@@ -164,8 +164,8 @@ TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
 TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   pose.lateral = 6.65e-3;
   pose.yaw = 0.01;
-  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
-  ASSERT_EQ(wrc_normal(contact, nullptr, &load, &patch), WRC_OK);
+  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_contact_normal(contact, nullptr, &load, &patch), WRC_OK);
   wrc_grid grid = grid_over(17e-3, 10e-3, 80);
   grid.ny *= 2;
   grid.dy /= 2.0;
@@ -186,7 +186,7 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   for (const int32_t field :
        {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE, WRC_FIELD_GAP_CURVATURE}) {
     wrc_view view = made<wrc_view>(wrc_view_init);
-    ASSERT_EQ(wrc_field(contact, 0, field, &view), WRC_OK);
+    ASSERT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_OK);
     row.emplace_back(view.data, view.data + view.count[0]);
   }
   wrc_gap rows = made<wrc_gap>(wrc_gap_init);
@@ -195,7 +195,7 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   rows.height = row[1].data();
   rows.centre = row[2].data();
   rows.curvature = row[3].data();
-  ASSERT_EQ(wrc_normal(contact, &rows, &load, &patch), WRC_OK);
+  ASSERT_EQ(wrc_contact_normal(contact, &rows, &load, &patch), WRC_OK);
   EXPECT_GT(exact_peak() / patch.peak_pressure, 1.1);
 }
 
@@ -237,7 +237,7 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
   creepage.longitudinal = 0.05;  // all slips
   const wrc_input input = {sizeof input, 0, nullptr, &gap, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
-  ASSERT_EQ(wrc_step(contact, &input, &output), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_step(contact, &input, &output), WRC_OK) << error();
   ASSERT_EQ(patch.patches, 2);
   ASSERT_EQ(check(), WRC_OK) << error();
   EXPECT_NEAR(result.fx / (-0.35 * 80e3), 1.0, 5e-3);

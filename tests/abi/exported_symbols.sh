@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # The shared library exports the functions of the public headers and nothing else, and needs only libc and libm.
-#   exported_symbols.sh libwrc.so include_directory
+#   exported_symbols.sh libwrc.so wrc.def
 set -euo pipefail
-library=$1 include=$2
-# Functions declared in the headers: "wrc_name(" on lines that begin with WRC_API (a declaration never starts elsewhere).
-declared=$(grep -hoE '^WRC_API .*' "$include"/wrc/*.h | grep -oE 'wrc_[a-z0-9_]+\(' | tr -d '(' | sort -u)
+library=$1 list=$2
+declared=$(sed '1,/^EXPORTS/d' "$list" | tr -d ' ' | sort -u)
 exported=$(nm -D --defined-only "$library" | awk '$2 != "A" {print $3}' | sed 's/@.*//' | sort -u)
 if [ "$declared" != "$exported" ]; then
   echo "declared (<) and exported (>) differ:"

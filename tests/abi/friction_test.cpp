@@ -7,17 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "presets.hpp"
 #include "reference_contact.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
 
-constexpr int32_t methods = WRC_TANGENTIAL_COARSE_HALFSPACE + 1;
-
-/// Does the method read config.traction_bound and config.flexibility?
-bool marches(int32_t method) {
-  return method <= WRC_TANGENTIAL_FASTSIM_SDEC || method == WRC_TANGENTIAL_MODIFIED_FASTSIM;
-}
+/// Does the published method read config.traction_bound and config.flexibility?
+bool marches(int32_t preset) { return presets[preset].method == WRC_TANGENTIAL_FASTSIM; }
 
 /// Rolling at 30 m/s, solved by a method that is quick; one model per test.
 class Wheel : public ReferenceWheel {
@@ -26,11 +23,10 @@ class Wheel : public ReferenceWheel {
     config.normal_method = WRC_NORMAL_EKP;
     creepage.speed = 30.0;
   }
-  /// With the bound and the table the method reads.
-  void choose(int32_t method) {
-    config.tangential_method = method;
-    config.traction_bound = marches(method) ? WRC_BOUND_ELLIPTIC : WRC_BOUND_PARABOLIC;
-    config.force_table = method == WRC_TANGENTIAL_TABLE ? WRC_FORCE_TABLE : nullptr;
+  /// With the bound friction * pressure.
+  void choose(int32_t preset) {
+    choose_tangential(config, preset);
+    if (marches(preset)) config.traction_bound = WRC_BOUND_ELLIPTIC;
   }
   /// Refused by name; the law of the defaults works afterwards.
   void expect_law_refused(int32_t status, const char* words) {
@@ -46,7 +42,7 @@ class Wheel : public ReferenceWheel {
   }
   std::vector<double> field(int32_t id) {
     wrc_view view = made<wrc_view>(wrc_view_init);
-    EXPECT_EQ(wrc_field(contact, 0, id, &view), WRC_OK);
+    EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
 };
@@ -86,13 +82,13 @@ TEST(FrictionInterface, BadLawsAreNamed) {
   wheel.friction.slope_fall = -1.0;
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.slope_fall");
 
-  wheel.friction.zones = 2;
-  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_y");
-  wheel.set_zones({-0.01, 0.01}, {0.1, 0.4}, WRC_ZONES_CONTACT_FRAME);
-  wheel.friction.zone_coefficient = nullptr;
-  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_coefficient");
   const std::vector<double> millimetres{-10.0, 10.0}, mu{0.1, 0.4}, backwards{0.01, -0.01}, y{-0.01, 0.01},
       negative{0.1, -0.4}, poisoned{nan_value, 0.4};
+  wheel.friction.zones = 2;
+  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_y");
+  wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
+  wheel.friction.zone_coefficient = nullptr;
+  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_coefficient");
   wheel.set_zones(millimetres, mu, WRC_ZONES_CONTACT_FRAME);
   wheel.expect_law_refused(WRC_ERROR_RANGE, "did you pass mm?");
   wheel.set_zones(backwards, mu, WRC_ZONES_CONTACT_FRAME);
@@ -120,14 +116,14 @@ TEST(FrictionInterface, WhatIsNotReadIsRefused) {
   wheel.friction.kind = WRC_FRICTION_STATIC_KINETIC;
   wheel.friction.fall_rate = 0.7;
   wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "WRC_FRICTION_FALLING");
-  for (int32_t method = 0; method < methods; ++method) {
-    if (method == WRC_TANGENTIAL_MODIFIED_FASTSIM) continue;
+  for (int32_t method = 0; method < tangential_methods; ++method) {
+    if (marches(method)) continue;
     Wheel other;
     other.choose(method);
     other.friction.slope_fall = 0.6;
     other.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.slope_fall = 0.6");
     other.friction.slope_limit = 0.1;
-    other.expect_law_refused(WRC_ERROR_UNSUPPORTED, "WRC_TANGENTIAL_MODIFIED_FASTSIM");
+    other.expect_law_refused(WRC_ERROR_UNSUPPORTED, "only WRC_TANGENTIAL_FASTSIM reads it");
   }
 }
 
@@ -135,7 +131,7 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
   // Greased gauge face, dry crown: a step at y_rail = -10 mm.
   const std::vector<double> y{-10e-3, -10e-3}, mu{0.08, 0.4};
   Wheel right, left;
-  left.config.side = WRC_SIDE_LEFT;
+  left.side = WRC_SIDE_LEFT;
   for (double lateral : {0.0, 0.5e-3, -1e-3}) {
     right.set_zones(y, mu, WRC_ZONES_RAIL_PROFILE);
     left.set_zones(y, mu, WRC_ZONES_RAIL_PROFILE);
@@ -167,18 +163,19 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
   own.a = 5e-3;
   own.b = 6e-3;
   own.normal_force = 80e3;
-  EXPECT_EQ(wrc_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
+  EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
             WRC_ERROR_SEQUENCE);
   EXPECT_NE(right.error().find("friction.zone_frame"), std::string::npos) << right.error();
   EXPECT_EQ(right.forces.fx, 0.0);
   right.friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
-  EXPECT_EQ(wrc_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces), WRC_OK);
+  EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
+            WRC_OK);
 }
 
 // Tractions within each strip's own bound, power of the forces that of the field, whatever law and method.
 TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
   const std::vector<double> y{-4e-3, -1e-3, -1e-3, 3e-3}, mu{0.1, 0.3, 0.0, 0.5};
-  for (int32_t method = 0; method < methods; ++method) {
+  for (int32_t method = 0; method < tangential_methods; ++method) {
     for (int32_t form : {WRC_FLEXIBILITY_SEPARATE, WRC_FLEXIBILITY_SINGLE, WRC_FLEXIBILITY_BLENDED}) {
       if (form != WRC_FLEXIBILITY_SEPARATE && !marches(method)) continue;
       Wheel wheel;
@@ -192,7 +189,7 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
             wheel.friction.kind = kind;
             if (kind == WRC_FRICTION_STATIC_KINETIC) wheel.friction.half_speed = 0.05;
             wheel.friction.slope_reduction = 0.6;
-            if (method == WRC_TANGENTIAL_MODIFIED_FASTSIM) wheel.friction.slope_fall = 0.5;
+            wheel.friction.slope_fall = slope_fall_for(method);
             if (zoned) wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
             wheel.creepage.longitudinal = -0.49e-3 * size;
             wheel.creepage.lateral = -0.22e-3 * size;
@@ -200,7 +197,7 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
             ASSERT_EQ(wheel.step(), WRC_OK);
             EXPECT_NEAR(wheel.damage.power, wheel.forces.power, 1e-6 * wheel.forces.power) << method;
             EXPECT_GT(wheel.forces.power, 0.0);
-            if (method == WRC_TANGENTIAL_TABLE) continue;  // has no fields
+            if (!gives_tractions(wheel.contact)) continue;
             const std::vector<double> each = wheel.field(WRC_FIELD_STRIP_FRICTION);
             for (double value : each) {
               ASSERT_GE(value, 0.0);
@@ -222,7 +219,7 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
 }
 
 TEST(FrictionInterface, FrictionFallsWithTheSpeedOfTheWheel) {
-  for (int32_t method = 0; method < methods; ++method) {
+  for (int32_t method = 0; method < tangential_methods; ++method) {
     Wheel wheel;
     wheel.choose(method);
     wheel.creepage.longitudinal = 0.05;  // slides
@@ -244,7 +241,7 @@ TEST(FrictionInterface, FrictionFallsWithTheSpeedOfTheWheel) {
 }
 
 TEST(FrictionInterface, SlopeReductionScalesSmallForcesAndNotTheLimit) {
-  for (int32_t method = 0; method < methods; ++method) {
+  for (int32_t method = 0; method < tangential_methods; ++method) {
     Wheel wheel;
     wheel.choose(method);
     wheel.creepage.lateral = wheel.creepage.spin = 0.0;
@@ -262,7 +259,7 @@ TEST(FrictionInterface, SlopeReductionScalesSmallForcesAndNotTheLimit) {
 TEST(FrictionInterface, SavedStateRollsBackBitForBit) {
   const std::vector<double> y{-4e-3, 3e-3}, mu{0.1, 0.5};
   Wheel wheel;
-  wheel.choose(WRC_TANGENTIAL_FASTRIP_SDEC);
+  wheel.choose(preset_fastrip_sdec);
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);
   const std::vector<double> before = wheel.field(WRC_FIELD_STRIP_FRICTION);
@@ -279,7 +276,7 @@ TEST(FrictionInterface, SavedStateRollsBackBitForBit) {
 TEST(FrictionInterface, ExactCheckUsesTheStripsFriction) {
   const std::vector<double> y{-4e-3, 3e-3}, mu{0.1, 0.5};
   Wheel wheel;
-  wheel.choose(WRC_TANGENTIAL_STRIP_FASTSIM);
+  wheel.choose(preset_strip_fastsim);
   wheel.creepage.longitudinal = -2e-3;
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);

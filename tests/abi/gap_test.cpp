@@ -50,7 +50,7 @@ class Gap : public ReferenceContact, public testing::WithParamInterface<int32_t>
   int32_t solve(const Rows& rows) {
     const wrc_input input = {sizeof input, 0, nullptr, &rows.gap, &load, &creepage, &friction};
     wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-    return wrc_step(contact, &input, &output);
+    return wrc_contact_step(contact, &input, &output);
   }
   /// A result a vehicle can go on with.
   void expect_usable(const Rows& rows, int32_t status) {

@@ -11,7 +11,9 @@
 #include <xmmintrin.h>
 #endif
 
+#include "presets.hpp"
 #include "reference_contact.hpp"
+#include "wrc/wrc_api.h"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -77,7 +79,7 @@ TEST_F(Interface, PureNumbersHaveNoUnitInSentences) {
   slender.a = 3e-2;
   slender.b = 1e-3;
   slender.normal_force = 80e3;
-  EXPECT_EQ(wrc_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
+  EXPECT_EQ(wrc_contact_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
   expect_words(error(), {" is outside 0.05 .. 20:"});
   EXPECT_EQ(error().find(" 1:"), std::string::npos) << error();
 }
@@ -125,7 +127,7 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_FLAG_PATCH_AT_EDGE) << error();
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_FLAG_PATCH_AT_EDGE) << error();
   EXPECT_GT(patch.area, 0.0);
 }
 
@@ -137,29 +139,29 @@ TEST_F(Interface, GapOfTheCallerIsChecked) {
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_OK) << error();
   height[3] = nan_value;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_NOT_FINITE);
   EXPECT_NE(error().find("gap.height[3]"), std::string::npos) << error();
   EXPECT_EQ(patch.area, 0.0);
   height[3] = 1e-4;
   y[2] = -0.015;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_GAP);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_GAP);
   EXPECT_NE(error().find("gap.y[2]"), std::string::npos) << error();
   y[2] = 0.0;
   curvature[4] = -2.0;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
   EXPECT_NE(error().find("gap.curvature[4]"), std::string::npos) << error();
   curvature[4] = 2.0;
   gap.rows = 3;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
   gap.rows = 100000;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_RANGE);
   gap.rows = 5;
   gap.height = nullptr;
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_ERROR_NULL);
   gap.height = height.data();
-  EXPECT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_OK) << error();
 }
 
 TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
@@ -179,27 +181,27 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
   gap.centre = centre.data();
   gap.curvature = curvature.data();
   wrc_patch by_rows = made<wrc_patch>(wrc_patch_init);
-  ASSERT_EQ(wrc_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
   gap.columns = 61;
   gap.x = x.data();
   gap.h = h.data();
   gap.row_stride = 61;
-  ASSERT_EQ(wrc_normal(contact, &gap, &load, &patch), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_normal(contact, &gap, &load, &patch), WRC_OK) << error();
   EXPECT_NEAR(patch.approach, by_rows.approach, 1e-9 * by_rows.approach);
   EXPECT_NEAR(patch.area, by_rows.area, 1e-9 * by_rows.area);
 }
 
 TEST_F(Interface, StagesOutOfOrderAreRefused) {
   wrc_contact* fresh = nullptr;
-  ASSERT_EQ(wrc_contact_create(model, nullptr, &fresh), WRC_OK);
-  EXPECT_EQ(wrc_normal(fresh, nullptr, &load, &patch), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_regularise(fresh, nullptr, &patch), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_damage_numbers(fresh, &damage), WRC_ERROR_SEQUENCE);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &fresh), WRC_OK);
+  EXPECT_EQ(wrc_contact_normal(fresh, nullptr, &load, &patch), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_regularise(fresh, nullptr, &patch), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_damage(fresh, &damage), WRC_ERROR_SEQUENCE);
   wrc_view view = made<wrc_view>(wrc_view_init);
-  EXPECT_EQ(wrc_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(view.data, nullptr);
-  EXPECT_EQ(wrc_field(fresh, 0, 4711, &view), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_field(fresh, 0, 4711, &view), WRC_ERROR_UNSUPPORTED);
   wrc_contact_destroy(fresh);
 }
 
@@ -207,21 +209,21 @@ TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
   expect_works();
   const wrc_forces whole = forces;
   const wrc_damage whole_damage = damage;
-  EXPECT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
-  EXPECT_EQ(wrc_normal(contact, nullptr, &load, &patch), WRC_OK);
-  EXPECT_EQ(wrc_regularise(contact, nullptr, &patch), WRC_OK);
-  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(wrc_damage_numbers(contact, &damage), WRC_OK);
+  EXPECT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  EXPECT_EQ(wrc_contact_normal(contact, nullptr, &load, &patch), WRC_OK);
+  EXPECT_EQ(wrc_contact_regularise(contact, nullptr, &patch), WRC_OK);
+  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
   EXPECT_EQ(std::memcmp(&whole, &forces, sizeof forces), 0);
   EXPECT_EQ(std::memcmp(&whole_damage, &damage, sizeof damage), 0);
 }
 
 TEST_F(Interface, WearFollowsItsLaws) {
   wrc_wear wear = made<wrc_wear>(wrc_wear_init), other = made<wrc_wear>(wrc_wear_init);
-  ASSERT_EQ(wrc_geometry(contact, &pose, &point), WRC_OK);
-  EXPECT_EQ(wrc_wear_numbers(contact, nullptr, &wear), WRC_ERROR_SEQUENCE);
+  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  EXPECT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_ERROR_SEQUENCE);
   expect_works();
-  ASSERT_EQ(wrc_wear_numbers(contact, nullptr, &wear), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_OK) << error();
   // Mild up to 100 N: 0.25 mm^3/(km N) over a diameter of 920 mm.
   ASSERT_LT(damage.t_gamma, 100.0);
   EXPECT_NEAR(wear.worn_area_rate, 0.25e-12 * damage.t_gamma / 0.92, 1e-9 * wear.worn_area_rate);
@@ -234,23 +236,23 @@ TEST_F(Interface, WearFollowsItsLaws) {
   laws.sheffield_mild_end = laws.sheffield_severe_end = 1e8;
   laws.hardness *= 2.0;
   laws.seizure_pressure = 1e3;
-  ASSERT_EQ(wrc_wear_numbers(contact, &laws, &other), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_OK) << error();
   double lost = 0.0;
   for (int32_t k = 0; k < patch.patches; ++k) {
     wrc_view worn = made<wrc_view>(wrc_view_init), width = made<wrc_view>(wrc_view_init);
-    ASSERT_EQ(wrc_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
-    ASSERT_EQ(wrc_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
+    ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
+    ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
     for (uint64_t j = 0; j < worn.count[0]; ++j) lost += worn.data[j] * width.data[j];
   }
   EXPECT_NEAR(lost, 5.3e-9 * damage.power / creepage.speed / 7850.0, 1e-3 * lost);
   EXPECT_LE(other.largest_depth_velocity, 0.5 * wear.largest_depth_velocity * (1.0 + 1e-12));
 
   laws.hardness = 3.0;
-  EXPECT_EQ(wrc_wear_numbers(contact, &laws, &other), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_ERROR_RANGE);
   EXPECT_EQ(other.worn_area_rate, 0.0);
-  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
   wrc_view stale = made<wrc_view>(wrc_view_init);
-  EXPECT_EQ(wrc_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
 }
 
 TEST_F(Interface, StripsOfTheCallerGoThrough) {
@@ -264,14 +266,14 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
   strips.width = width;
   strips.half_length = half;
   strips.peak = peak;
-  ASSERT_EQ(wrc_regularise(contact, &strips, &patch), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_regularise(contact, &strips, &patch), WRC_OK) << error();
   EXPECT_NEAR(patch.normal_force, 80e3, 1e-6);
   EXPECT_NEAR(patch.b, 4e-3, 1e-15);
   EXPECT_NEAR(patch.psi, 0.0, 1e-12);
-  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK) << error();
   EXPECT_NEAR(forces.fn, 80e3, 1e-6);
   peak[1] = -1.0;
-  EXPECT_EQ(wrc_regularise(contact, &strips, &patch), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_regularise(contact, &strips, &patch), WRC_ERROR_RANGE);
   EXPECT_NE(error().find("strips.peak[1]"), std::string::npos);
 }
 
@@ -370,7 +372,7 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   char text[256];
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
   set(3);
-  expect_config_refused(WRC_ERROR_PROFILE, {"config.rail", "4"});
+  expect_config_refused(WRC_ERROR_RANGE, {"config.rail.count = 3", "4 .. 20000", "spline"});
   set(y.size());
   z[17] = nan_value;
   expect_config_refused(WRC_ERROR_NOT_FINITE, {"17"});
@@ -390,6 +392,77 @@ TEST_F(Interface, ProfilesFromPointsAreChecked) {
   expect_config_refused(WRC_ERROR_NULL, {"config.rail"});
 }
 
+/// Every published name gives a model; others are refused with the names there are.
+TEST_F(Interface, PublishedMethodsAreTakenByName) {
+  for (int32_t preset = 0; preset < tangential_methods; ++preset) {
+    config.traction_bound = WRC_BOUND_ELLIPSOIDAL;  // of another method, tried before
+    choose_tangential(config, preset);
+    EXPECT_EQ(config.tangential_method, presets[preset].method);
+    expect_works();
+  }
+  const wrc_config before = config;
+  char text[512] = "";
+  EXPECT_EQ(wrc_config_use(&config, "FASTSIM_SDEC", text, sizeof text), WRC_ERROR_UNSUPPORTED);
+  for (const Preset& preset : presets) expect_words(text, {"\"" + std::string(preset.name) + "\""});
+  EXPECT_EQ(wrc_config_use(&config, nullptr, text, sizeof text), WRC_ERROR_NULL);
+  expect_words(text, {"name"});
+  EXPECT_EQ(std::memcmp(&config, &before, sizeof config), 0);
+  EXPECT_EQ(wrc_config_use(nullptr, "FASTSIM", nullptr, 0), WRC_ERROR_NULL);
+  config.struct_size = 8;
+  EXPECT_EQ(wrc_config_use(&config, "FASTSIM", nullptr, 0), WRC_ERROR_STRUCT_SIZE);
+}
+
+/// FASTSIM and FaStrip on an ellipse about mid-width: creepages are those of its centre, y_c = psi b from the
+/// contact point, and the moment comes back by - y_c Fx.
+TEST_F(Interface, AnEllipseAboutMidWidthSpinsAboutItsOwnCentre) {
+  patch.a = 4e-3;
+  patch.b = 6e-3;
+  patch.psi = 0.4;
+  patch.normal_force = 80e3;
+  const double centre = patch.psi * patch.b, limit = friction.coefficient * patch.normal_force;
+  for (int32_t method : {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTRIP}) {
+    config.tangential_method = method;
+    config.patch_model = WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE;
+    create();
+    creepage.spin = 0.4;
+    creepage.longitudinal = creepage.spin * centre;
+    creepage.lateral = 0.0;
+    ASSERT_EQ(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
+    EXPECT_NEAR(forces.fx, 0.0, 1e-9 * limit);
+    EXPECT_LT(forces.fy, -0.05 * limit);
+    creepage.spin = 0.0;
+    creepage.longitudinal = 1e-3;
+    ASSERT_EQ(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
+    EXPECT_NEAR(forces.mz, -centre * forces.fx, 1e-9 * limit);
+    const wrc_forces about_middle = forces;
+    config.patch_model = WRC_PATCH_MODEL_ELLIPSE_AT_POINT;
+    create();
+    ASSERT_EQ(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces), WRC_OK);
+    EXPECT_EQ(forces.fx, about_middle.fx);  // without spin where the ellipse lies does not matter
+  }
+}
+
+/// Modified FASTSIM is a law on any patch model; without a fall of the slope it is FASTSIM.
+TEST_F(Interface, TheSlopeFallsOnEveryPatchModel) {
+  creepage.longitudinal = -2e-3;
+  for (int32_t each = WRC_PATCH_MODEL_PATCH_SDEC; each <= WRC_PATCH_MODEL_ELLIPSE_AT_POINT; ++each) {
+    config.tangential_method = WRC_TANGENTIAL_FASTSIM;
+    config.patch_model = each;
+    create();
+    friction.slope_fall = 0.0;
+    friction.slope_limit = 0.5;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    const double clean = forces.fx;
+    friction.slope_limit = 0.02;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_EQ(forces.fx, clean);
+    friction.slope_fall = 0.6;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_LT(forces.fx, 0.95 * clean);
+    EXPECT_GT(forces.fx, 0.2 * clean);
+  }
+}
+
 /// An option without effect is a mistake: refused by name, with who would read it.
 TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
   const wrc_config good = config;
@@ -398,31 +471,32 @@ TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
     config = good;
   };
   config.load_tolerance = 1e-6;
-  refused({"config.load_tolerance = 1e-06", "WRC_NORMAL_STRIP_HALFSPACE"});
+  refused({"config.load_tolerance = 1e-06", "only WRC_NORMAL_HERTZ, ", "WRC_NORMAL_STRIPES read it"});
   config.normal_method = WRC_NORMAL_EKP;
   config.warm_start = 1;
-  refused({"config.warm_start = 1", "WRC_NORMAL_STRIP_HALFSPACE"});
+  refused({"config.warm_start = 1", "only WRC_NORMAL_STRIP_HALFSPACE reads it"});
   config.force_table = "force_table.bin";
-  refused({"config.force_table", "WRC_TANGENTIAL_TABLE"});
-  for (int32_t method :
-       {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_TABLE, WRC_TANGENTIAL_FASTRIP,
-        WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_TANGENTIAL_FASTRIP_SDEC, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
-    config.tangential_method = method;
+  refused({"config.force_table", "only WRC_TANGENTIAL_FORCE_TABLE reads it"});
+  for (const Preset& preset : presets) {
+    if (preset.method == WRC_TANGENTIAL_FASTSIM) continue;
+    config.tangential_method = preset.method;
     config.traction_bound = WRC_BOUND_ELLIPTIC;
-    refused({"config.traction_bound = 1", "FASTSIM variants"});
-    config.tangential_method = method;
+    refused({"config.traction_bound = 1", "only WRC_TANGENTIAL_FASTSIM reads it"});
+    config.tangential_method = preset.method;
     config.flexibility = WRC_FLEXIBILITY_BLENDED;
-    refused({"config.flexibility = 2", "FASTSIM variants"});
+    refused({"config.flexibility = 2", "only WRC_TANGENTIAL_FASTSIM reads it"});
+    if (preset.method == WRC_TANGENTIAL_FASTRIP) continue;
+    config.tangential_method = preset.method;
+    config.patch_model = WRC_PATCH_MODEL_ELLIPSE_AT_POINT;
+    refused({"config.patch_model = 3", "only WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTRIP read it"});
   }
   wheel.smoothing = 5e-3;
-  refused({"profile.smoothing = 0.005 m", "points"});
+  refused({"config.wheel.smoothing = 0.005 m", "points"});
   wheel.smoothing = 0.0;
 
   config.wheel = config.rail = nullptr;
   const wrc_config without_profiles = config;
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
-  config.side = WRC_SIDE_LEFT;
-  expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.side = 1", "no profiles"});
   const struct {
     double wrc_config::*member;
     const char* words;
@@ -493,10 +567,11 @@ TEST_F(Interface, OutputsBesideOneOfAWrongSizeAreZero) {
   wrc_view y = made<wrc_view>(wrc_view_init), z = y;
   double deviation = 1.0;
   for (wrc_view* wrong : {&y, &z}) {
-    ASSERT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_OK);
+    ASSERT_EQ(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, &deviation), WRC_OK);
     wrong->struct_size = 4;
     deviation = 1.0;
-    EXPECT_EQ(wrc_model_profile(model, WRC_BODY_RAIL, &y, &z, &deviation), WRC_ERROR_STRUCT_SIZE);
+    EXPECT_EQ(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, &deviation),
+              WRC_ERROR_STRUCT_SIZE);
     EXPECT_NE(wrong->data, nullptr);
     EXPECT_EQ((wrong == &y ? z : y).data, nullptr);
     EXPECT_EQ(deviation, 0.0);
@@ -513,23 +588,23 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   wrc_model* none = nullptr;
   EXPECT_EQ(wrc_model_create(nullptr, nullptr, &none), WRC_ERROR_NULL);
   wrc_contact* no_contact = nullptr;
-  EXPECT_EQ(wrc_contact_create(nullptr, nullptr, &no_contact), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_geometry(contact, &pose, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_normal(nullptr, nullptr, &load, &patch), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_normal(contact, nullptr, nullptr, &patch), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_normal(contact, nullptr, &load, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_damage_numbers(contact, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_create(nullptr, WRC_SIDE_RIGHT, nullptr, &no_contact), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_geometry(contact, &pose, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_normal(nullptr, nullptr, &load, &patch), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_normal(contact, nullptr, nullptr, &patch), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_normal(contact, nullptr, &load, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_restore(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_linear_coefficients(1.0, 0.0, 0.25, nullptr), WRC_ERROR_NULL);
@@ -553,14 +628,14 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     std::swap(contact, wrong);
 
     refill();
-    EXPECT_EQ(wrc_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_normal(wrong, nullptr, &load, &patch), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_damage_numbers(wrong, &damage), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_normal(wrong, nullptr, &load, &patch), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_damage(wrong, &damage), WRC_ERROR_NULL);
     expect_zeros();
 
     refill();
-    EXPECT_EQ(wrc_regularise(wrong, nullptr, &patch), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_regularise(wrong, nullptr, &patch), WRC_ERROR_NULL);
     EXPECT_EQ(patch.area, 0.0);
     refill();
     EXPECT_EQ(wrc_contact_patch(wrong, 0, &patch, &forces), WRC_ERROR_NULL);
@@ -569,26 +644,26 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
 
     wrc_wear wear = made<wrc_wear>(wrc_wear_init);
     wear.worn_area_rate = 1.0;
-    EXPECT_EQ(wrc_wear_numbers(wrong, nullptr, &wear), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_wear(wrong, nullptr, &wear), WRC_ERROR_NULL);
     EXPECT_EQ(wear.worn_area_rate, 0.0);
     wrc_creepage result = creepage;
-    EXPECT_EQ(wrc_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
     EXPECT_EQ(result.spin, 0.0);
     wrc_view view = made<wrc_view>(wrc_view_init);
     view.count[0] = 7;
-    EXPECT_EQ(wrc_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
     EXPECT_EQ(view.count[0], 0U);
     double out[WRC_FLAT_OUTPUTS] = {1.0, 2.0, 3.0};
-    EXPECT_EQ(wrc_step_flat(wrong, out, out), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_step_flat(wrong, out, out), WRC_ERROR_NULL);
     EXPECT_EQ(out[2], 0.0);
 
     refill();
     const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
     const wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-    EXPECT_EQ(wrc_step_batch(&wrong, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_step_batch(&wrong, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
     expect_zeros();
     refill();
-    EXPECT_EQ(wrc_step_batch(nullptr, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
     expect_zeros();
   }
 }
@@ -615,17 +690,17 @@ TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
   std::vector<wrc_input> inputs;
   std::vector<wrc_output> outputs;
   for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contacts[i]), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i]), WRC_OK);
     creepages[i].spin = 0.1 * static_cast<double>(i);
     inputs.push_back({sizeof(wrc_input), 0, &pose, nullptr, &load, &creepages[i], &friction});
     outputs.push_back({sizeof(wrc_output), 0, nullptr, nullptr, &single[i], nullptr});
-    EXPECT_EQ(wrc_step(contacts[i], &inputs[i], &outputs[i]), WRC_OK);
+    EXPECT_EQ(wrc_contact_step(contacts[i], &inputs[i], &outputs[i]), WRC_OK);
     outputs[i].forces = &batch[i];
   }
   creepages[3].spin = nan_value;
   std::vector<int32_t> statuses(count);
-  EXPECT_EQ(wrc_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_input), outputs.data(),
-                           sizeof(wrc_output), statuses.data()),
+  EXPECT_EQ(wrc_contact_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_input), outputs.data(),
+                                   sizeof(wrc_output), statuses.data()),
             WRC_ERROR_NOT_FINITE);
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(statuses[i], i == 3 ? WRC_ERROR_NOT_FINITE : WRC_OK);
@@ -640,7 +715,7 @@ TEST_F(Interface, FloatArrayStepAgreesWithTheStructs) {
   expect_works();
   const double in[WRC_FLAT_INPUTS] = {0, 0, 0, 80e3, -0.49e-3, -0.22e-3, 0.29, 0.35};
   double out[WRC_FLAT_OUTPUTS];
-  ASSERT_EQ(wrc_step_flat(contact, in, out), WRC_OK);
+  ASSERT_EQ(wrc_contact_step_flat(contact, in, out), WRC_OK);
   EXPECT_EQ(out[0], forces.fx);
   EXPECT_EQ(out[3], forces.mz);
   EXPECT_EQ(out[10], patch.psi);
@@ -704,9 +779,17 @@ TEST(FunctionTable, ServesThisInterfaceVersionOnly) {
   EXPECT_EQ(api->struct_size, sizeof(wrc_api));
   EXPECT_EQ(api->abi_version, static_cast<uint32_t>(WRC_ABI_VERSION));
   EXPECT_EQ(api->version(), wrc_version());
-  EXPECT_EQ(api->step, wrc_step);
+  EXPECT_EQ(api->contact_step, wrc_contact_step);
   EXPECT_EQ(api->shakedown_limit, wrc_shakedown_limit);
   EXPECT_EQ(wrc_get_api(WRC_ABI_VERSION + 1), nullptr);
+  EXPECT_EQ(wrc_get_api(1), nullptr);
+  const auto says = [](uint32_t requested, const char* words) {
+    return std::string(wrc_version_text(requested)).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(WRC_ABI_VERSION, "the one asked for"));
+  EXPECT_TRUE(says(1, "compile the program with the headers of this library"));
+  EXPECT_TRUE(says(WRC_ABI_VERSION + 1, "a newer one was asked for"));
+  EXPECT_EQ(std::string(wrc_build_info()).rfind("wrc " + std::to_string(WRC_VERSION_MAJOR), 0), 0U);
   // every pointer is filled in
   const char* bytes = reinterpret_cast<const char*>(api);
   for (std::size_t at = offsetof(wrc_api, version); at < sizeof(wrc_api); at += sizeof(void*)) {

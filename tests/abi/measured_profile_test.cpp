@@ -39,7 +39,7 @@ class Bodies {
     char text[256] = "";
     EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
     EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    EXPECT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+    EXPECT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
   }
   ~Bodies() {
     wrc_contact_destroy(contact);
@@ -51,7 +51,7 @@ class Bodies {
   /// The curve as the model holds it.
   std::vector<std::vector<double>> curve(int32_t body, double* deviation = nullptr) const {
     wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
-    EXPECT_EQ(wrc_model_profile(model, body, &y, &z, deviation), WRC_OK);
+    EXPECT_EQ(wrc_model_profile(model, WRC_SIDE_RIGHT, body, &y, &z, deviation), WRC_OK);
     return {{y.data, y.data + y.count[0]}, {z.data, z.data + z.count[0]}};
   }
 
@@ -116,8 +116,8 @@ Sweep sweep(const Bodies& bodies) {
     wrc_pose pose = made<wrc_pose>(wrc_pose_init);
     pose.lateral = -7e-3 + 20e-6 * i;
     wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-    EXPECT_GE(wrc_geometry(bodies.contact, &pose, nullptr), 0);
-    EXPECT_GE(wrc_normal(bodies.contact, nullptr, &load, &patch), 0);
+    EXPECT_GE(wrc_contact_geometry(bodies.contact, &pose, nullptr), 0);
+    EXPECT_GE(wrc_contact_normal(bodies.contact, nullptr, &load, &patch), 0);
     result.changes += i > 0 && patch.patches != patches;
     patches = patch.patches;
     if (i > 0)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference_contact.hpp"
+#include "wrc/wrc_api.h"
 
 namespace {
 
@@ -33,9 +34,10 @@ TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
   auto* contact_memory = reinterpret_cast<unsigned char*>(
       (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
   wrc_contact* own_contact = nullptr;
-  EXPECT_EQ(wrc_contact_init(own, contact_memory, contact_bytes - 1, &own_contact), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes - 1, &own_contact),
+            WRC_ERROR_BUFFER);
   EXPECT_EQ(own_contact, nullptr);
-  ASSERT_EQ(wrc_contact_init(own, contact_memory, contact_bytes, &own_contact), WRC_OK);
+  ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact), WRC_OK);
   expect_works();
   const wrc_forces expected = forces;
   std::swap(contact, own_contact);
@@ -73,7 +75,8 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
     EXPECT_EQ(wrc_model_create(&config, &allocator, &own), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
     EXPECT_EQ(own != nullptr, allowed > 0);
     if (own != nullptr) {
-      EXPECT_EQ(wrc_contact_create(own, &allocator, &own_contact), allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
+      EXPECT_EQ(wrc_contact_create(own, WRC_SIDE_RIGHT, &allocator, &own_contact),
+                allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
     }
     wrc_contact_destroy(own_contact);
     wrc_model_destroy(own);
@@ -102,14 +105,23 @@ TEST_F(Memory, SavedStateRestoresBitForBit) {
   EXPECT_NE(forces.fx, before.fx);
   ASSERT_EQ(wrc_contact_restore(contact, saved.data() + 1, bytes), WRC_OK);
   creepage.spin = 0.29;
-  ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
 
   wrc_contact* other = nullptr;  // relocatable: into another contact of the model
-  ASSERT_EQ(wrc_contact_create(model, nullptr, &other), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &other), WRC_OK);
   ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
-  ASSERT_EQ(wrc_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_contact_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
+  wrc_contact_destroy(other);
+
+  EXPECT_EQ(wrc_contact_create(model, 2, nullptr, &other), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(other, nullptr);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_LEFT, nullptr, &other), WRC_OK);
+  EXPECT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_ERROR_SEQUENCE);
+  char text[200];
+  wrc_contact_last_error(other, text, sizeof text);
+  expect_words(text, {"other side"});
   wrc_contact_destroy(other);
 
   std::vector<unsigned char> rubbish(bytes, 0x5a);
@@ -150,7 +162,7 @@ TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
 TEST_F(Memory, SentencesBelongToTheLastRestore) {
   const auto sentence = [&] {
     char text[256];
-    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    EXPECT_EQ(wrc_contact_last_error(contact, text, sizeof text), WRC_OK);
     return std::string(text);
   };
   uint64_t bytes = 0;

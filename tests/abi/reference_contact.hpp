@@ -24,6 +24,7 @@ class ReferenceWheel {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  int32_t side = WRC_SIDE_RIGHT;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
@@ -50,17 +51,17 @@ class ReferenceWheel {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
     ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
   }
   int32_t step() {
     if (model == nullptr) create();
     const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
     wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-    return wrc_step(contact, &input, &output);
+    return wrc_contact_step(contact, &input, &output);
   }
   std::string error() const {
     char text[256];
-    EXPECT_EQ(wrc_last_error(contact, text, sizeof text), WRC_OK);
+    EXPECT_EQ(wrc_contact_last_error(contact, text, sizeof text), WRC_OK);
     return text;
   }
   /// The sentence holds all these words.

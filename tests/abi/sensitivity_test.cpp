@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "abi/reference_contact.hpp"
+#include "presets.hpp"
 
 namespace {
 
@@ -24,10 +25,10 @@ class Sensitivities : public ReferenceContact {
 
 TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
   wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
-  EXPECT_EQ(wrc_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
-  ASSERT_EQ(wrc_sensitivities(contact, &s), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_sensitivities(contact, &s), WRC_OK) << error();
   EXPECT_EQ(before, state());
 
   double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin, &friction.coefficient};
@@ -37,7 +38,7 @@ TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
     wrc_forces ends[2] = {forces, forces};
     for (int end = 0; end < 2; ++end) {
       *inputs[k] = value + (end == 0 ? -step : step);
-      ASSERT_EQ(wrc_tangential(contact, nullptr, &creepage, &friction, &ends[end]), WRC_OK);
+      ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &ends[end]), WRC_OK);
     }
     *inputs[k] = value;
     const double scale = std::fabs(forces.fx) / std::fabs(value);
@@ -50,10 +51,10 @@ TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
 
 TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
   wrc_step_sensitivity s = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-  EXPECT_EQ(wrc_step_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
-  ASSERT_EQ(wrc_step_sensitivities(contact, &s), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_OK) << error();
   EXPECT_EQ(before, state());
   EXPECT_NEAR(s.by_load[3] * patch.stiffness, 1.0, 0.01);  // the compliance, found another way
 
@@ -84,13 +85,13 @@ TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;
-  ASSERT_EQ(wrc_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
   wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
-  EXPECT_EQ(wrc_sensitivities(contact, &s), WRC_OK) << error();
+  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_OK) << error();
   EXPECT_LT(s.forces[0][0], 0.0);
   wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-  EXPECT_EQ(wrc_step_sensitivities(contact, &of_step), WRC_ERROR_SEQUENCE);
-  EXPECT_NE(error().find("wrc_normal"), std::string::npos) << error();
+  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_ERROR_SEQUENCE);
+  EXPECT_NE(error().find("wrc_contact_normal"), std::string::npos) << error();
 }
 
 TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
@@ -99,36 +100,37 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
   wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
   wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-  EXPECT_EQ(wrc_sensitivities(contact, &s), WRC_FLAG_NO_CONTACT);
-  EXPECT_EQ(wrc_step_sensitivities(contact, &of_step), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(s.forces[0][0], 0.0);
   EXPECT_EQ(of_step.by_load[3], 0.0);
-  EXPECT_EQ(wrc_sensitivities(nullptr, &s), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_sensitivities(contact, nullptr), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_contact_sensitivities(nullptr, &s), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_sensitivities(contact, nullptr), WRC_FLAG_NO_CONTACT);
 }
 
-/// Methods and laws without derivatives of their own: against differences of wrc_tangential with steps of
-/// another size.
+/// Methods and laws without derivatives of their own: against differences of wrc_contact_tangential with
+/// steps of another size.
 TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
   struct Choice {
-    int32_t method, flexibility, friction;
+    int32_t preset, flexibility, friction;
   };
   for (const Choice& choice :
-       {Choice{WRC_TANGENTIAL_MODIFIED_FASTSIM, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{WRC_TANGENTIAL_FASTRIP_SDEC, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{WRC_TANGENTIAL_COARSE_HALFSPACE, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{WRC_TANGENTIAL_FASTSIM_SDEC, WRC_FLEXIBILITY_BLENDED, WRC_FRICTION_CONSTANT},
-        Choice{WRC_TANGENTIAL_STRIP_FASTSIM, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
-    SCOPED_TRACE(choice.method);
-    config.tangential_method = choice.method;
+       {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
+        Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_FRICTION_CONSTANT},
+        Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
+    SCOPED_TRACE(presets[choice.preset].name);
+    choose_tangential(config, choice.preset);
     config.flexibility = choice.flexibility;
     friction.kind = choice.friction;
+    friction.slope_fall = slope_fall_for(choice.preset);
     creepage.speed = 20.0;
     create();
     ASSERT_GE(step(), 0) << error();
     const std::vector<char> before = state();
     wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
-    ASSERT_GE(wrc_sensitivities(contact, &s), 0) << error();
+    ASSERT_GE(wrc_contact_sensitivities(contact, &s), 0) << error();
     EXPECT_EQ(state(), before);
 
     const double limit = forces.fn * friction.coefficient;
@@ -141,7 +143,7 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
       double ends[2][2];
       for (int end = 0; end < 2; ++end) {
         *inputs[k] = end == 0 ? at - steps[k] : at + steps[k];
-        ASSERT_GE(wrc_tangential(contact, nullptr, &creepage, &friction, &forces), 0) << error();
+        ASSERT_GE(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), 0) << error();
         ends[end][0] = forces.fx;
         ends[end][1] = forces.fy;
       }

@@ -19,7 +19,7 @@ class StripsOfTheCaller : public ReferenceContact {
     strips.centre = centre.data();
     strips.half_length = half.data();
     strips.peak = peak.data();
-    return wrc_regularise(contact, &strips, &patch);
+    return wrc_contact_regularise(contact, &strips, &patch);
   }
   /// Refused with this number in the middle of this array; as good as before without it.
   void expect_refused_number(std::vector<double>& values, double wrong, int32_t status,
@@ -64,12 +64,12 @@ TEST_F(StripsOfTheCaller, ArraysThatAreMissingAreNamed) {
   for (int i = 0; i < 4; ++i) {
     const double* const kept = *needed[i];
     *needed[i] = nullptr;
-    EXPECT_EQ(wrc_regularise(contact, &strips, &patch), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_regularise(contact, &strips, &patch), WRC_ERROR_NULL);
     expect_words(error(), {names[i]});
     *needed[i] = kept;
   }
   strips.centre = nullptr;  // zero
-  EXPECT_EQ(wrc_regularise(contact, &strips, &patch), WRC_OK) << error();
+  EXPECT_EQ(wrc_contact_regularise(contact, &strips, &patch), WRC_OK) << error();
 }
 
 }  // namespace

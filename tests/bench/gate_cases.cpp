@@ -16,9 +16,9 @@ struct Case {
   enum { complete, normal, tangential, damage, geometry } part;
 };
 
-constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_SIDE_RIGHT, 60, 50};
+constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec, WRC_SIDE_RIGHT, 60, 50};
 constexpr Methods defaults{};
-constexpr Methods light{WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_SIDE_RIGHT, 32, 32};
+constexpr Methods light{WRC_NORMAL_EKP, preset_fastsim_sdec, WRC_SIDE_RIGHT, 32, 32};
 
 constexpr Case cases[] = {
     {"step_halfspace_sdec_60x50", usual, Case::complete},
@@ -58,13 +58,13 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
         wheel.geometry();
         break;
       case Case::normal:
-        wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch);
+        wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch);
         break;
       case Case::tangential:
-        wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
         break;
       default:
-        wrc_damage_numbers(wheel.contact, &wheel.damage);
+        wrc_contact_damage(wheel.contact, &wheel.damage);
         break;
     }
   }

@@ -8,7 +8,7 @@
 namespace compare {
 namespace {
 
-const char* const real_time = "wrc_wheel_step";
+const char* const real_time = "wrc_contact_wrench";
 
 /// The errors of one wrench, about the middle of the axle.
 void add_errors(std::map<std::string, Errors>& errors, std::size_t number, const WheelCase& solved,
@@ -21,11 +21,11 @@ void add_errors(std::map<std::string, Errors>& errors, std::size_t number, const
   if (power > 0.0) errors["power"].add(number, solved.wrench.power / power - 1.0);
 }
 
-int32_t solve_exactly(WheelCase& wheel, const Solver& solver, const wrc_exact_wheel_options& options) {
+int32_t solve_exactly(WheelCase& wheel, const Solver& solver, const wrc_exact_wrench_options& options) {
   wheel.input.wheel = &wheel.wheel;
   wheel.input.rail = &wheel.rail;
   wheel.input.friction = wheel.friction.coefficient > 0.0 ? &wheel.friction : nullptr;
-  return wrc_exact_wheel(solver.contact(), &wheel.input, &options, &wheel.wrench);
+  return wrc_exact_wrench(solver.contact(), &wheel.input, &options, &wheel.wrench);
 }
 
 void print(long number, const char* what, const WheelCase& solved, const Vector& force, double peak,
@@ -48,7 +48,7 @@ void against_reference(const Csv& file, const CaseRows& rows, const Solver& solv
   const auto number = static_cast<std::size_t>(rows.number);
   const std::string setting = file.text(rows.first, "setting");
   const std::string variant = setting + (rows.last - rows.first > 1 ? ", two patches" : "");
-  wrc_exact_wheel_options how = made<wrc_exact_wheel_options>(wrc_exact_wheel_options_init);
+  wrc_exact_wrench_options how = made<wrc_exact_wrench_options>(wrc_exact_wrench_options_init);
   how.collocation = WRC_COLLOCATION_REFERENCE;
   how.influence = setting == "conformal" ? WRC_INFLUENCE_PLAIN : WRC_INFLUENCE_TURNED;
   how.cell_x = how.cell_s = options.cell;
@@ -76,7 +76,7 @@ void against_reference(const Csv& file, const CaseRows& rows, const Solver& solv
 void against_exact(const Csv& file, const CaseRows& rows, const Solver& solver, const Options& options,
                    Report& report) {
   const auto number = static_cast<std::size_t>(rows.number);
-  wrc_exact_wheel_options how = made<wrc_exact_wheel_options>(wrc_exact_wheel_options_init);
+  wrc_exact_wrench_options how = made<wrc_exact_wrench_options>(wrc_exact_wrench_options_init);
   how.cell_x = how.cell_s = options.cell;
   WheelCase exact = wheel_case(file, rows.first), solved = wheel_case(file, rows.first);
   const int32_t exact_status = solve_exactly(exact, solver, how);

@@ -20,7 +20,7 @@ wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells
   const Rolling rolling = rolling_of(file, row);
   wrc_forces forces = made<wrc_forces>(wrc_forces_init);
   const int32_t status =
-      wrc_tangential(solver.contact(), &rolling.patch, &rolling.creepage, &rolling.friction, &forces);
+      wrc_contact_tangential(solver.contact(), &rolling.patch, &rolling.creepage, &rolling.friction, &forces);
   if (status < 0) report.fail(row, name, solver.reason(status));
   return forces;
 }

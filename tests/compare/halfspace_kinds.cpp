@@ -121,7 +121,7 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
     pose.lateral = 1e-3 * file(head, "y_ws_mm");
     pose.yaw = file(head, "yaw_rad");
     wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-    int32_t status = wrc_geometry(solver.contact(), &pose, &point);
+    int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
     if (status < 0) {
       report.fail(i, "exact", solver.reason(status));
       continue;

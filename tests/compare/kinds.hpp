@@ -40,7 +40,7 @@ Report compare_halfspace_normal(const Csv& file, const Names& only);
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);
 
-/// Wheels on rails from the pose to the wrench (wrc_wheel_step): new and worn profiles at given heights;
+/// Wheels on rails from the pose to the wrench (wrc_contact_wrench): new and worn profiles at given heights;
 /// flange roots under given loads against conformal theory; second differences along lines through pose
 /// space; work round closed paths.
 Report compare_wheelset(const Csv& file, const Options& options);
@@ -48,8 +48,8 @@ Report compare_conformal(const Csv& file, const Options& options);
 Report compare_scan(const Csv& file, const Options& options);
 Report compare_loop(const Csv& file, const Options& options);
 
-/// The exact solver on the rail's surface (wrc_exact_wheel) against the rows of wheelset and conformal files,
-/// and wrc_wheel_step against that solver on the same poses.
+/// The exact solver on the rail's surface (wrc_exact_wrench) against the rows of wheelset and conformal
+/// files, and wrc_contact_wrench against that solver on the same poses.
 Report compare_exact_wheel(const Csv& file, const Options& options);
 
 }  // namespace compare

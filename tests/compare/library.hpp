@@ -11,7 +11,7 @@
 
 namespace compare {
 
-/// Inputs of wrc_tangential for one row of a file with the columns of sdec_cases.csv.
+/// Inputs of wrc_contact_tangential for one row of a file with the columns of sdec_cases.csv.
 struct Rolling {
   wrc_patch patch = made<wrc_patch>(wrc_patch_init);
   wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
@@ -33,11 +33,11 @@ inline Rolling rolling_of(const Csv& file, std::size_t row) {
 /// A model and one contact of it.
 class Solver {
  public:
-  explicit Solver(const wrc_config& config) {
+  explicit Solver(const wrc_config& config, int32_t side = WRC_SIDE_RIGHT) {
     char text[256];
     if (wrc_config_check(&config, text, sizeof text) < 0) throw std::runtime_error(text);
     if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("out of memory");
-    if (wrc_contact_create(model_, nullptr, &contact_) < 0) throw std::runtime_error("out of memory");
+    if (wrc_contact_create(model_, side, nullptr, &contact_) < 0) throw std::runtime_error("out of memory");
   }
   ~Solver() {
     wrc_contact_destroy(contact_);
@@ -51,7 +51,7 @@ class Solver {
   /// Status name and sentence of the last call.
   std::string reason(int32_t status) const {
     char text[256] = "";
-    wrc_last_error(contact_, text, sizeof text);
+    wrc_contact_last_error(contact_, text, sizeof text);
     return std::string(wrc_status_name(status)) + " " + text;
   }
 

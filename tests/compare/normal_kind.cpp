@@ -13,18 +13,14 @@ struct Variant {
 };
 
 const std::vector<Variant> every_variant = {
-    {"hertz", WRC_NORMAL_HERTZ},
-    {"kik_piotrowski", WRC_NORMAL_KIK_PIOTROWSKI},
-    {"ekp", WRC_NORMAL_EKP},
-    {"ekp_ellipse", WRC_NORMAL_EKP_ELLIPSE},
-    {"analyn", WRC_NORMAL_ANALYN},
-    {"stripes", WRC_NORMAL_STRIPES},
-    {"strip_halfspace", WRC_NORMAL_STRIP_HALFSPACE},
+#define WRC_METHOD(identifier, value) {#identifier, value},
+    WRC_NORMAL_METHOD_LIST(WRC_METHOD)
+#undef WRC_METHOD
 };
 
 wrc_view view_of(const Solver& solver, int32_t patch, int32_t field) {
   wrc_view view = made<wrc_view>(wrc_view_init);
-  if (wrc_field(solver.contact(), patch, field, &view) != WRC_OK)
+  if (wrc_contact_field(solver.contact(), patch, field, &view) != WRC_OK)
     throw std::runtime_error("field not available");
   return view;
 }
@@ -75,8 +71,8 @@ Report compare_normal(const Csv& file, const Names& only) {
       load.normal_force = file(head, "Fn_N");
       wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
       wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-      int32_t status = wrc_geometry(solver.contact(), &pose, &point);
-      if (status >= 0) status = wrc_normal(solver.contact(), nullptr, &load, &patch);
+      int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
+      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &patch);
       if (status < 0) {
         report.fail(i, variant.name, solver.reason(status));
         continue;

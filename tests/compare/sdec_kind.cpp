@@ -4,13 +4,14 @@
 
 #include "kinds.hpp"
 #include "library.hpp"
+#include "presets.hpp"
 
 namespace compare {
 namespace {
 
 struct Variant {
   std::string name;
-  int32_t method, bound, flexibility;
+  int32_t preset, bound, flexibility;
 };
 
 struct Option {
@@ -18,31 +19,26 @@ struct Option {
   int32_t value;
 };
 
-/// Methods that have their own bound and flexibilities, and the FASTSIM variants with every bound and form of
-/// the flexibilities. Left out because the numbers are the same here: the ellipsoidal bound, which on double
-/// ellipses is the elliptic one, and modified FASTSIM, which between clean bodies is FASTSIM-EQ.L.
+/// Every published method, and the FASTSIM variants with every bound and form of the flexibilities. Left out
+/// because the numbers are the same here: the ellipsoidal bound, which on double ellipses is the elliptic
+/// one, and modified FASTSIM, which between clean bodies is FASTSIM-EQ.L.
 std::vector<Variant> every_variant() {
-  std::vector<Variant> all = {
-      {"strip_fastsim", WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-      {"coarse_halfspace", WRC_TANGENTIAL_COARSE_HALFSPACE, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-      {"table", WRC_TANGENTIAL_TABLE, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-      {"fastrip_sdec", WRC_TANGENTIAL_FASTRIP_SDEC, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-      {"fastrip_modified", WRC_TANGENTIAL_FASTRIP_MODIFIED, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-      {"fastrip", WRC_TANGENTIAL_FASTRIP, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE},
-  };
-  constexpr Option methods[] = {{"fastsim_sdec", WRC_TANGENTIAL_FASTSIM_SDEC},
-                                {"fastsim_eql", WRC_TANGENTIAL_FASTSIM_EQL},
-                                {"fastsim_eqe", WRC_TANGENTIAL_FASTSIM_EQE},
-                                {"fastsim", WRC_TANGENTIAL_FASTSIM}};
   constexpr Option bounds[] = {{"/parabolic", WRC_BOUND_PARABOLIC}, {"/elliptic", WRC_BOUND_ELLIPTIC}};
   constexpr Option forms[] = {{"", WRC_FLEXIBILITY_SEPARATE},
                               {"/single", WRC_FLEXIBILITY_SINGLE},
                               {"/blended", WRC_FLEXIBILITY_BLENDED}};
-  for (const Option& method : methods)
+  std::vector<Variant> all;
+  for (int32_t preset = 0; preset < tangential_methods; ++preset) {
+    const auto& [identifier, name, method, slope_falls] = presets[preset];
+    if (slope_falls) continue;
+    if (method != WRC_TANGENTIAL_FASTSIM) {
+      all.push_back({identifier, preset, WRC_BOUND_PARABOLIC, WRC_FLEXIBILITY_SEPARATE});
+      continue;
+    }
     for (const Option& bound : bounds)
       for (const Option& form : forms)
-        all.push_back(
-            {std::string(method.name) + bound.name + form.name, method.value, bound.value, form.value});
+        all.push_back({std::string(identifier) + bound.name + form.name, preset, bound.value, form.value});
+  }
   return all;
 }
 
@@ -58,24 +54,20 @@ Report compare_sdec(const Csv& file, const Names& only) {
   report.measures = {"force", "power", "power_balance"};
   for (const Variant& variant : chosen(every_variant(), only)) {
     report.variants.emplace_back(variant.name);
-    if (variant.method == standard.tangential_method && variant.bound == standard.traction_bound &&
-        variant.flexibility == standard.flexibility) {
-      report.default_variant = variant.name;
-    }
+    if (variant.preset == preset_strip_fastsim) report.default_variant = variant.name;
     for (std::size_t row = 0; row < file.rows(); ++row) {
       wrc_config config = standard;
-      config.tangential_method = variant.method;
+      choose_tangential(config, variant.preset);
       config.traction_bound = variant.bound;
       config.flexibility = variant.flexibility;
-      if (variant.method == WRC_TANGENTIAL_TABLE) config.force_table = WRC_FORCE_TABLE;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
       const Solver solver(config);
 
       const Rolling rolling = rolling_of(file, row);
       wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-      const int32_t status =
-          wrc_tangential(solver.contact(), &rolling.patch, &rolling.creepage, &rolling.friction, &forces);
+      const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.patch, &rolling.creepage,
+                                                    &rolling.friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));
         continue;

@@ -51,7 +51,7 @@ const Pairs::Points& Pairs::points(const std::string& name) {
 
 const Solver& Pairs::of(const PairOptions& options) {
   auto& solver = solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson,
-                           options.radius, options.smoothing, options.warm}];
+                           options.radius, options.smoothing, options.side, options.warm}];
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
@@ -73,7 +73,7 @@ const Solver& Pairs::of(const PairOptions& options) {
   config.warm_start = options.warm ? 1 : 0;
   config.wheel = &wheel;
   config.rail = &rail;
-  solver = std::make_unique<Solver>(config);
+  solver = std::make_unique<Solver>(config, options.side);
   return *solver;
 }
 
@@ -81,6 +81,7 @@ PairOptions pair_of(const Csv& file, std::size_t row) {
   PairOptions pair;
   pair.wheel = file.has("wheel_file") ? file.text(row, "wheel_file") : "S1002";
   pair.rail = file.has("rail_file") ? file.text(row, "rail_file") : "UIC60";
+  pair.side = file.text(row, "side") == "left" ? WRC_SIDE_LEFT : WRC_SIDE_RIGHT;
   if (file.has("G_MPa")) pair.shear_modulus = 1e6 * file(row, "G_MPa");
   if (file.has("nu")) pair.poisson = file(row, "nu");
   if (file.has("r0_mm")) pair.radius = 1e-3 * file(row, "r0_mm");
@@ -91,7 +92,6 @@ WheelCase wheel_case(const Csv& file, std::size_t row) {
   WheelCase made_case;
   wrc_wheel_state& wheel = made_case.wheel;
   const auto if_there = [&](const char* column) { return file.has(column) ? file(row, column) : 0.0; };
-  wheel.side = file.text(row, "side") == "left" ? WRC_SIDE_LEFT : WRC_SIDE_RIGHT;
   wheel.angular_axes = WRC_AXES_BODY;
   wheel.y = 1e-3 * if_there("y_ws_mm");
   wheel.z = 1e-3 * if_there("z_ws_mm");
@@ -114,7 +114,7 @@ std::vector<wrc_region> regions_of(const Solver& solver, const wrc_wrench& wrenc
   std::vector<wrc_region> regions;
   for (int32_t i = 0; i < wrench.regions; ++i) {
     regions.push_back(made<wrc_region>(wrc_region_init));
-    if (wrc_wheel_region(solver.contact(), i, &regions.back()) != WRC_OK)
+    if (wrc_contact_region(solver.contact(), i, &regions.back()) != WRC_OK)
       throw std::runtime_error("no such region");
   }
   return regions;

@@ -1,4 +1,5 @@
-/// Wheels on rails of files with the columns of wheelset_cases.csv and its like, through wrc_wheel_step().
+/// Wheels on rails of files with the columns of wheelset_cases.csv and its like, through
+/// wrc_contact_wrench().
 ///
 /// Files are in mm, MPa and the track axes of wrc_wheel.h: wheelset's middle at (0, y_ws, z_ws - r0), angular
 /// velocity in the wheelset's axes, rails by the origin of their profiles.
@@ -40,6 +41,7 @@ struct PairOptions {
       rail;  ///< names of files in profiles/ beside the csv, with or without .txt; S1002 and UIC60
   double shear_modulus = 82e9, poisson = 0.28, radius = 0.46;  ///< [Pa], [-], [m]
   double smoothing = 0.0;                                      ///< [m]
+  int32_t side = WRC_SIDE_RIGHT;
   bool warm = false;
 };
 
@@ -57,12 +59,12 @@ class Pairs {
 
   std::string folder_;
   std::map<std::string, Points> points_;
-  std::map<std::tuple<std::string, std::string, double, double, double, double, bool>,
+  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, bool>,
            std::unique_ptr<Solver>>
       solvers_;
 };
 
-/// The bodies of a row with columns wheel_file, rail_file (S1002 on UIC60 without), G_MPa, nu, r0_mm.
+/// The bodies of a row with columns side, wheel_file, rail_file (S1002 on UIC60 without), G_MPa, nu, r0_mm.
 PairOptions pair_of(const Csv& file, std::size_t row);
 
 /// A wheel on a rail that can be changed before it is solved.
@@ -77,7 +79,7 @@ struct WheelCase {
     input.wheel = &wheel;
     input.rail = &rail;
     input.friction = friction.coefficient > 0.0 ? &friction : nullptr;
-    return wrc_wheel_step(solver.contact(), &input, &wrench);
+    return wrc_contact_wrench(solver.contact(), &input, &wrench);
   }
   Vector force() const { return {wrench.force[0], wrench.force[1], wrench.force[2]}; }
   Vector moment() const { return {wrench.moment[0], wrench.moment[1], wrench.moment[2]}; }

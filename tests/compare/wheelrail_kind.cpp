@@ -3,6 +3,7 @@
 
 #include "kinds.hpp"
 #include "library.hpp"
+#include "presets.hpp"
 
 namespace compare {
 namespace {
@@ -10,21 +11,21 @@ namespace {
 /// Methods with a bound of their own have the default's name beside them.
 struct Variant {
   const char* name;
-  int32_t normal, tangential, bound;
+  int32_t normal, tangential, bound;  // tangential: number of a published method
 };
 
 const std::vector<Variant> every_variant = {
-    {"strip_halfspace + strip_fastsim", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_STRIP_FASTSIM,
+    {"strip_halfspace + strip_fastsim", WRC_NORMAL_STRIP_HALFSPACE, preset_strip_fastsim,
      WRC_BOUND_PARABOLIC},
-    {"strip_halfspace + coarse_halfspace", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_COARSE_HALFSPACE,
+    {"strip_halfspace + coarse_halfspace", WRC_NORMAL_STRIP_HALFSPACE, preset_coarse_halfspace,
      WRC_BOUND_PARABOLIC},
-    {"strip_halfspace + fastsim_sdec/parabolic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+    {"strip_halfspace + fastsim_sdec/parabolic", WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec,
      WRC_BOUND_PARABOLIC},
-    {"strip_halfspace + fastsim_sdec/elliptic", WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+    {"strip_halfspace + fastsim_sdec/elliptic", WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec,
      WRC_BOUND_ELLIPTIC},
-    {"ekp + strip_fastsim", WRC_NORMAL_EKP, WRC_TANGENTIAL_STRIP_FASTSIM, WRC_BOUND_PARABOLIC},
-    {"ekp + fastsim_sdec/parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_BOUND_PARABOLIC},
-    {"ekp + fastsim_eql/parabolic", WRC_NORMAL_EKP, WRC_TANGENTIAL_FASTSIM_EQL, WRC_BOUND_PARABOLIC},
+    {"ekp + strip_fastsim", WRC_NORMAL_EKP, preset_strip_fastsim, WRC_BOUND_PARABOLIC},
+    {"ekp + fastsim_sdec/parabolic", WRC_NORMAL_EKP, preset_fastsim_sdec, WRC_BOUND_PARABOLIC},
+    {"ekp + fastsim_eql/parabolic", WRC_NORMAL_EKP, preset_fastsim_eql, WRC_BOUND_PARABOLIC},
 };
 
 }  // namespace
@@ -44,7 +45,7 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
     for (std::size_t row = 0; row < file.rows(); ++row) {
       wrc_config config = standard;
       config.normal_method = variant.normal;
-      config.tangential_method = variant.tangential;
+      choose_tangential(config, variant.tangential);
       config.traction_bound = variant.bound;
       config.shear_modulus = 1e6 * file(row, "G_MPa");
       config.poisson = file(row, "nu");
@@ -62,7 +63,7 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
       wrc_patch patch = made<wrc_patch>(wrc_patch_init);
       wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-      int32_t status = wrc_geometry(solver.contact(), &pose, &point);
+      int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
 
       // The file's creepages are those of the rail over the wheel, at the reference's contact location, and
       // so are its forces: with both signs changed they are ours. The creepage moves to our origin with the
@@ -73,8 +74,9 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       creepage.longitudinal = file(row, "cksi") + creepage.spin * y;
       creepage.lateral = file(row, "ceta");
       creepage.speed = file(row, "vs_mps");
-      if (status >= 0) status = wrc_normal(solver.contact(), nullptr, &load, &patch);
-      if (status >= 0) status = wrc_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
+      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &patch);
+      if (status >= 0)
+        status = wrc_contact_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));
         continue;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "presets.hpp"
+
 namespace hostile {
 namespace {
 
@@ -140,13 +142,12 @@ static void leave_unread(wrc_config& config) {
     config.load_tolerance = untouched.load_tolerance;
   else
     config.warm_start = untouched.warm_start;
-  if (config.tangential_method > WRC_TANGENTIAL_FASTSIM_SDEC &&
-      config.tangential_method != WRC_TANGENTIAL_MODIFIED_FASTSIM) {
+  if (config.tangential_method != WRC_TANGENTIAL_FASTSIM) {
     config.traction_bound = untouched.traction_bound;
     config.flexibility = untouched.flexibility;
+    if (config.tangential_method != WRC_TANGENTIAL_FASTRIP) config.patch_model = untouched.patch_model;
   }
   if (config.wheel != nullptr) return;
-  config.side = untouched.side;
   config.flange_back_distance = untouched.flange_back_distance;
   config.track_gauge = untouched.track_gauge;
   config.gauge_depth = untouched.gauge_depth;
@@ -161,11 +162,10 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
     return static_cast<std::int32_t>(choices.magnitude(low, high));
   };
   wrc_config config = made<wrc_config>(wrc_config_init);
-  config.side = static_cast<std::int32_t>(choices.below(2));
-  config.normal_method = static_cast<std::int32_t>(choices.below(7));
+  config.normal_method = static_cast<std::int32_t>(choices.below(normal_methods));
   config.regularisation = static_cast<std::int32_t>(choices.below(2));
-  config.tangential_method = static_cast<std::int32_t>(choices.below(WRC_TANGENTIAL_COARSE_HALFSPACE + 1));
-  if (config.tangential_method == WRC_TANGENTIAL_TABLE) config.force_table = WRC_FORCE_TABLE;
+  choose_tangential(config, static_cast<std::int32_t>(choices.below(tangential_methods)));
+  if (choices.one_in(8)) config.patch_model = static_cast<std::int32_t>(choices.below(4));
   config.traction_bound = static_cast<std::int32_t>(choices.below(3));
   config.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.strips = count(4.0, finest);
@@ -220,7 +220,6 @@ void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
   wrc_friction& friction = structs.friction = made<wrc_friction>(wrc_friction_init);
   wrc_wheel_input& input = structs.input = made<wrc_wheel_input>(wrc_wheel_input_init);
   const bool far = choices.one_in(4);
-  wheel.side = static_cast<std::int32_t>(choices.below(2));
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
   wheel.angular_axes = static_cast<std::int32_t>(choices.below(2));
   wheel.y = far ? choices.between(-0.2, 0.2) : choices.between(-0.01, 0.01);
@@ -342,7 +341,7 @@ void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArr
   if (stray || friction.kind == WRC_FRICTION_STATIC_KINETIC)
     friction.half_speed = choices.magnitude(1e-6, 1e2);
   if (choices.one_in(2)) friction.slope_reduction = choices.magnitude(1e-2, 1.0);
-  if (stray || tangential_method == WRC_TANGENTIAL_MODIFIED_FASTSIM) {
+  if (stray || (tangential_method == WRC_TANGENTIAL_FASTSIM && choices.one_in(2))) {
     friction.slope_limit = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1.0);
     friction.slope_fall = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
   }

@@ -1,8 +1,8 @@
 #include "play.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <vector>
 
 #include "inputs.hpp"
@@ -41,7 +41,7 @@ std::vector<double> all_doubles(const Results& results) {
 /// The values of a field of one patch, or nothing when it has not been computed.
 std::vector<double> field_of_patch(const wrc_contact* contact, std::int32_t patch, std::int32_t id) {
   wrc_view view = made<wrc_view>(wrc_view_init);
-  if (wrc_field(contact, patch, id, &view) != WRC_OK) return {};
+  if (wrc_contact_field(contact, patch, id, &view) != WRC_OK) return {};
   std::vector<double> values;
   for (std::uint64_t i = 0; i < view.count[0]; ++i)
     for (std::uint64_t j = 0; j < view.count[1]; ++j)
@@ -54,8 +54,11 @@ std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
   const bool of_gap = id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE;
   const std::int32_t patches = of_gap ? 1 : 16;
   std::vector<double> values;
-  for (std::int32_t patch = 0; patch < patches; ++patch)
-    for (double value : field_of_patch(contact, patch, id)) values.push_back(value);
+  for (std::int32_t patch = 0; patch < patches; ++patch) {
+    const std::vector<double> own = field_of_patch(contact, patch, id);
+    if (own.empty()) break;
+    values.insert(values.end(), own.begin(), own.end());
+  }
   return values;
 }
 
@@ -93,8 +96,7 @@ bool documented(std::int32_t status) {
 
 class Case {
  public:
-  Case(Choices& choices, std::int32_t finest, std::uint32_t most_calls)
-      : choices_(choices), finest_(finest), most_calls_(most_calls) {}
+  Case(Choices& choices, const Size& size) : choices_(choices), size_(size) {}
   ~Case() {
     wrc_contact_destroy(contact_);
     wrc_model_destroy(model_);
@@ -106,8 +108,11 @@ class Case {
     ProfilePoints wheel, rail;
     make_wheel(choices_, wheel);
     make_rail(choices_, rail);
-    config_ = make_config(choices_, finest_, &wheel.profile, &rail.profile);
-    const std::int32_t status = timed([&] { return wrc_model_create(&config_, nullptr, &model_); });
+    config_ = make_config(choices_, size_.finest, &wheel.profile, &rail.profile);
+    side_ = static_cast<std::int32_t>(choices_.below(2));
+    if (size_.shallow && config_.tangential_method == WRC_TANGENTIAL_COARSE_HALFSPACE && !choices_.one_in(16))
+      config_.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    const std::int32_t status = hand_over([&] { return wrc_model_create(&config_, nullptr, &model_); });
     if (status != WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
       expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
@@ -116,12 +121,12 @@ class Case {
       return verdict_;
     }
     verdict_.model_made = true;
-    if (!expect(wrc_contact_create(model_, nullptr, &contact_) == WRC_OK, "a contact can be made"))
+    if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_) == WRC_OK, "a contact can be made"))
       return verdict_;
     check_profiles();
 
     const std::vector<double> good = good_step();
-    const std::uint32_t calls = 1 + choices_.below(most_calls_);
+    const std::uint32_t calls = size_.shallow ? size_.calls : 1 + choices_.below(size_.calls);
     for (std::uint32_t i = 0; i < calls; ++i) call();
     const std::vector<double> again = good_step();
     // A warm start may come from another patch: then the last digits depend on the past.
@@ -136,11 +141,17 @@ class Case {
   }
 
   template <typename Call>
+  std::int32_t hand_over(Call&& work) {
+    ++verdict_.inputs;
+    return timed(work);
+  }
+
+  template <typename Call>
   std::int32_t timed(Call&& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const std::int32_t status = work();
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    verdict_.slowest_call = std::max(verdict_.slowest_call, took.count());
+    const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    verdict_.slowest_call = std::max(verdict_.slowest_call, took);
     return status;
   }
 
@@ -173,7 +184,7 @@ class Case {
       wrc_output output = {sizeof output,  0, &results.point, &results.patch, &results.forces,
                            &results.damage};
       where_ = each == nullptr ? "good step with a gap" : "good step with a pose";
-      const std::int32_t status = timed([&] { return wrc_step(contact_, &input, &output); });
+      const std::int32_t status = timed([&] { return wrc_contact_step(contact_, &input, &output); });
       check_step(status, results, load, creepage, friction.coefficient);
       all.push_back(status);
       for (double value : all_doubles(results)) all.push_back(value);
@@ -189,7 +200,7 @@ class Case {
     for (std::int32_t body : {WRC_BODY_WHEEL, WRC_BODY_RAIL}) {
       wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
       double deviation = -1.0;
-      const std::int32_t status = wrc_model_profile(model_, body, &y, &z, &deviation);
+      const std::int32_t status = wrc_model_profile(model_, side_, body, &y, &z, &deviation);
       expect(status == (config_.wheel != nullptr ? WRC_OK : WRC_ERROR_SEQUENCE),
              "a model shows its profiles");
       expect(std::isfinite(deviation) && deviation >= 0.0, "the deviation is a distance");
@@ -206,7 +217,7 @@ class Case {
     const wrc_wear_laws laws = make_wear_laws(choices_);
     wrc_wear result = made<wrc_wear>(wrc_wear_init);
     const std::int32_t status =
-        timed([&] { return wrc_wear_numbers(contact_, choices_.one_in(4) ? nullptr : &laws, &result); });
+        hand_over([&] { return wrc_contact_wear(contact_, choices_.one_in(4) ? nullptr : &laws, &result); });
     expect(documented(status), "the status is documented for this call");
     for (double rate : {result.worn_area_rate, result.largest_depth_rate, result.largest_depth_velocity}) {
       expect(std::isfinite(rate) && rate >= 0.0, "wear takes away");
@@ -221,7 +232,7 @@ class Case {
     where_ = "creepages";
     const wrc_motion motion = make_motion(choices_);
     wrc_creepage result = made<wrc_creepage>(wrc_creepage_init);
-    const std::int32_t status = timed([&] { return wrc_creepages(contact_, &motion, &result); });
+    const std::int32_t status = hand_over([&] { return wrc_contact_creepages(contact_, &motion, &result); });
     expect(documented(status), "the status is documented for this call");
     for (double value : doubles_from(result, result.longitudinal)) {
       expect(std::isfinite(value), "every creepage is finite");
@@ -230,15 +241,15 @@ class Case {
     expect(std::fabs(result.longitudinal) <= 10.0 && std::fabs(result.lateral) <= 10.0 &&
                std::fabs(result.spin) <= 1e3 && std::fabs(result.speed) <= 200.0 && result.other_way >= 0.0 &&
                result.other_way <= 0.5,
-           "wrc_tangential takes the creepages");
+           "wrc_contact_tangential takes the creepages");
   }
 
   void call() {
-    ++verdict_.calls;
     switch (choices_.below(11)) {
       case 8:
       case 9:
       case 10:
+        if (size_.shallow && !choices_.one_in(16)) return stages_in_any_order();
         return wheel_on_rail();
       case 0:
         return caller_patch();
@@ -268,7 +279,7 @@ class Case {
     const wrc_input input = {sizeof input, 0,        with_pose ? &pose : nullptr, &gap.gap, &load,
                              &creepage,    &friction};
     wrc_output output = {sizeof output, 0, &results.point, &results.patch, &results.forces, &results.damage};
-    const std::int32_t status = timed([&] { return wrc_step(contact_, &input, &output); });
+    const std::int32_t status = hand_over([&] { return wrc_contact_step(contact_, &input, &output); });
     check_step(status, results, load, creepage, given.most());
     if (choices_.one_in(2)) wear();
     if (choices_.one_in(2)) creepages();
@@ -280,7 +291,8 @@ class Case {
     WheelStructs given;
     make_wheel_on_rail(choices_, given);
     wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init), again = wrench;
-    const std::int32_t status = timed([&] { return wrc_wheel_step(contact_, &given.input, &wrench); });
+    const std::int32_t status =
+        hand_over([&] { return wrc_contact_wrench(contact_, &given.input, &wrench); });
     const bool supported = config_.wheel != nullptr && config_.normal_method == WRC_NORMAL_STRIP_HALFSPACE &&
                            config_.tangential_method == WRC_TANGENTIAL_STRIP_FASTSIM;
     expect(documented(status), "the status is documented for this call");
@@ -292,7 +304,7 @@ class Case {
       expect(std::all_of(all.begin(), all.end(), zero) && wrench.regions == 0,
              "outputs of a failed call are zero");
       char text[256] = "";
-      expect(wrc_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+      expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
              "an error has a sentence");
       return;
     }
@@ -307,7 +319,7 @@ class Case {
     double force[3] = {};
     for (std::int32_t i = 0; i < wrench.regions; ++i) {
       wrc_region region = made<wrc_region>(wrc_region_init);
-      expect(wrc_wheel_region(contact_, i, &region) == WRC_OK, "every region can be seen");
+      expect(wrc_contact_region(contact_, i, &region) == WRC_OK, "every region can be seen");
       expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
       for (int k = 0; k < 3; ++k) force[k] += region.force[k];
     }
@@ -317,7 +329,7 @@ class Case {
              "regions add up to the wrench");
     }
     if (config_.warm_start != 0 || !choices_.one_in(4)) return;
-    expect(wrc_wheel_step(contact_, &given.input, &again) == status, "the same call has the same status");
+    expect(wrc_contact_wrench(contact_, &given.input, &again) == status, "the same call has the same status");
     expect(std::memcmp(&wrench, &again, sizeof wrench) == 0, "the same call gives the same bits");
   }
 
@@ -329,9 +341,9 @@ class Case {
     make_friction(choices_, config_.tangential_method, given);
     const wrc_friction& friction = given.friction;
     Results results;
-    std::int32_t status =
-        timed([&] { return wrc_tangential(contact_, &patch, &creepage, &friction, &results.forces); });
-    if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &results.damage));
+    std::int32_t status = hand_over(
+        [&] { return wrc_contact_tangential(contact_, &patch, &creepage, &friction, &results.forces); });
+    if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &results.damage));
     check_results(status, results, given.most());
   }
 
@@ -344,12 +356,14 @@ class Case {
     make_friction(choices_, config_.tangential_method, given);
     const wrc_friction& friction = given.friction;
     Results results;
-    std::int32_t status = timed([&] { return wrc_regularise(contact_, &strips.strips, &results.patch); });
+    std::int32_t status =
+        hand_over([&] { return wrc_contact_regularise(contact_, &strips.strips, &results.patch); });
     check_results(status, results, given.most());
     if (status < 0) return;
     Results rolling;
-    status = timed([&] { return wrc_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
-    if (status >= 0) status = std::max(status, wrc_damage_numbers(contact_, &rolling.damage));
+    status = hand_over(
+        [&] { return wrc_contact_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
+    if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &rolling.damage));
     check_results(status, rolling, given.most());
   }
 
@@ -367,17 +381,18 @@ class Case {
       std::int32_t status = WRC_OK;
       switch (choices_.below(7)) {
         case 0:
-          status = timed([&] { return wrc_geometry(contact_, &pose, &results.point); });
+          status = hand_over([&] { return wrc_contact_geometry(contact_, &pose, &results.point); });
           break;
         case 1:
-          status = timed([&] { return wrc_normal(contact_, nullptr, &load, &results.patch); });
+          status = hand_over([&] { return wrc_contact_normal(contact_, nullptr, &load, &results.patch); });
           break;
         case 2:
-          status = timed([&] { return wrc_regularise(contact_, nullptr, &results.patch); });
+          status = timed([&] { return wrc_contact_regularise(contact_, nullptr, &results.patch); });
           break;
         case 3:
-          status =
-              timed([&] { return wrc_tangential(contact_, nullptr, &creepage, &friction, &results.forces); });
+          status = hand_over([&] {
+            return wrc_contact_tangential(contact_, nullptr, &creepage, &friction, &results.forces);
+          });
           break;
         case 4:
           wear();
@@ -386,7 +401,7 @@ class Case {
           creepages();
           break;
         default:
-          status = timed([&] { return wrc_damage_numbers(contact_, &results.damage); });
+          status = timed([&] { return wrc_contact_damage(contact_, &results.damage); });
       }
       check_results(status, results, given.most());
     }
@@ -448,7 +463,7 @@ class Case {
       expect(std::all_of(all.begin(), all.end(), [](double value) { return value == 0.0; }),
              "outputs of a failed call are zero");
       char text[256] = "";
-      expect(wrc_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+      expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
              "an error has a sentence");
     }
     const wrc_forces& forces = results.forces;
@@ -469,6 +484,7 @@ class Case {
              "a loaded patch has a size");
     }
     if (forces.fn > 0.0) ++verdict_.solved;
+    if (size_.shallow && !choices_.one_in(8)) return;
     for (std::int32_t each = 0; each < 16; ++each) {
       Results one;
       if (wrc_contact_patch(contact_, each, &one.patch, &one.forces) != WRC_OK) break;
@@ -485,8 +501,8 @@ class Case {
   }
 
   Choices& choices_;
-  std::int32_t finest_;
-  std::uint32_t most_calls_;
+  Size size_;
+  std::int32_t side_ = WRC_SIDE_RIGHT;
   Verdict verdict_;
   const char* where_ = "model";
   wrc_config config_{};
@@ -496,8 +512,6 @@ class Case {
 
 }  // namespace
 
-Verdict play(Choices& choices, std::int32_t finest, std::uint32_t most_calls) {
-  return Case(choices, finest, most_calls).play();
-}
+Verdict play(Choices& choices, const Size& size) { return Case(choices, size).play(); }
 
 }  // namespace hostile

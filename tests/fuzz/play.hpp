@@ -9,14 +9,21 @@
 namespace hostile {
 
 struct Verdict {
-  std::string broken;       ///< the first property that did not hold, in words; empty when all held
-  bool model_made = false;  ///< the library accepted the configuration
-  int calls = 0,
-      solved = 0;  ///< calls on the contact, and how many of them ended with status >= 0 and forces
-  double slowest_call = 0.0;  ///< [s]
+  std::string broken;         ///< the first property that did not hold, in words; empty when all held
+  bool model_made = false;    ///< the library accepted the configuration
+  int inputs = 0;             ///< hostile inputs handed to the library, the model's own among them
+  int solved = 0;             ///< calls that ended with status >= 0 and forces
+  double slowest_call = 0.0;  ///< of the processor's time [s]
 };
 
-/// Grids are at most `finest` by `finest` cells; at most `most_calls` hostile calls on the contact.
-Verdict play(Choices& choices, std::int32_t finest, std::uint32_t most_calls = 5);
+struct Size {
+  std::int32_t finest = 512;  ///< strips and cells, at most
+  std::uint32_t calls = 5;    ///< hostile calls on the contact, at most
+  /// For many inputs in little time: as many calls as allowed, few of the long ones (a wheel on a rail, the
+  /// coarse half-space), and every field read after one call in eight only.
+  bool shallow = false;
+};
+
+Verdict play(Choices& choices, const Size& size);
 
 }  // namespace hostile

@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   hostile::Choices choices(bytes, size);
-  const hostile::Verdict verdict = hostile::play(choices, 24);  // small, for many runs a second
+  const hostile::Verdict verdict = hostile::play(choices, {24});  // small, for many runs a second
   if (!verdict.broken.empty()) {
     std::fprintf(stderr, "%s\n", verdict.broken.c_str());
     std::abort();

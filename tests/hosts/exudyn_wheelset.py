@@ -49,8 +49,8 @@ def irregularity(x):
 
 
 model = Model(options.library)
-contacts = {side: model.contact() for side in (RIGHT, LEFT)}
-HEIGHT0 = model.step(contacts[RIGHT], [RIGHT] + 18 * [0] + [LOAD, CARRIED / 2, 0])[12]  # of the middle at rest
+contacts = {side: model.contact(side) for side in (RIGHT, LEFT)}
+HEIGHT0 = model.step(contacts[RIGHT], 18 * [0] + [LOAD, CARRIED / 2, 0])[12]  # of the middle at rest
 
 
 def axes(roll, yaw):
@@ -71,7 +71,7 @@ def contact(t, q, v, tell=None):
     roll, yaw = np.arctan2(axle[2], axle[1]), -np.arcsin(axle[0])
     force, moment = np.zeros(3), np.zeros(3)
     for side in (RIGHT, LEFT):
-        out = model.step(contacts[side], [side, 0, q[1], HEIGHT0 + q[2], roll, yaw, *velocity, *angular,
+        out = model.step(contacts[side], [0, q[1], HEIGHT0 + q[2], roll, yaw, *velocity, *angular,
                                           rail_y, 0, 0, 0, 0, 0, FRICTION, HEIGHT, 0, 0])
         force += out[0:3]
         moment += out[3:6]

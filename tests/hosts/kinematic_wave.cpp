@@ -1,13 +1,13 @@
-// The wave length of a free wheelset that rolls slowly, amplitude 1 mm: what a host finds with wrc_wheel_step
-// at 5 m/s.
+// The wave length of a free wheelset that rolls slowly, amplitude 1 mm: what a host finds with
+// wrc_contact_wrench at 5 m/s.
 //
 //   kinematic_wave [exact [CELL]]      CELL of the exact solver [3e-4 m]
 //
 // Slow rolling leaves no inertia: at a lateral place and a yaw the wheelset's height, roll, turning, and its
 // rates of lateral motion and yaw are those at which nothing is left of the forces. Prints the wave length
-//  - of that motion, integrated, with the forces of wrc_wheel_step;
+//  - of that motion, integrated, with the forces of wrc_contact_wrench;
 //  - of the wave fitted to three poses of it, with these forces and, on request, with those of
-//  wrc_exact_wheel;
+//  wrc_exact_wrench;
 //  - of Klingel's formula, from where the regions in contact lie on the wheels alone.
 // Exit status 1 if the first and the second, or the second and exact forces, differ by more than 1.5 %.
 #include <Eigen/Dense>
@@ -53,8 +53,9 @@ class Wheelset {
     config.wheel = &wheel;
     config.rail = &rail;
     if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("no model");
-    for (auto& contact : contact_)
-      if (wrc_contact_create(model_, nullptr, &contact) < 0) throw std::runtime_error("no contact");
+    for (int side = 0; side < 2; ++side)
+      if (wrc_contact_create(model_, side, nullptr, &contact_[side]) < 0)
+        throw std::runtime_error("no contact");
   }
   ~Wheelset() {
     for (auto* contact : contact_) wrc_contact_destroy(contact);
@@ -63,8 +64,8 @@ class Wheelset {
   Wheelset(const Wheelset&) = delete;
   Wheelset& operator=(const Wheelset&) = delete;
 
-  double roll_rate = 0.0;                                  // roll over lateral place [rad/m]
-  const wrc_exact_wheel_options* exact_options = nullptr;  // of left_over(..., true)
+  double roll_rate = 0.0;                                   // roll over lateral place [rad/m]
+  const wrc_exact_wrench_options* exact_options = nullptr;  // of left_over(..., true)
 
   // Standing in the middle.
   Rolling at_rest() {
@@ -79,7 +80,7 @@ class Wheelset {
     input.wheel = &wheel;
     wrc_wrench wrench;
     wrench.struct_size = sizeof wrench;
-    const int32_t status = wrc_wheel_step(contact_[0], &input, &wrench);
+    const int32_t status = wrc_contact_wrench(contact_[0], &input, &wrench);
     if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
     Rolling rolling;
     rolling.values[0] = wrench.z;
@@ -113,11 +114,10 @@ class Wheelset {
     input.friction = &law;
     Vector3d force(0, 0, load), moment(0, 0, 0);
     for (int side = 0; side < 2; ++side) {
-      wheel.side = side;
       wrc_wrench wrench;
       wrench.struct_size = sizeof wrench;
-      const int32_t status = exact ? wrc_exact_wheel(contact_[side], &input, exact_options, &wrench)
-                                   : wrc_wheel_step(contact_[side], &input, &wrench);
+      const int32_t status = exact ? wrc_exact_wrench(contact_[side], &input, exact_options, &wrench)
+                                   : wrc_contact_wrench(contact_[side], &input, &wrench);
       if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
       force += Vector3d(wrench.force[0], wrench.force[1], wrench.force[2]);
       moment += Vector3d(wrench.moment[0], wrench.moment[1], wrench.moment[2]);
@@ -125,13 +125,13 @@ class Wheelset {
     return {force[1], force[2], moment[0], moment.dot(axle), moment[2]};
   }
 
-  // Right less left rolling radius, means over the load, by the creepages of the last wrc_wheel_step [m].
+  // Right less left rolling radius, means over the load, by the creepages of the last wrc_contact_wrench [m].
   double radius_difference(const Rolling& rolling) {
     double difference = 0.0;
     for (int side = 0; side < 2; ++side) {
       wrc_region region;
       region.struct_size = sizeof region;
-      if (wrc_wheel_region(contact_[side], 0, &region) < 0) throw std::runtime_error("no region");
+      if (wrc_contact_region(contact_[side], 0, &region) < 0) throw std::runtime_error("no region");
       difference -= (side == 0 ? 1.0 : -1.0) * region.creepage[0];
     }
     return radius * (difference - 2.0 * half_distance * rolling.yaw_rate());
@@ -234,14 +234,14 @@ int run(bool with_exact, double cell) {
       along, three, klingel, 100.0 * (klingel / along - 1.0));
   bool good = std::fabs(three / along - 1.0) < 0.015;
   if (with_exact) {
-    wrc_exact_wheel_options options;
+    wrc_exact_wrench_options options;
     options.struct_size = sizeof options;
-    wrc_exact_wheel_options_init(&options);
+    wrc_exact_wrench_options_init(&options);
     options.cell_x = options.cell_s = cell;
     wheelset.exact_options = &options;
     const double exact = three_poses(wheelset, guess, yaw, true);
     std::printf(
-        "wave length with exact forces, from three poses, cells of %.2f mm: %.3f m; wrc_wheel_step %+.2f "
+        "wave length with exact forces, from three poses, cells of %.2f mm: %.3f m; wrc_contact_wrench %+.2f "
         "%%\n",
         1e3 * cell, exact, 100.0 * (three / exact - 1.0));
     good = good && std::fabs(three / exact - 1.0) < 0.015;

@@ -105,8 +105,9 @@ class WrcElement : public Element {
     config.wheel = &wheel;
     config.rail = &rail;
     if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("no model");
-    for (auto& contact : contact_)
-      if (wrc_contact_create(model_, nullptr, &contact) < 0) throw std::runtime_error("no contact");
+    for (int side = 0; side < 2; ++side)
+      if (wrc_contact_create(model_, side, nullptr, &contact_[side]) < 0)
+        throw std::runtime_error("no contact");
   }
   ~WrcElement() override {
     for (auto* contact : contact_) wrc_contact_destroy(contact);
@@ -139,7 +140,6 @@ class WrcElement : public Element {
     wrc_wheel_state wheel;
     wheel.struct_size = sizeof wheel;
     wrc_wheel_state_init(&wheel);
-    wheel.side = side;
     wheel.y = motion.y;
     wheel.z = motion.z;
     wheel.rotation = rotation;
@@ -165,9 +165,9 @@ class WrcElement : public Element {
     input.vertical_load = vertical_load;
     wrc_wrench wrench;
     wrench.struct_size = sizeof wrench;
-    if (wrc_wheel_step(contact_[side], &input, &wrench) < 0) {
+    if (wrc_contact_wrench(contact_[side], &input, &wrench) < 0) {
       char text[400];
-      wrc_last_error(contact_[side], text, sizeof text);
+      wrc_contact_last_error(contact_[side], text, sizeof text);
       throw std::runtime_error(text);
     }
     return wrench;

@@ -1,4 +1,4 @@
-"""The flat wheel call of libwrc through ctypes: a model, contacts, 22 numbers in, 18 out (wrc_wheel.h)."""
+"""The flat wheel call of libwrc through ctypes: a model, contacts, 21 numbers in, 18 out (wrc_wheel.h)."""
 import ctypes as c
 
 
@@ -10,7 +10,7 @@ class Profile(c.Structure):
 class Config(c.Structure):
     """The head of wrc_config: as long as that, all behind it keeps its default."""
     _fields_ = ([("struct_size", c.c_uint32)] +
-                [(n, c.c_int32) for n in ("side normal_method regularisation tangential_method traction_bound strips cells "
+                [(n, c.c_int32) for n in ("reserved normal_method regularisation tangential_method traction_bound strips cells "
                                           "gap_rows max_iterations max_patches warm_start").split()] +
                 [(n, c.c_double) for n in ("shear_modulus poisson load_tolerance gap_limit shear_yield wheel_radius "
                                            "flange_back_distance track_gauge gauge_depth rail_inclination").split()] +
@@ -34,10 +34,10 @@ class Model:
 
     def __init__(self, library, warm_start=0, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
         self.lib = lib = c.CDLL(library)
-        lib.wrc_last_error.argtypes = [c.c_void_p, c.c_char_p, c.c_uint64]
-        lib.wrc_wheel_step_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
-        lib.wrc_wheel_region.argtypes = [c.c_void_p, c.c_int32, c.c_void_p]
-        lib.wrc_contact_create.argtypes = [c.c_void_p, c.c_void_p, c.POINTER(c.c_void_p)]
+        lib.wrc_contact_last_error.argtypes = [c.c_void_p, c.c_char_p, c.c_uint64]
+        lib.wrc_contact_wrench_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
+        lib.wrc_contact_region.argtypes = [c.c_void_p, c.c_int32, c.c_void_p]
+        lib.wrc_contact_create.argtypes = [c.c_void_p, c.c_int32, c.c_void_p, c.POINTER(c.c_void_p)]
         wheel, rail = Profile(c.sizeof(Profile), S1002), Profile(c.sizeof(Profile), rail)
         config = Config(c.sizeof(Config))
         assert lib.wrc_config_init(c.byref(config)) == 0
@@ -48,30 +48,30 @@ class Model:
         if lib.wrc_model_create(c.byref(config), None, c.byref(self.model)) < 0:
             lib.wrc_config_check(c.byref(config), text, c.c_uint64(400))
             raise RuntimeError(text.value.decode())
-        self.numbers_in, self.numbers_out = (c.c_double * 22)(), (c.c_double * 18)()
+        self.numbers_in, self.numbers_out = (c.c_double * 21)(), (c.c_double * 18)()
         self.calls = 0
         self.statuses = {}
 
-    def contact(self):
+    def contact(self, side):
         contact = c.c_void_p()
-        assert self.lib.wrc_contact_create(self.model, None, c.byref(contact)) == 0
+        assert self.lib.wrc_contact_create(self.model, side, None, c.byref(contact)) == 0
         return contact
 
     def step(self, contact, numbers):
-        """numbers: those of wrc_wheel_step_flat(). Returns its outputs as a list."""
+        """numbers: those of wrc_contact_wrench_flat(). Returns its outputs as a list."""
         self.numbers_in[:] = numbers
-        status = self.lib.wrc_wheel_step_flat(contact, self.numbers_in, self.numbers_out)
+        status = self.lib.wrc_contact_wrench_flat(contact, self.numbers_in, self.numbers_out)
         self.calls += 1
         self.statuses[status] = self.statuses.get(status, 0) + 1
         if status < 0:
             text = c.create_string_buffer(400)
-            self.lib.wrc_last_error(contact, text, 400)
+            self.lib.wrc_contact_last_error(contact, text, 400)
             raise RuntimeError(text.value.decode())
         return list(self.numbers_out)
 
     def regions(self, contact):
         """(y_wheel [m], angle [rad], normal force [N]) of each region of the last solution."""
         found, region = [], Region(c.sizeof(Region))
-        while len(found) < self.numbers_out[17] and self.lib.wrc_wheel_region(contact, len(found), c.byref(region)) >= 0:
+        while len(found) < self.numbers_out[17] and self.lib.wrc_contact_region(contact, len(found), c.byref(region)) >= 0:
             found.append((region.y_wheel, region.angle, region.normal_force))
         return found

@@ -41,7 +41,7 @@ case $way in
     mv "$build/installed/first" "$prefix"
     (cd "$prefix" && find . -type f -o -type l | sort)
     test -f "$prefix/include/wrc/wrc.h" && test -f "$prefix/include/wrc/wrc_status.h"
-    test -L "$(library_directory)/libwrc.so" && test -L "$(library_directory)/libwrc.so.1"
+    test -L "$(library_directory)/libwrc.so" && test -L "$(library_directory)/libwrc.so.0.2"
     for file in LICENSE CHANGELOG.md README.md docs/third_party.md docs/embedding.md; do
       test -f "$prefix/share/doc/wrc/$file" || { echo "$file is missing"; exit 1; }
     done
@@ -69,7 +69,7 @@ case $way in
     ;;
   dlopen)
     cc -std=c99 -I"$prefix/include" "$source/examples_c/load_at_run_time.c" -ldl -o "$scratch/load_at_run_time"
-    "$scratch/load_at_run_time" "$(library_directory)/libwrc.so.1"
+    "$scratch/load_at_run_time" "$(library_directory)/libwrc.so.0.2"
     ;;
   fortran)
     need gfortran
@@ -82,7 +82,8 @@ case $way in
     need cmake
     # Its flags, standard and warnings are the parent's own affair: the library builds, and has the same bits.
     consumer_project subdirectory -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_STANDARD=14 \
-      -DCMAKE_C_FLAGS=-O1 -DCMAKE_CXX_FLAGS='-O1 -ffast-math -flto -Werror -Wold-style-cast -Wuseless-cast'
+      -DCMAKE_C_FLAGS=-O1 \
+      -DCMAKE_CXX_FLAGS='-O2 -march=native -ffast-math -flto -Werror -Wold-style-cast -Wuseless-cast'
     runs "$scratch/project/first_step"
     export LD_LIBRARY_PATH=$scratch/project/wrc
     ldd "$build/tests/realtime/golden_hash" | grep -F "$scratch/project/wrc"
@@ -112,7 +113,7 @@ case $way in
     cc -std=c99 "$example" $(pkg-config --cflags --libs --static wrc) -o "$scratch/first_step"
     runs "$scratch/first_step"
     # In a shared library of a vendor's, it exports nothing.
-    echo 'const void* wrc_get_api(unsigned); const void* of_vendor(void) { return wrc_get_api(1); }' >"$scratch/vendor.c"
+    echo 'const void* wrc_get_api(unsigned); const void* of_vendor(void) { return wrc_get_api(2); }' >"$scratch/vendor.c"
     cc -shared -fPIC "$scratch/vendor.c" "$library" -lstdc++ -lm -o "$scratch/libvendor.so"
     test "$(nm -D --defined-only "$scratch/libvendor.so" | awk '$2 == "T" { print $3 }')" = of_vendor
     ;;

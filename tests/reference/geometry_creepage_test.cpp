@@ -14,6 +14,7 @@
 
 #include "../unit/geometry_test_bodies.hpp"
 #include "geometry/creepages.hpp"
+#include "overlap_weighted_point.hpp"
 
 namespace wrc {
 namespace {
@@ -59,7 +60,7 @@ TEST(GeometryReference, ContactPointPenetrationAndCreepages) {
     ContactPoint first;
     std::int32_t count = 0;
     ASSERT_EQ(find_contact(bodies.rail, wheel, 1, &first, count).status, WRC_OK);
-    const ContactPoint contact = overlap_weighted_point(bodies.rail, wheel, first, -first.vertical_gap);
+    const ContactPoint contact = test::overlap_weighted_point(bodies.rail, wheel, first, -first.vertical_gap);
     const RigidCreepage ours = creepage(
         wheel, contact,
         {.speed = c.at("vs_mps"), .lateral_velocity = c.at("vy_mps"), .pitch_rate = c.at("vpitch_radps")});

@@ -22,13 +22,14 @@
 #include "../unit/normal_gaps.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
+#include "kernels/kernels.hpp"
 #include "normal/analyn.hpp"
 #include "normal/ekp.hpp"
 #include "normal/hertz.hpp"
 #include "normal/kik_piotrowski.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal/stripes.hpp"
+#include "overlap_weighted_point.hpp"
 
 namespace wrc {
 namespace {
@@ -90,14 +91,14 @@ TEST(NormalReference, RowsOfTheExactTheory) {
   if (cases.empty()) GTEST_SKIP() << "no normal_rows.csv in " << shared << "/reference";
 
   constexpr std::int32_t count = 60;
-  const auto kernel = std::make_unique<StripKernel>();
-  tabulate(*kernel);
+  const auto influence = std::make_unique<InfluenceTables>();
+  tabulate(*influence);
   std::vector<std::byte> scratch(static_cast<std::size_t>(strip_halfspace_workspace(count)));
   std::vector<double> start(4 * count);
   const auto half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
     NormalWorkspace workspace{scratch.data(), static_cast<std::int64_t>(scratch.size())};
     StripHalfspaceStart cold{count, 0, &start[0], &start[count], &start[2 * count], &start[3 * count]};
-    return solve_strip_halfspace(p, {}, *kernel, workspace, cold, s, r);
+    return solve_strip_halfspace(p, {}, *influence, workspace, cold, s, r);
   };
   struct Method {
     const char* name;
@@ -136,7 +137,7 @@ TEST(NormalReference, RowsOfTheExactTheory) {
                               .yaw = one.yaw};
       const PosedWheel lowered = posed(bodies.wheel, lowered_pose);
       ASSERT_EQ(find_contact(bodies.rail, lowered, 1, &first, found).status, WRC_OK);
-      ContactPoint contact = overlap_weighted_point(bodies.rail, lowered, first, -first.vertical_gap);
+      ContactPoint contact = test::overlap_weighted_point(bodies.rail, lowered, first, -first.vertical_gap);
       contact.vertical_gap = 0.0;  // leave the wheel where it is
 
       GapLimits limits;
@@ -147,10 +148,11 @@ TEST(NormalReference, RowsOfTheExactTheory) {
       const GapRowMemory memory{rows, &block[0], &block[rows], &block[2 * rows], &block[3 * rows]};
       NormalProblem problem;
       ASSERT_EQ(fill_gap_rows(bodies.rail, lowered, contact, window, rows, memory,
-                              geometry_kernels(InstructionSet::baseline), problem.gap)
+                              kernels_for(InstructionSet::baseline), problem.gap)
                     .status,
                 WRC_OK);
       problem.material = test::steel;
+      problem.kernels = &kernels_for(InstructionSet::baseline);
       problem.normal_force = one.normal_force;
       problem.strips = count;
       problem.max_iterations = 40;

@@ -10,11 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tangential/fastrip.hpp"
-#include "tangential/fastsim_eqe.hpp"
-#include "tangential/fastsim_eql.hpp"
-#include "tangential/fastsim_sdec.hpp"
 #include "tangential/strip_fastsim.hpp"
+#include "unit/published_methods.hpp"
 #include "unit/tangential_patches.hpp"
 
 namespace wrc {
@@ -81,14 +78,15 @@ Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, 
            const Method& method) {
   constexpr int n = 32;
   const test::OwnedGrid grid(n);
-  std::vector<double> v(static_cast<std::size_t>(4 * n * n)), force, power, balance;
+  std::vector<double> v(static_cast<std::size_t>(4 * n * n)), workspace(v.size()), force, power, balance;
   const TangentialFields fields{v.data(), v.data() + n * n, v.data() + 2 * n * n, v.data() + 3 * n * n};
   for (const Row& r : rows) {
     const SdecTable table(r.poisson);
     const test::OwnedStrips strips = test::sdec_strips(r.a, r.b, on_ellipse ? 0.0 : r.psi, r.normal_force, n);
     Fault fault;
-    const RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
-                                 &table,       &grid.get(), r.creepage, r.friction, bound};
+    RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
+                           &table,       &grid.get(), r.creepage, r.friction, bound};
+    contact.workspace = workspace.data();
     const TangentialForces f = method(contact, fields, fault);
     force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
     if (r.adhesion < 0.9) {
@@ -113,18 +111,18 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
   ASSERT_EQ(rows.size(), 150u);
   std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst, in %% of mu N or of the power\n");
   using enum TractionBound;
-  const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false,
-                          [](auto&&... all) { return fastsim_sdec(all...); });
+  const Errors sdec =
+      run("FASTSIM-SDEC parabolic", rows, parabolic, false, [](auto&&... all) { return fastsim(all...); });
   const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false,
-                         [](auto&&... all) { return fastsim_eql(all...); });
-  const Errors eqe =
-      run("FASTSIM-EQ.E parabolic", rows, parabolic, true, [](auto&&... all) { return fastsim_eqe(all...); });
+                         [](auto&&... all) { return test::fastsim_eql(all...); });
+  const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true,
+                         [](auto&&... all) { return test::fastsim_eqe(all...); });
   const Errors sdec_elliptic =
-      run("FASTSIM-SDEC elliptic", rows, elliptic, false, [](auto&&... all) { return fastsim_sdec(all...); });
+      run("FASTSIM-SDEC elliptic", rows, elliptic, false, [](auto&&... all) { return fastsim(all...); });
   const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false,
                            [](auto&&... all) { return strip_fastsim(all...); });
-  const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, fastrip_sdec);
-  const Errors modified = run("FaStrip modified", rows, elliptic, false, fastrip_modified);
+  const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, wrc::fastrip);
+  const Errors modified = run("FaStrip modified", rows, elliptic, false, test::fastrip_modified);
   EXPECT_LT(fastrip.force.median, 0.0082);
   EXPECT_LT(fastrip.force.p95, 0.037);
   EXPECT_LT(fastrip.balance.median, 0.016);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "damage/cells.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "kernels/kernels.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {
@@ -23,8 +23,8 @@ std::vector<double> everything(const Strips& region, int cells, const std::vecto
   const TangentialFields tangential{f, f + field, f + 2 * field, f + 3 * field};
   const CellDamage found = assess_cells(
       {&region, &tangential, &grid.get().middles, cells, 23.0, 250e6, out, out + field, out + 4 * field},
-      damage_kernels(set));
-  kernels(set).place_cells(region, grid.get(), out + 2 * field, out + 3 * field);
+      kernels_for(set));
+  kernels_for(set).place_cells(region, grid.get(), out + 2 * field, out + 3 * field);
   for (double value : {found.power, found.peak_power_density, found.fatigue_index}) all.push_back(value);
   return all;
 }
@@ -54,7 +54,7 @@ TEST(DamageInstructionSets, GiveTheSameBits) {
 TEST(DamageInstructionSets, AreTheOnesAskedFor) {
   for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > best_instruction_set()) continue;
-    EXPECT_EQ(damage_kernels(set).set, set);
+    EXPECT_EQ(kernels_for(set).set, set);
   }
 }
 

@@ -8,7 +8,8 @@
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
 #include "damage/wear.hpp"
-#include "tangential/fastsim_sdec.hpp"
+#include "kernels/kernels.hpp"
+#include "tangential/fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {
@@ -32,11 +33,11 @@ TEST(FrictionalPower, DensityAddsUpToThePowerOfTheMarch) {
                                {-0.49e-3, -0.22e-3, 0.29},
                                0.35,
                                TractionBound::parabolic};
-  const TangentialForces forces = fastsim_sdec(contact, fields, fault);
+  const TangentialForces forces = fastsim(contact, fields, fault);
   const Strips region = strips.get();
   const CellDamage found = assess_cells(
       {&region, &fields, &grid.get().middles, 40, V, 250e6, density.data(), index.data(), per_width.data()},
-      damage_kernels(InstructionSet::baseline));
+      kernels_for(InstructionSet::baseline));
   EXPECT_GE(*std::min_element(density.begin(), density.end()), 0.0);
   EXPECT_EQ(*std::max_element(density.begin(), density.end()), found.peak_power_density);
   EXPECT_EQ(*std::max_element(index.begin(), index.end()), found.fatigue_index);
@@ -63,7 +64,7 @@ TEST(Fatigue, LocalIndexComparesTractionWithYieldRelativeToPressure) {
   const TangentialFields fields{px, py, none, none};
   const CellDamage found =
       assess_cells({&region, &fields, &grid.get().middles, 1, 20.0, 250e6, density, index, per_width},
-                   damage_kernels(InstructionSet::baseline));
+                   kernels_for(InstructionSet::baseline));
   EXPECT_DOUBLE_EQ(index[0], 250e6 / region.peak[0]);
   EXPECT_EQ(index[1], no_fatigue_index);
   EXPECT_EQ(found.fatigue_index, index[0]);

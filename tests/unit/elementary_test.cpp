@@ -1,4 +1,4 @@
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 
 #include <gtest/gtest.h>
 

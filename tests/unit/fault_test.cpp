@@ -1,4 +1,4 @@
-#include "fault.hpp"
+#include "base/fault.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@ namespace {
 
 TEST(Fault, FailureOutranksFlagAndFirstOfEqualsStays) {
   Fault kept;
-  worsen(kept, Fault{.status = WRC_FLAG_ITERATION_CAP});
+  keep_worst(kept, Fault{.status = WRC_FLAG_ITERATION_CAP});
   EXPECT_EQ(kept.status, WRC_FLAG_ITERATION_CAP);
-  worsen(kept, Fault{.status = WRC_FLAG_PATCH_AT_EDGE});
+  keep_worst(kept, Fault{.status = WRC_FLAG_PATCH_AT_EDGE});
   EXPECT_EQ(kept.status, WRC_FLAG_ITERATION_CAP);
-  worsen(kept, Fault{.status = WRC_ERROR_GAP});
+  keep_worst(kept, Fault{.status = WRC_ERROR_GAP});
   EXPECT_EQ(kept.status, WRC_ERROR_GAP);
-  worsen(kept, Fault{.status = WRC_ERROR_LOAD});
+  keep_worst(kept, Fault{.status = WRC_ERROR_LOAD});
   EXPECT_EQ(kept.status, WRC_ERROR_GAP);
 }
 

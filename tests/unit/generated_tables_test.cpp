@@ -1,13 +1,13 @@
-#include "linear_theory/generated_tables.hpp"
+#include "theory/generated_tables.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "halfspace/ellipse_linear_theory.hpp"
-#include "halfspace/linear_theory.hpp"
 #include "kalker_printed_table.hpp"
-#include "linear_theory/sdec.hpp"
+#include "linear_theory/ellipse_linear_theory.hpp"
+#include "linear_theory/linear_theory.hpp"
+#include "theory/sdec.hpp"
 
 namespace wrc {
 namespace {

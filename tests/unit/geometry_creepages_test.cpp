@@ -5,6 +5,7 @@
 
 #include "geometry/creepages.hpp"
 #include "geometry_test_bodies.hpp"
+#include "overlap_weighted_point.hpp"
 
 namespace wrc {
 namespace {
@@ -197,9 +198,10 @@ TEST(Creepages, RollingSpeedIsTheMeanOfBothMaterials) {
 TEST(OverlapWeightedPoint, TendsToTheFirstContactForSmallOverlap) {
   const ReferenceBodies bodies;
   const Running running(bodies, Pose{.lateral = -3.0 * mm});
-  const ContactPoint small = overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.0005 * mm);
+  const ContactPoint small =
+      test::overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.0005 * mm);
   EXPECT_NEAR(small.y, running.contact.y, 0.02 * mm);
-  const ContactPoint none = overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.0);
+  const ContactPoint none = test::overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.0);
   EXPECT_EQ(none.y, running.contact.y);
 }
 
@@ -209,7 +211,8 @@ TEST(OverlapWeightedPoint, MovesContinuouslyWhereTheFirstContactJumps) {
   double largest_first = 0.0, largest_weighted = 0.0, first = 0.0, weighted = 0.0;
   for (int k = 0; k <= 70; ++k) {
     const Running running(bodies, Pose{.lateral = k * 0.01 * mm});
-    const ContactPoint point = overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.07 * mm);
+    const ContactPoint point =
+        test::overlap_weighted_point(bodies.rail, running.wheel, running.contact, 0.07 * mm);
     if (k > 0) {
       largest_first = std::max(largest_first, std::abs(running.contact.y - first));
       largest_weighted = std::max(largest_weighted, std::abs(point.y - weighted));

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
 #include "geometry_test_bodies.hpp"
+#include "kernels/kernels.hpp"
+#include "overlap_weighted_point.hpp"
 
 namespace wrc {
 namespace {
@@ -31,7 +32,7 @@ struct Gap {
     window = gap_window(bodies.rail, wheel, contact, limits);
     fault = fill_gap_rows(bodies.rail, wheel, contact, window, count,
                           {capacity, y.data(), height.data(), centre.data(), curvature.data()},
-                          geometry_kernels(InstructionSet::baseline), rows);
+                          kernels_for(InstructionSet::baseline), rows);
   }
 };
 
@@ -99,13 +100,13 @@ TEST(GapRows, InTheOverlapWeightedFrameTouchTheSamePoint) {
   const ReferenceBodies bodies;
   Gap gap(bodies, Pose{.lateral = 0.3 * mm, .yaw = 0.004});
   const ContactPoint first = gap.contact;
-  gap.contact = overlap_weighted_point(bodies.rail, gap.wheel, first, 0.07 * mm);
+  gap.contact = test::overlap_weighted_point(bodies.rail, gap.wheel, first, 0.07 * mm);
   ASSERT_GT(std::abs(gap.contact.y - first.y), 2.0 * mm);
   gap.window = gap_window(bodies.rail, gap.wheel, gap.contact, {});
   const Fault fault =
       fill_gap_rows(bodies.rail, gap.wheel, gap.contact, gap.window, 200,
                     {Gap::capacity, gap.y.data(), gap.height.data(), gap.centre.data(), gap.curvature.data()},
-                    geometry_kernels(InstructionSet::baseline), gap.rows);
+                    kernels_for(InstructionSet::baseline), gap.rows);
   ASSERT_EQ(fault.status, WRC_OK);
   const GapMinimum touch = minimum(gap.rows);
   EXPECT_NEAR(touch.height, 0.0, 2e-8);

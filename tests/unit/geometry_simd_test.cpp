@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
 #include "geometry_test_bodies.hpp"
+#include "kernels/kernels.hpp"
 
 namespace wrc {
 namespace {
@@ -24,7 +24,7 @@ std::vector<double> gap_rows(const ReferenceBodies& bodies, const Pose& pose, st
   double* const a = all.data();
   GapRows rows;
   const Fault fault = fill_gap_rows(bodies.rail, wheel, contact, window, count,
-                                    {count, a, a + n, a + 2 * n, a + 3 * n}, geometry_kernels(set), rows);
+                                    {count, a, a + n, a + 2 * n, a + 3 * n}, kernels_for(set), rows);
   EXPECT_EQ(fault.status, WRC_OK) << pose.lateral << " " << pose.yaw << " " << count;
   return all;
 }
@@ -62,7 +62,7 @@ TEST(GapRows, DoNotDependOnTheirNumber) {
 TEST(GeometryInstructionSets, AreTheOnesAskedFor) {
   for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > best_instruction_set()) continue;
-    EXPECT_EQ(geometry_kernels(set).set, set);
+    EXPECT_EQ(kernels_for(set).set, set);
   }
 }
 

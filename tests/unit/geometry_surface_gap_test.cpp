@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
 #include "geometry/surface_gap.hpp"
 #include "geometry_test_bodies.hpp"
+#include "kernels/kernels.hpp"
 
 namespace wrc {
 namespace {
@@ -124,7 +124,7 @@ TEST(SurfaceGap, WithoutYawIsTheRowsParabolaAndThenACircle) {
   GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -9.0 * mm, .high = 9.0 * mm}, 20,
                           {20, y.data(), height.data(), centre.data(), curvature.data()},
-                          geometry_kernels(InstructionSet::baseline), rows)
+                          kernels_for(InstructionSet::baseline), rows)
                 .status,
             WRC_OK);
   const SurfaceGap gap{bodies.rail, wheel, contact};
@@ -168,7 +168,7 @@ TEST(SurfaceGap, HasNoRidgeAheadOfTheFlangeRoot) {
   GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -1.0 * mm, .high = 1.0 * mm}, 80,
                           {80, y.data(), height.data(), centre.data(), curvature.data()},
-                          geometry_kernels(InstructionSet::baseline), rows)
+                          kernels_for(InstructionSet::baseline), rows)
                 .status,
             WRC_OK);
   const auto parabola = [&](std::size_t j, double x) {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "halfspace/normal.hpp"
-#include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
+#include "sdec_pressure.hpp"
 #include "unit/halfspace_closed_forms.hpp"
 
 namespace wrc::halfspace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "halfspace/ellipse_linear_theory.hpp"
-#include "halfspace/linear_theory.hpp"
+#include "linear_theory/ellipse_linear_theory.hpp"
+#include "linear_theory/linear_theory.hpp"
 #include "patch/material.hpp"
 
 namespace wrc::halfspace {

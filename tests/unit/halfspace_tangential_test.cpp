@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "halfspace/linear_theory.hpp"
-#include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
+#include "linear_theory/linear_theory.hpp"
+#include "sdec_pressure.hpp"
 
 namespace wrc::halfspace {
 namespace {

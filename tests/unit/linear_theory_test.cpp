@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "linear_theory/flexibility.hpp"
 #include "patch/material.hpp"
+#include "theory/flexibility.hpp"
 
 namespace wrc {
 namespace {

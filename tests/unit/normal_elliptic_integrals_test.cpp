@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "elementary.hpp"
+#include "base/elementary.hpp"
 #include "normal/elliptic_integrals.hpp"
 #include "patch/material.hpp"
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "normal/problem.hpp"
 
 namespace wrc::test {
@@ -89,6 +90,7 @@ inline NormalProblem under_load(const OwnedGap& gap, double normal_force, std::i
   problem.strips = strips;
   problem.max_iterations = 40;
   problem.force_tolerance = 1e-9;
+  problem.kernels = &kernels_for(InstructionSet::baseline);
   return problem;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/kernels.hpp"
 #include "normal/ekp.hpp"
 #include "normal/overlap_regions.hpp"
 #include "normal_gaps.hpp"
@@ -72,7 +73,7 @@ TEST(OverlapRegions, AreDividedIntoStripsThatFillThem) {
   const GapRows rows = gap.rows();
   const GapMinimum lowest = minimum(rows);
   const PenetrationScale scale{.at_centre = 0.5};
-  const NormalKernels& kernels = normal_kernels(InstructionSet::baseline);
+  const Kernels& kernels = kernels_for(InstructionSet::baseline);
   for (const int count : {4, 5, 28, 60, 61})
     for (double approach = 15e-6; approach < 120e-6; approach *= 1.01) {
       StripMemory owned(count);

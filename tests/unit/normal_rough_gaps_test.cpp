@@ -24,11 +24,11 @@ class RoughGaps : public testing::Test {
  protected:
   static constexpr std::int32_t count = 40;
   RoughGaps()
-      : kernel(std::make_unique<StripKernel>()),
+      : influence(std::make_unique<InfluenceTables>()),
         scratch(static_cast<std::size_t>(strip_halfspace_workspace(count))),
         start_memory(4 * count),
         owned(count) {
-    tabulate(*kernel);
+    tabulate(*influence);
     workspace = {scratch.data(), static_cast<std::int64_t>(scratch.size())};
     double* const block = start_memory.data();
     start = {count, 0, block, block + count, block + 2 * count, block + 3 * count};
@@ -36,7 +36,7 @@ class RoughGaps : public testing::Test {
 
   void expect_an_answer(const OwnedGap& gap, double load) {
     const auto solve_half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
-      return solve_strip_halfspace(p, {}, *kernel, workspace, start, s, r);
+      return solve_strip_halfspace(p, {}, *influence, workspace, start, s, r);
     };
     const std::function<Fault(const NormalProblem&, Strips&, NormalSolution&)> methods[] = {
         solve_half_space,
@@ -78,7 +78,7 @@ class RoughGaps : public testing::Test {
     }
   }
 
-  std::unique_ptr<StripKernel> kernel;
+  std::unique_ptr<InfluenceTables> influence;
   std::vector<std::byte> scratch;
   std::vector<double> start_memory;
   NormalWorkspace workspace;
@@ -137,7 +137,7 @@ TEST_F(RoughGaps, ADipBetweenRowsBesideAWallIsRefusedWithNumbers) {
       start.count = 0;
       NormalSolution solution;
       const auto solve = [&](const OwnedGap& gap) {
-        return solve_strip_halfspace(test::under_load(gap, load, strips), {}, *kernel, workspace, start,
+        return solve_strip_halfspace(test::under_load(gap, load, strips), {}, *influence, workspace, start,
                                      owned.strips, solution);
       };
       EXPECT_EQ(solve(smooth).status, WRC_OK);

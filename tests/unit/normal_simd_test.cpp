@@ -8,31 +8,39 @@
 #include <random>
 #include <vector>
 
+#include "base/instruction_set.hpp"
+#include "kernels/kernels.hpp"
 #include "normal/contact_condition.hpp"
 #include "normal/penetration.hpp"
-#include "normal/simd/kernels.hpp"
+#include "normal/simd/tasks.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
-#include "simd/instruction_set.hpp"
 
 namespace wrc {
 namespace {
 
 using test::OwnedGap;
 
-/// The influence tables with the kernels of each set this processor has.
-std::vector<std::unique_ptr<StripKernel>> all_kernels() {
-  std::vector<std::unique_ptr<StripKernel>> all;
+const InfluenceTables& tables() {
+  static const auto filled = [] {
+    auto made = std::make_unique<InfluenceTables>();
+    tabulate(*made);
+    return made;
+  }();
+  return *filled;
+}
+
+/// The kernels of each set this processor has.
+std::vector<const Kernels*> all_kernels() {
+  std::vector<const Kernels*> all;
   for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (set > best_instruction_set()) continue;
-    all.push_back(std::make_unique<StripKernel>());
-    tabulate(*all.back(), set);
+    if (set <= best_instruction_set()) all.push_back(&kernels_for(set));
   }
   return all;
 }
 
 /// Every number of a cold solve and of three warm ones after it.
-std::vector<double> everything(const StripKernel& kernel, OwnedGap gap, double skew, std::int32_t strips) {
+std::vector<double> everything(const Kernels& kernels, OwnedGap gap, double skew, std::int32_t strips) {
   for (std::size_t j = 0; j < gap.y.size(); ++j) gap.centre[j] = skew * gap.y[j];
   std::vector<std::byte> scratch(static_cast<std::size_t>(strip_halfspace_workspace(strips)));
   std::vector<double> memory(static_cast<std::size_t>(4 * strips));
@@ -43,8 +51,10 @@ std::vector<double> everything(const StripKernel& kernel, OwnedGap gap, double s
   std::vector<double> all;
   for (const double load : {80e3, 82e3, 60e3, 95e3}) {
     NormalSolution solution;
-    const Fault fault = solve_strip_halfspace(test::under_load(gap, load, strips), {}, kernel, workspace,
-                                              start, owned.strips, solution);
+    NormalProblem problem = test::under_load(gap, load, strips);
+    problem.kernels = &kernels;
+    const Fault fault =
+        solve_strip_halfspace(problem, {}, tables(), workspace, start, owned.strips, solution);
     EXPECT_FALSE(fault.failed());
     const Strips& found = owned.strips;
     for (std::int32_t j = 0; j < found.count; ++j)
@@ -63,11 +73,11 @@ TEST(NormalInstructionSets, GiveTheSameBits) {
   for (const double skew : {0.0, -0.05, 0.4})
     for (std::int32_t strips = 5; strips <= 75; strips += 7) {  // packs filled and not
       const std::vector<double> baseline = everything(*kernels.front(), gap, skew, strips);
-      for (const auto& kernel : kernels) {
+      for (const Kernels* kernel : kernels) {
         const std::vector<double> wide = everything(*kernel, gap, skew, strips);
         ASSERT_EQ(baseline.size(), wide.size());
         ASSERT_EQ(std::memcmp(baseline.data(), wide.data(), baseline.size() * sizeof(double)), 0)
-            << strips << " strips, set " << static_cast<int>(kernel->kernels->set);
+            << strips << " strips, set " << static_cast<int>(kernel->set);
       }
     }
 }
@@ -75,7 +85,7 @@ TEST(NormalInstructionSets, GiveTheSameBits) {
 TEST(NormalInstructionSets, AreTheOnesAskedFor) {
   for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set <= best_instruction_set()) {
-      EXPECT_EQ(normal_kernels(set).set, set);
+      EXPECT_EQ(kernels_for(set).set, set);
     }
   }
 }
@@ -106,15 +116,15 @@ struct RowOfStrips {
   }
 };
 
-TEST(NormalKernels, InfluenceIsTheDisplacementUnderAStrip) {
-  for (const auto& kernel : all_kernels())
+TEST(Kernels, InfluenceIsTheDisplacementUnderAStrip) {
+  for (const Kernels* kernel : all_kernels())
     for (const std::int32_t count : {1, 7, 16, 33, 60}) {
       const RowOfStrips s(count, 0.0);
-      const simd::InfluenceTask task{kernel->tables(), count, s.y, s.width, s.centre,
-                                     s.inverse_length, false};
+      const simd::InfluenceTask task{tables().tables(), count, s.y, s.width, s.centre,
+                                     s.inverse_length,  false};
       std::vector<double> row(RowOfStrips::room);
       for (const std::int32_t j : {0, count / 2, count - 1}) {
-        kernel->kernels->influence_row(task, j, row.data());
+        kernel->influence_row(task, j, row.data());
         for (std::int32_t i = 0; i < count; ++i) {
           if (i == j) continue;  // left to the caller
           const double from = s.y[i] - s.y[j] - 0.5 * s.width[i];
@@ -125,13 +135,13 @@ TEST(NormalKernels, InfluenceIsTheDisplacementUnderAStrip) {
     }
 }
 
-TEST(NormalKernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
-  for (const auto& kernel : all_kernels()) {
+TEST(Kernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
+  for (const Kernels* kernel : all_kernels()) {
     const RowOfStrips s(60, 0.3);
-    const simd::InfluenceTask task{kernel->tables(), 60, s.y, s.width, s.centre, s.inverse_length, true};
+    const simd::InfluenceTask task{tables().tables(), 60, s.y, s.width, s.centre, s.inverse_length, true};
     std::vector<double> row(RowOfStrips::room);
     for (std::int32_t j = 0; j < 60; j += 7) {
-      kernel->kernels->influence_row(task, j, row.data());
+      kernel->influence_row(task, j, row.data());
       for (std::int32_t i = 0; i < 60; ++i) {
         if (std::abs(i - j) <= 8) continue;  // corrected for their width
         const double inverse = s.inverse_length[i];
@@ -143,8 +153,8 @@ TEST(NormalKernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
   }
 }
 
-TEST(NormalKernels, EdgesSeeAllStrips) {
-  for (const auto& kernel : all_kernels())
+TEST(Kernels, EdgesSeeAllStrips) {
+  for (const Kernels* kernel : all_kernels())
     for (const std::int32_t count : {1, 2, 5, 6, 8, 9, 17, 31, 60}) {
       RowOfStrips s(count, 0.1), pairs(count, 0.1);
       // Pair k at the middle of strips k and k + 1, with the strength of both; the outermost strips alone.
@@ -163,16 +173,16 @@ TEST(NormalKernels, EdgesSeeAllStrips) {
       }
       alone(count - 1, count - 1);
       alone(-1, 0);
-      kernel->kernels->edge_displacements({kernel->tables(),
-                                           count,
-                                           {s.y, s.centre, s.inverse_length, s.strength},
-                                           {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
-                                           s.edge,
-                                           s.y,
-                                           s.half_width,
-                                           s.found});
+      kernel->edge_displacements({tables().tables(),
+                                  count,
+                                  {s.y, s.centre, s.inverse_length, s.strength},
+                                  {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
+                                  s.edge,
+                                  s.y,
+                                  s.half_width,
+                                  s.found});
       for (std::int32_t a = 0; a < count; ++a) {
-        double exact = s.strength[a] * kernel->own_edge(s.half_width[a]);
+        double exact = s.strength[a] * tables().own_edge(s.half_width[a]);
         for (std::int32_t b = 0; b < count; ++b)
           if (b != a)
             exact += s.strength[b] * line_potential(std::abs(s.y[a] - s.y[b]) * s.inverse_length[b],
@@ -182,10 +192,10 @@ TEST(NormalKernels, EdgesSeeAllStrips) {
     }
 }
 
-TEST(NormalKernels, EliminationSolvesTheEquations) {
+TEST(Kernels, EliminationSolvesTheEquations) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (const auto& kernel : all_kernels())
+  for (const Kernels* kernel : all_kernels())
     for (std::int32_t size = 4; size <= 64; size += 4) {
       const auto n = static_cast<std::size_t>(size);
       const auto stride = static_cast<std::size_t>(simd::elimination_stride(size));
@@ -195,7 +205,7 @@ TEST(NormalKernels, EliminationSolvesTheEquations) {
         matrix[i * stride + i] += 0.6 * size;
       }
       const std::vector<double> given = matrix;
-      kernel->kernels->eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
+      kernel->eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
       for (std::size_t i = 0; i < n; ++i) {
         double left_r = given[i * stride + n], left_s = given[i * stride + n + 1];
         for (std::size_t j = 0; j < n; ++j) {
@@ -221,7 +231,7 @@ OwnedGap uneven_rows() {
   return gap;
 }
 
-TEST(NormalKernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
+TEST(Kernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
   const OwnedGap gap = uneven_rows();
   const GapRows rows = gap.rows();
   const GapMinimum lowest = minimum(rows);
@@ -230,12 +240,12 @@ TEST(NormalKernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
   // Inside, over all rows, and in the outermost intervals alone.
   const Span spans[] = {
       {-6e-3, 5e-3}, {rows.y[0], rows.y[39]}, {rows.y[0], rows.y[1]}, {rows.y[38], rows.y[39]}};
-  for (const auto& kernel : all_kernels())
+  for (const Kernels* kernel : all_kernels())
     for (const Span& span : spans)
       for (const std::int32_t count : {1, 5, 16, 33, 60}) {
         test::StripMemory owned(count);
         Strips& found = owned.strips;
-        divide_span(*kernel->kernels, rows, lowest, scale, approach, span, count, found);
+        divide_span(*kernel, rows, lowest, scale, approach, span, count, found);
         ASSERT_EQ(found.count, count);
         for (std::int32_t j = 0; j < count; ++j) {
           const double y = span.y_from + (j + 0.5) * (span.width() / count);
@@ -250,7 +260,7 @@ TEST(NormalKernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
       }
 }
 
-TEST(NormalKernels, APointSeesEachStripOnce) {
+TEST(Kernels, APointSeesEachStripOnce) {
   // Side by side, and apart as far as the tables reach and beyond; with and without a shift.
   constexpr std::int32_t count = 61;
   constexpr double x = 1e-3, y = 0.3e-3, approach = 80e-6;
@@ -258,7 +268,7 @@ TEST(NormalKernels, APointSeesEachStripOnce) {
   for (const double spread : {1.0, 40.0, 4000.0})
     for (const double skew : {0.0, 0.2}) {
       std::vector<double> peaks;
-      for (const auto& kernel : all_kernels()) {
+      for (const Kernels* kernel : all_kernels()) {
         test::StripMemory owned(count);
         Strips& strips = owned.strips;
         strips.count = count;
@@ -275,7 +285,7 @@ TEST(NormalKernels, APointSeesEachStripOnce) {
           load += 0.5 * pi * l * l * width;
         }
         const double level = approach / (material.normal_compliance() * displacement);
-        EXPECT_NEAR(impose_approach(*kernel->kernels, approach, material, x, y, strips), level * load,
+        EXPECT_NEAR(impose_approach(*kernel, approach, material, x, y, strips), level * load,
                     1e-13 * level * load);
         for (std::int32_t j = 0; j < count; ++j)
           EXPECT_NEAR(strips.peak[j], level * strips.half_length[j], 1e-13 * level * strips.half_length[j]);

@@ -18,9 +18,9 @@ namespace {
 using test::OwnedGap;
 using test::StripMemory;
 
-const StripKernel& kernel() {
-  static const std::unique_ptr<StripKernel> tables = [] {
-    auto filled = std::make_unique<StripKernel>();
+const InfluenceTables& influence() {
+  static const std::unique_ptr<InfluenceTables> tables = [] {
+    auto filled = std::make_unique<InfluenceTables>();
     tabulate(*filled);
     return filled;
   }();
@@ -38,7 +38,7 @@ struct Solver {
     start = {count, 0, block, block + count, block + 2 * count, block + 3 * count};
   }
   Fault operator()(const NormalProblem& problem) {
-    return solve_strip_halfspace(problem, options, kernel(), workspace, start, owned.strips, solution);
+    return solve_strip_halfspace(problem, options, influence(), workspace, start, owned.strips, solution);
   }
   Fault cold(const NormalProblem& problem) {
     start.count = 0;
@@ -61,25 +61,25 @@ int count_patches(const Strips& strips) {
   return patches;
 }
 
-TEST(StripKernel, IsTheClosedFormOnTheMiddlePlane) {
+TEST(InfluenceTables, IsTheClosedFormOnTheMiddlePlane) {
   for (double tau = 0.004; tau < 60.0; tau *= 1.3) {
     const double k = 1.0 / std::sqrt(1.0 + tau * tau);
     const double closed = 2.0 * std::sqrt(1.0 + tau * tau) * (std::comp_ellint_1(k) - std::comp_ellint_2(k));
     EXPECT_NEAR(line_potential(tau, 0.0), closed, 1e-9 * closed) << tau;
-    EXPECT_NEAR(kernel().middle_plane(tau), closed, 1e-4 * closed) << tau;
-    EXPECT_NEAR(kernel().at(tau, 0.0), closed, 2e-3 * closed) << tau;
+    EXPECT_NEAR(influence().middle_plane(tau), closed, 1e-4 * closed) << tau;
+    EXPECT_NEAR(influence().at(tau, 0.0), closed, 2e-3 * closed) << tau;
   }
 }
 
-TEST(StripKernel, TableFollowsTheQuadrature) {
+TEST(InfluenceTables, TableFollowsTheQuadrature) {
   for (double tau = 0.01; tau < 60.0; tau *= 1.7)
     for (double xi = 0.0; xi < 12.0; xi += 0.13) {
       const double exact = line_potential(tau, xi);
-      EXPECT_NEAR(kernel().at(tau, xi), exact, 2e-3 * exact) << tau << " " << xi;
+      EXPECT_NEAR(influence().at(tau, xi), exact, 2e-3 * exact) << tau << " " << xi;
     }
 }
 
-TEST(StripKernel, IsThePointLoadFarAway) {
+TEST(InfluenceTables, IsThePointLoadFarAway) {
   // The line carries pi / 2.
   EXPECT_NEAR(line_potential(40.0, 30.0), pi / 2.0 / 50.0, 2e-4 * pi / 2.0 / 50.0);
 }

@@ -10,10 +10,11 @@
 
 #include "geometry/contact_search.hpp"
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
 #include "geometry_test_bodies.hpp"
+#include "kernels/kernels.hpp"
 #include "normal/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
+#include "overlap_weighted_point.hpp"
 #include "patch/split.hpp"
 
 namespace wrc {
@@ -32,12 +33,12 @@ class LoadedWheel {
   };
 
   LoadedWheel()
-      : kernel_(std::make_unique<StripKernel>()),
+      : influence_(std::make_unique<InfluenceTables>()),
         scratch_(static_cast<std::size_t>(strip_halfspace_workspace(count))),
         start_memory_(4 * count),
         rows_memory_(4 * rows),
         owned_(count) {
-    tabulate(*kernel_);
+    tabulate(*influence_);
     double* const block = start_memory_.data();
     start_ = {count, 0, block, block + count, block + 2 * count, block + 3 * count};
   }
@@ -54,7 +55,7 @@ class LoadedWheel {
     pose.vertical = first.vertical_gap + typical_approach / first.cosine;
     const PosedWheel wheel = posed(bodies_.wheel, pose);
     if (find_contact(bodies_.rail, wheel, 1, &first, found).failed()) return {-101};
-    ContactPoint contact = overlap_weighted_point(bodies_.rail, wheel, first, -first.vertical_gap);
+    ContactPoint contact = test::overlap_weighted_point(bodies_.rail, wheel, first, -first.vertical_gap);
     contact.vertical_gap = 0.0;  // the wheel stays lowered: that tilts the gap of an inclined contact
     GapLimits limits;
     limits.height = 0.25e-3;
@@ -62,15 +63,15 @@ class LoadedWheel {
     double* const r = rows_memory_.data();
     NormalProblem problem = test::under_load({}, load, count);
     if (fill_gap_rows(bodies_.rail, wheel, contact, window, rows,
-                      {rows, r, r + rows, r + 2 * rows, r + 3 * rows},
-                      geometry_kernels(InstructionSet::baseline), problem.gap)
+                      {rows, r, r + rows, r + 2 * rows, r + 3 * rows}, kernels_for(InstructionSet::baseline),
+                      problem.gap)
             .failed())
       return {-102};
 
     NormalWorkspace workspace{scratch_.data(), static_cast<std::int64_t>(scratch_.size())};
     NormalSolution solution;
     const Fault fault =
-        solve_strip_halfspace(problem, {}, *kernel_, workspace, start_, owned_.strips, solution);
+        solve_strip_halfspace(problem, {}, *influence_, workspace, start_, owned_.strips, solution);
     Answer answer{fault.status, solution.area, 0.0, solution.approach, 0};
     const Strips& strips = owned_.strips;
     for (std::int32_t j = 0; j < strips.count; ++j)
@@ -83,7 +84,7 @@ class LoadedWheel {
 
  private:
   ReferenceBodies bodies_;
-  std::unique_ptr<StripKernel> kernel_;
+  std::unique_ptr<InfluenceTables> influence_;
   std::vector<std::byte> scratch_;
   std::vector<double> start_memory_, rows_memory_;
   test::StripMemory owned_;

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
+#include "sdec_pressure.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

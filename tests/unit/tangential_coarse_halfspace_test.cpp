@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
+#include "sdec_pressure.hpp"
 #include "tangential/coarse_halfspace.hpp"
 #include "tangential/coarse_rolling.hpp"
 #include "tangential_patches.hpp"

@@ -1,4 +1,4 @@
-/// The book of tables: limits that are known, symmetries, smoothness, the solver it was made from, its file.
+/// The force table: limits that are known, symmetries, smoothness, the solver it was made from, its file.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,9 +13,10 @@
 
 #include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
-#include "linear_theory/sdec.hpp"
 #include "patch/material.hpp"
+#include "sdec_pressure.hpp"
 #include "tangential/force_table_file.hpp"
+#include "theory/sdec.hpp"
 #include "wrc/wrc.h"
 
 namespace {
@@ -26,9 +27,9 @@ constexpr double G = 80e9, N = 60e3, mu = 0.3;
 constexpr Sdec patch{5e-3, 4e-3, 0.4};
 
 /// The table that ships, read once.
-class Book {
+class TableFile {
  public:
-  Book() {
+  TableFile() {
     EXPECT_EQ(read_force_table_axes(WRC_FORCE_TABLE, table.axes).status, WRC_OK);
     coefficients_.resize(force_table_size(table.axes));
     EXPECT_EQ(read_force_table(WRC_FORCE_TABLE, table.axes, coefficients_.data()).status, WRC_OK);
@@ -40,14 +41,14 @@ class Book {
  private:
   std::vector<float> coefficients_;
 };
-Book& book() {
-  static Book the_book;
-  return the_book;
+TableFile& table_file() {
+  static TableFile the_file;
+  return the_file;
 }
 
 TangentialForces forces(const Sdec& sdec, const Creepage& creepage, Fault* fault = nullptr) {
   Fault unused;
-  return table_forces(book().table, sdec, N, G, mu, creepage, fault ? *fault : unused);
+  return table_forces(table_file().table, sdec, N, G, mu, creepage, fault ? *fault : unused);
 }
 TangentialForces forces(const Creepage& creepage) { return forces(patch, creepage); }
 
@@ -62,7 +63,7 @@ TEST(ForceTable, SmallCreepagesFollowLinearTheory) {
     for (const double psi : {-0.6, 0.0, 0.3}) {
       const Sdec sdec{c * std::sqrt(ratio), c / std::sqrt(ratio), psi};
       Fault fault;
-      const SdecCoefficients k = SdecTable(book().table.axes.poisson).at(ratio, psi, fault);
+      const SdecCoefficients k = SdecTable(table_file().table.axes.poisson).at(ratio, psi, fault);
       const TangentialForces x = forces(sdec, {tiny, 0.0, 0.0}), y = forces(sdec, {0.0, tiny, 0.0}),
                              spin = forces(sdec, {0.0, 0.0, tiny / c});
       const double unit = -G * c * c * tiny;
@@ -132,7 +133,7 @@ TEST(ForceTable, WithoutFrictionSlidesWithoutForce) {
     for (const Creepage& creepage :
          {Creepage{0.0, 0.0, 0.3}, Creepage{1e-15, 0.0, 0.0}, Creepage{1e-3, -0.02, 100.0}}) {
       Fault fault;
-      const TangentialForces f = table_forces(book().table, patch, N, G, friction, creepage, fault);
+      const TangentialForces f = table_forces(table_file().table, patch, N, G, friction, creepage, fault);
       EXPECT_EQ(fault.status, WRC_OK);
       EXPECT_LE(length(f), friction * N * (1.0 + 1e-12));
       EXPECT_LE(std::abs(f.mz), friction * N * (patch.a + patch.b));
@@ -266,7 +267,7 @@ TEST(ForceTable, AgreesWithTheSolverBetweenItsNodes) {
                                    creepage.lateral * creepage.lateral + std::pow(c * creepage.spin, 2));
     creepage = {level * creepage.longitudinal, level * creepage.lateral, level * creepage.spin};
     const TangentialForces ours = forces(sdec, creepage),
-                           exact = solved(sdec, creepage, book().table.axes.poisson);
+                           exact = solved(sdec, creepage, table_file().table.axes.poisson);
     const double error = std::hypot(ours.fx - exact.fx, ours.fy - exact.fy) / (mu * N);
     EXPECT_LT(error, 0.015) << k;
     EXPECT_NEAR(ours.mz, exact.mz, 0.015 * mu * N * c) << k;
@@ -279,7 +280,7 @@ TEST(ForceTable, AgreesWithTheSolverBetweenItsNodes) {
 TEST(ForceTable, CountsThePoissonRatioByLinearTheory) {
   const double u = creepage_unit(1.0), c = std::sqrt(patch.a * patch.b);
   for (const double poisson : {0.20, 0.33}) {
-    ForceTable table = book().table;
+    ForceTable table = table_file().table;
     adapt_to_poisson(poisson, table);
     for (const Creepage& creepage :
          {Creepage{u, 0.0, 0.0}, Creepage{0.3 * u, -0.8 * u, 0.5 * u / c}, Creepage{2.0 * u, u, u / c}}) {
@@ -331,7 +332,7 @@ wrc_config configuration(const char* path) {
   config.struct_size = sizeof config;
   wrc_config_init(&config);
   config.normal_method = WRC_NORMAL_HERTZ;  // the default prepares tables of its own, which takes a while
-  config.tangential_method = WRC_TANGENTIAL_TABLE;
+  config.tangential_method = WRC_TANGENTIAL_FORCE_TABLE;
   config.force_table = path;
   return config;
 }
@@ -365,7 +366,7 @@ TEST(ForceTableFile, IsNeeded) {
   EXPECT_EQ(bytes, 0u);
   config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
-  expect_mentions(text, "WRC_TANGENTIAL_TABLE");
+  expect_mentions(text, "WRC_TANGENTIAL_FORCE_TABLE");
 }
 
 TEST(ForceTableFile, IsRefusedWhenShort) {
@@ -441,7 +442,7 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-  ASSERT_EQ(wrc_contact_create(model, nullptr, &contact), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
   wrc_patch sdec = {};
   sdec.struct_size = sizeof sdec;
   sdec.a = patch.a;
@@ -460,29 +461,29 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   friction.coefficient = mu;
   wrc_forces totals = {};
   totals.struct_size = sizeof totals;
-  ASSERT_EQ(wrc_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
+  ASSERT_EQ(wrc_contact_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
   EXPECT_NEAR(totals.power, -20.0 * (totals.fx * 1e-3 - totals.fy * 5e-4 + totals.mz * 0.2),
               1e-12 * totals.power);
 
   wrc_damage damage = {};
   damage.struct_size = sizeof damage;
-  ASSERT_EQ(wrc_damage_numbers(contact, &damage), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
   EXPECT_EQ(damage.power, totals.power);
   EXPECT_NEAR(damage.t_gamma, totals.power / 20.0, 1e-12 * totals.power);
   EXPECT_NEAR(damage.utilisation, std::hypot(totals.fx, totals.fy) / N, 1e-12);
   EXPECT_EQ(damage.peak_power_density, 0.0);
   EXPECT_EQ(damage.local_fatigue_index, -1e30);
-  EXPECT_EQ(wrc_wear_numbers(contact, nullptr, nullptr), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_wear(contact, nullptr, nullptr), WRC_ERROR_UNSUPPORTED);
 
   wrc_view view = {};
   view.struct_size = sizeof view;
   for (const std::int32_t field :
        {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
         WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
-    EXPECT_EQ(wrc_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
+    EXPECT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
     EXPECT_EQ(view.data, nullptr);
   }
-  EXPECT_EQ(wrc_field(contact, 0, WRC_FIELD_STRIP_PEAK, &view), WRC_OK);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_PEAK, &view), WRC_OK);
   EXPECT_EQ(view.count[0], 60u);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
@@ -492,7 +493,7 @@ TEST(ForceTableMethod, WorksInMemoryOfTheCaller) {
   const wrc_config config = configuration(WRC_FORCE_TABLE);
   std::uint64_t bytes = 0, alignment = 0;
   ASSERT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_OK);
-  EXPECT_GT(bytes, force_table_size(book().table.axes) * sizeof(float));
+  EXPECT_GT(bytes, force_table_size(table_file().table.axes) * sizeof(float));
   std::vector<char> memory(bytes + alignment);
   void* start = memory.data();
   std::size_t room = memory.size();

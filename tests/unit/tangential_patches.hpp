@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
 #include "tangential/march.hpp"
@@ -56,7 +57,7 @@ inline OwnedStrips sdec_strips(double a, double b, double psi, double normal_for
 class OwnedGrid {
  public:
   explicit OwnedGrid(int cells, InstructionSet set = InstructionSet::baseline)
-      : memory_(march_grid_size(cells)), grid_(make_march_grid(cells, memory_.data(), set)) {}
+      : memory_(march_grid_size(cells)), grid_(make_march_grid(cells, memory_.data(), kernels_for(set))) {}
   OwnedGrid(const OwnedGrid&) = delete;
   OwnedGrid& operator=(const OwnedGrid&) = delete;
   const MarchGrid& get() const { return grid_; }

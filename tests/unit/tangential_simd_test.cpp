@@ -2,9 +2,9 @@
 
 #include <cstring>
 
-#include "simd/instruction_set.hpp"
-#include "tangential/fastsim_sdec.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "base/instruction_set.hpp"
+#include "kernels/kernels.hpp"
+#include "tangential/fastsim.hpp"
 #include "tangential/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
@@ -15,7 +15,7 @@ using test::OwnedGrid;
 using test::OwnedStrips;
 using test::RandomCase;
 
-using Method = decltype(fastsim_sdec);
+using Method = decltype(fastsim);
 
 /// Every number a method gives: forces, sensitivities, fields.
 std::vector<double> everything(Method& method, const RandomCase& c, TractionBound bound, int strips,
@@ -44,7 +44,7 @@ TEST(InstructionSets, GiveTheSameBits) {
   for (int n = 0; n < 24; ++n) {
     const RandomCase c = test::random_case(random);
     const int strips = 5 + 3 * n, cells = 7 + 2 * n;  // groups filled and not
-    for (Method* method : {&fastsim_sdec, &strip_fastsim}) {
+    for (Method* method : {&fastsim, &strip_fastsim}) {
       for (TractionBound bound : {TractionBound::parabolic, TractionBound::elliptic}) {
         const std::vector<double> baseline =
             everything(*method, c, bound, strips, cells, InstructionSet::baseline);
@@ -62,8 +62,8 @@ TEST(InstructionSets, GiveTheSameBits) {
 TEST(InstructionSets, AreTheOnesAskedFor) {
   for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > best_instruction_set()) continue;
-    EXPECT_EQ(kernels(set).set, set);
-    EXPECT_EQ(OwnedGrid(8, set).get().kernels, &kernels(set));
+    EXPECT_EQ(kernels_for(set).set, set);
+    EXPECT_EQ(OwnedGrid(8, set).get().kernels, &kernels_for(set));
   }
 }
 

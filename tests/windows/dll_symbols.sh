@@ -1,19 +1,17 @@
 #!/usr/bin/env bash
-# wrc.dll exports the functions of the public headers and nothing else, its .def file names the same, it needs no DLL but
+# wrc.dll exports the functions of its .def file, which is made of the headers, and nothing else, it needs no DLL but
 # those of every Windows, and no vector move in it asks for more alignment than the stack has.
-#   dll_symbols.sh objdump wrc.dll wrc.def include_directory
+#   dll_symbols.sh objdump wrc.dll wrc.def
 set -euo pipefail
 export LC_ALL=C
-objdump=$1 library=$2 def=$3 include=$4
-declared=$(grep -hoE '^WRC_API .*' "$include"/wrc/*.h | grep -oE 'wrc_[a-z0-9_]+\(' | tr -d '(' | sort -u)
+objdump=$1 library=$2 def=$3
 exported=$("$objdump" -p "$library" | awk '/Ordinal\/Name Pointer/ {on = 1; next} on && /^\t\[/ {print $NF} on && !/^\t\[/ {on = 0}' | sort)
 defined=$(awk '/^ / {print $1}' "$def" | sort)
-for each in exported defined; do
-  [ "$declared" = "${!each}" ] && continue
-  echo "declared (<) and $each (>) differ:"
-  diff <(echo "$declared") <(echo "${!each}") || true
+if [ "$exported" != "$defined" ]; then
+  echo "exported (<) and in $def (>) differ:"
+  diff <(echo "$exported") <(echo "$defined") || true
   exit 1
-done
+fi
 needed=$("$objdump" -p "$library" | awk '/DLL Name:/ {print $3}')
 for each in $needed; do
   case $each in

@@ -2,9 +2,9 @@
 /// the cells of a strip in their order.
 #pragma once
 
+#include "base/pack.hpp"
 #include "damage/fatigue.hpp"
-#include "damage/simd/kernels.hpp"
-#include "simd/pack.hpp"
+#include "damage/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {

@@ -5,9 +5,9 @@
 /// The block is the same for every instruction set, so the bits are too.
 #pragma once
 
+#include "base/pack.hpp"
 #include "geometry/gap_rows.hpp"
-#include "geometry/simd/kernels.hpp"
-#include "simd/pack.hpp"
+#include "geometry/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -55,7 +55,7 @@ inline ProfilePointOf<Pack> evaluate_lanes(const Profile& profile, Pack y, std::
 }
 
 /// The rail's profile as a curve; its parameter is y of the track.
-struct RailCurve {
+struct RailOutline {
   const RowsTask* task;
   std::int32_t piece;
 
@@ -68,7 +68,7 @@ struct RailCurve {
 };
 
 /// The wheel's outline as a curve; its parameter is y of the wheelset.
-struct WheelCurve {
+struct WheelOutline {
   const RowsTask* task;
   std::int32_t piece;
   OutlinePointOf<Pack> point;  ///< where at() was last
@@ -143,8 +143,8 @@ struct Outwards {
 inline bool fill_outwards(const RowsTask& task, std::int32_t from, std::int32_t direction,
                           std::int32_t count) {
   const ContactPoint& contact = *task.contact;
-  Outwards<RailCurve> rail({&task, task.rail_piece}, contact.y);
-  Outwards<WheelCurve> wheel({&task, task.wheel_piece, {}}, contact.wheel_s);
+  Outwards<RailOutline> rail({&task, task.rail_piece}, contact.y);
+  Outwards<WheelOutline> wheel({&task, task.wheel_piece, {}}, contact.wheel_s);
   bool converged = true;
   for (std::int32_t first = 0; first < count; first += block) {
     double y[block], height[block], centre[block], curvature[block];

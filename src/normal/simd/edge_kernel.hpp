@@ -21,7 +21,7 @@ inline Pack displacements(const StripTables& tables, const Sources& sources, std
                                                     magnitude(edges.x - both(sources.centre)) * inverse);
 }
 
-/// NormalKernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch
+/// Kernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch
 /// has the mirrored sums.
 void edge_displacements_kernel(const EdgeTask& task) {
   constexpr std::int32_t near = 4;  // strips to each side that are taken one by one

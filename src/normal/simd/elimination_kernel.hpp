@@ -1,8 +1,8 @@
 /// Dense linear equations with two right-hand sides, for influence matrices.
 #pragma once
 
-#include "normal/simd/kernels.hpp"
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
+#include "normal/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -81,7 +81,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
   return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
 
-/// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
+/// Kernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
 /// close to symmetric and positive definite. By blocks of eight rows and four pivots.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;

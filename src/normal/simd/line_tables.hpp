@@ -1,9 +1,9 @@
-/// The tables of strip_kernel.hpp read for a pack of places at once.
+/// The tables of influence_tables.hpp read for a pack of places at once.
 #pragma once
 
-#include "normal/simd/kernels.hpp"
-#include "normal/strip_kernel.hpp"
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
+#include "normal/influence_tables.hpp"
+#include "normal/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -34,22 +34,22 @@ Places locate(Pack x) {
 
 /// A table over the distance axis.
 inline Pack read(const double* table, Pack tau) {
-  constexpr OctaveAxis axis = StripKernel::distance_axis;
+  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
   const Neighbours value = pick(table, indices(place.interval));
   return value.at + place.fraction * (value.behind - value.at);
 }
 
-/// StripKernel::at: J(tau, xi).
-inline Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
+/// InfluenceTables::at: J(tau, xi).
+WRC_IN_LOOP Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
   const Pack tau2 = tau * tau;
   const Pack to_trailing = root((xi + 1.0) * (xi + 1.0) + tau2);
   const Pack to_leading = root((xi - 1.0) * (xi - 1.0) + tau2);
   const Pack one_minus_eta = 1.0 - 0.5 * magnitude(to_trailing - to_leading);
-  constexpr OctaveAxis axis = StripKernel::chi_axis;
+  constexpr OctaveAxis axis = InfluenceTables::chi_axis;
   const Places row = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(
       0.5 * (to_trailing + to_leading) - 1.0);
-  constexpr std::int32_t columns = StripKernel::eta_intervals;
+  constexpr std::int32_t columns = InfluenceTables::eta_intervals;
   const Pack v = root(larger(one_minus_eta, 0.0)) * static_cast<double>(columns);
   const Pack nearest = nearest_integer(v);
   const Pack column = smaller(select(nearest > v, nearest - 1.0, nearest), columns - 1.0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "normal/simd/line_tables.hpp"
-#include "surface/simd/kernels.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -12,7 +12,7 @@ inline Pack cosine_to(const SurfaceSources& sources, std::int32_t first, const S
   return point.ny * load_pack(sources.ny + first) + point.nz * load_pack(sources.nz + first);
 }
 
-/// SurfaceKernels::influence_row. The formulas are those of normal/simd/influence_kernel.hpp.
+/// Kernels::surface_influence_row. The formulas are those of normal/simd/influence_kernel.hpp.
 inline void surface_influence_row(const SurfaceTables& tables, const SurfaceSources& sources,
                                   const SurfacePoint& point, bool skewed, double* row) {
   // Half widths away from a strip: beyond, what its width adds to its middle's value is below 1e-3 of it.
@@ -55,7 +55,7 @@ inline void surface_influence_row(const SurfaceTables& tables, const SurfaceSour
   }
 }
 
-/// SurfaceKernels::edge_displacement. The sum runs in sixteen parts, whatever the width of a pack.
+/// Kernels::surface_edge_displacement. The sum runs in sixteen parts, whatever the width of a pack.
 inline double surface_edge_displacement(const SurfaceTables& tables, const SurfaceSources& sources,
                                         const SurfacePoint& point) {
   constexpr std::int32_t packs = most_lanes / lanes;

@@ -1,14 +1,14 @@
 /// The outline of a posed wheel at its knots, and where the rays of a rail's strips meet it.
 #pragma once
 
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
 #include "surface/outline.hpp"
-#include "surface/simd/kernels.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
 
-/// SurfaceKernels::outline.
+/// Kernels::outline.
 inline void outline_kernel(const OutlineTask& task) {
   const WheelCurve& wheel = *task.wheel;
   for (std::int32_t k = 0; k < wheel.knots; k += lanes) {
@@ -80,7 +80,7 @@ inline OnOutline on_outline(const OutlineTask& task, const Pieces& c, Pack u) {
   return o;
 }
 
-/// SurfaceKernels::follow_rays. Newton's method within the piece that a chord was seen to cross in.
+/// Kernels::follow_rays. Newton's method within the piece that a chord was seen to cross in.
 inline void follow_rays_kernel(const OutlineTask& task, Overlaps& overlaps) {
   constexpr int steps = 4;
   const RailStrips& rail = *task.rail;

@@ -1,7 +1,7 @@
 /// Place and pressure of the cells for the instruction set of the unit: one strip per lane.
 #pragma once
 
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
 #include "tangential/march_grid.hpp"
 #include "tangential/problem.hpp"
 

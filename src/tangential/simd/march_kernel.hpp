@@ -12,10 +12,11 @@
 /// Derivatives: in slip the state is one angle, whose change is carried for each input, and `ahead`.
 #pragma once
 
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
 #include "tangential/march_grid.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/march_groups.hpp"
 #include "tangential/simd/strip_group.hpp"
+#include "tangential/simd/tasks.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
@@ -406,28 +407,6 @@ WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, Moved& 
              0.0 - excess * s.ex * m.slip_x, 0.0 - excess * s.ey * m.slip_y);
 }
 
-/// A cell of a group that moves.
-template <bool entering, Output output, class Task>
-WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m,
-                      GroupDerivative (&derivative)[inputs]) {
-  const Mask moving = m.group.stick_cells <= Pack(cell.index);
-  Moved moved = begin_step<entering>(m.group, cell, moving, m.state);
-  turn(moved.turn);
-  settle<entering, output>(task, cell, moving, moved, m, derivative);
-}
-
-/// A cell of two groups all of whose strips move.
-template <Output output, class Task>
-WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_flight],
-                           GroupDerivative (&derivative)[in_flight][inputs]) {
-  const Mask all = Pack(0.0) <= Pack(0.0);
-  Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
-  Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);
-  turn(first.turn, second.turn);
-  settle<false, output>(task, cell, all, first, m[0], derivative[0]);
-  settle<false, output>(task, cell, all, second, m[1], derivative[1]);
-}
-
 /// The fields of the cells that lie in the first stick zones of all strips of a group.
 inline void store_first_stick(const MarchCells& task, const Group& g) {
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
@@ -452,64 +431,54 @@ inline void set_slip(const SurfaceMarchTask&, double per_h, Marching& m) {
 /// Adds a group's strips to the sums.
 inline void finish(const MarchTask& task, double per_h, const Marching& m, Sums& total) {
   const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
-  add_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, total);
+  add_forces(m.group, task.cells, m.sums.force, total);
+  add_power(m.group, task.cells, m.sums.unslid, power, total);
 }
 inline void finish(const SurfaceMarchTask& task, double per_h, const Marching& m, Sums& total) {
   const Pack power = m.group.bound * m.group.cell * per_h * m.sums.power;
-  store_group(m.group, task.cells, m.sums.force, m.sums.unslid, power, task.fx, task.fy, task.mz, total);
+  store_forces(m.group, task.cells, m.sums.force, task.fx, task.fy, task.mz);
+  add_power(m.group, task.cells, m.sums.unslid, power, total);
 }
+
+/// What is particular to this march: see march_groups().
+template <Output output, class Task>
+struct March {
+  using Marching = simd::Marching;
+  using Derivative = GroupDerivative;
+  static constexpr bool stays = false;  // first stick zones in closed form
+  static constexpr bool sensitivities = output == Output::sensitivities;
+
+  const Task& task;
+  Sums& total;
+  double h, per_h;
+
+  void prepare(std::int32_t at, std::int32_t count, Marching& m, Derivative (&derivative)[inputs]) const {
+    simd::prepare(task, at, count, m.group, m.state, m.sums);
+    if constexpr (output == Output::fields) {
+      set_slip(task, per_h, m);
+      store_first_stick(task, m.group);
+    }
+    if constexpr (sensitivities) {
+      for (std::int32_t k = 0; k < inputs; ++k) differentiate(task, k, m.group, derivative[k]);
+    }
+  }
+  Cell cell(std::int32_t i) const {
+    const double* const mean = task.shape->mean;
+    return {i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
+  }
+  void finish(const Marching& m, const Derivative (&derivative)[inputs]) const {
+    simd::finish(task, per_h, m, total);
+    if constexpr (sensitivities) {
+      for (std::int32_t n = 0; n < inputs; ++n)
+        add_derivative(m.group, task.cells, derivative[n].force, n, total);
+    }
+  }
+};
 
 template <Output output, class Task>
 void march_kernel(const Task& task, Sums& total) {
-  constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
-  const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
-  const std::int32_t strips = task.strips;
-  const double* mean = task.shape->mean;
-  for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
-    Marching marching[in_flight];
-    GroupDerivative derivative[in_flight][inputs];  // not touched without sensitivities
-    std::int32_t groups = 0;
-    std::int32_t start = task.cells;  // no strip slips before
-    std::int32_t both_move = 0;       // cells from this one on are those of move_both()
-    for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
-      Marching& m = marching[groups];
-      prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state, m.sums);
-      start = m.group.all_stick < start ? m.group.all_stick : start;
-      both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
-      if constexpr (output == Output::fields) {
-        set_slip(task, per_h, m);
-        store_first_stick(task, m.group);
-      }
-      if constexpr (sensitivities) {
-        for (std::int32_t k = 0; k < inputs; ++k) differentiate(task, k, m.group, derivative[groups][k]);
-      }
-    }
-    for (std::int32_t i = start; i < task.cells; ++i) {
-      const Cell cell{i, (i + 0.5) * h, i > 0 ? mean[i - 1] : 0.0, mean[i], task.shape->rise[i], h, per_h};
-      if (groups == in_flight && i >= both_move) {
-        move_both<output>(task, cell, marching, derivative);
-        continue;
-      }
-      for (std::int32_t k = 0; k < groups; ++k) {
-        Marching& m = marching[k];
-        GroupDerivative(&d)[inputs] = derivative[k];
-        if (i >= m.group.all_move) {
-          move<false, output>(task, cell, m, d);
-        } else if (i >= m.group.all_stick) {
-          move<true, output>(task, cell, m, d);
-        }
-      }
-    }
-    for (std::int32_t k = 0; k < groups; ++k) {
-      const Marching& m = marching[k];
-      finish(task, per_h, m, total);
-      if constexpr (sensitivities) {
-        for (std::int32_t n = 0; n < inputs; ++n)
-          add_group(m.group, task.cells, derivative[k][n].force, n, total);
-      }
-    }
-  }
+  march_groups<output>(task, March<output, Task>{task, total, 2.0 / task.cells, 0.5 * task.cells});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 /// From the derivatives a kernel gives to those a method gives.
 #pragma once
 
-#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 

@@ -10,11 +10,12 @@
 /// so that its sums, and their derivatives, are made of sums of s and of its slope.
 #pragma once
 
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
 #include "tangential/march_grid.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "tangential/simd/march_groups.hpp"
 #include "tangential/simd/strip_fastsim_start.hpp"
 #include "tangential/simd/strip_group.hpp"
+#include "tangential/simd/tasks.hpp"
 #include "tangential/simd/turning.hpp"
 
 namespace wrc::simd {
@@ -202,52 +203,128 @@ WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, Moved& 
   add_cell(mean * moved.x, mean * moved.y, sums.force);
 }
 
-/// The same step for the derivatives; `before`: the state it began with.
+/// How the angle of the traction after a step, and `ahead`, change with what goes into the step.
+struct StepSlopes {
+  Pack kept, ahead_by_angle;                ///< with the angle before
+  Pack by_ratio, ahead_by_ratio;            ///< with the traction before, where that was below the bound
+  Pack by_turning, ahead_by_turning;        ///< with the flexibility, relative
+  Pack by_x, by_y, ahead_by_x, ahead_by_y;  ///< with the slip over a whole cell
+  Pack bend, ahead_before;                  ///< by which spin and `ahead` change the slip along the step
+  Pack share;                               ///< of a cell that the step is, where strips enter slip;
+  Mask partial;                             ///< then: it is less than a whole one
+  Pack by_onset, ahead_by_onset;            ///< and with the end of the stick zone,
+  Pack bound_by_onset;                      ///< with which the bound before the step changes, too
+};
+
+/// Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
+/// changes with the onset of slip, as does the bound there.
+WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State& before, const Moved& moved,
+                                   const TurnSlopes& slope, StepSlopes& s) {
+  const Pack zero = 0.0;
+  const Pack wx = g.wx + (g.elastic * cell.x) * moved.rho_x;
+  const Pack wy =
+      g.wy + g.spin * cell.x - (g.elastic * cell.x) * moved.rho_y + (2.0 * moved.advance.spin) * before.ahead;
+  s.partial = (moved.dv > zero) & (moved.dv < cell.h);
+  s.bound_by_onset = select(Pack(cell.index - 0.5) < g.stick_cells, 2.0 * (1.0 - g.slip_end), zero);
+  const Pack d_by_onset = s.bound_by_onset * moved.flexibility;
+  s.by_onset = select(s.partial, s.by_x * wx + s.by_y * wy, zero) + slope.by_d * d_by_onset;
+  s.ahead_by_onset =
+      select(s.partial, s.ahead_by_x * wx + s.ahead_by_y * wy, zero) + slope.ahead_by_d * d_by_onset;
+  s.share = select(moved.dv < cell.h, moved.dv * cell.per_h, 1.0);
+  s.by_x = s.share * s.by_x;
+  s.by_y = s.share * s.by_y;
+  s.ahead_by_x = s.share * s.ahead_by_x;
+  s.ahead_by_y = s.share * s.ahead_by_y;
+  s.bend = s.share * s.bend;
+  s.ahead_before = s.share * s.ahead_before;
+}
+
 template <bool entering>
-WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
+WRC_IN_LOOP StepSlopes step_slopes(const Group& g, const Cell& cell, const State& before,
+                                   const Moved& moved) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  StepSlopes s;
   // A change of rho changes the elastic slip and the flexibility: where it turns, and where it grows.
   const Pack elastic = moved.advance.elastic * cell.x;
   const Pack elastic_x = elastic * moved.rho_x, elastic_y = elastic * moved.rho_y;
   const Pack bounds = 2.0 * (moved.bound_before + cell.shape);
   const Pack d_by_angle = bounds * ((g.t11 - g.t22) * (moved.rho_x * moved.rho_y));
-  const Pack kept = slope.kept - (slope.by_x * elastic_y + slope.by_y * elastic_x) + slope.by_d * d_by_angle;
-  const Pack ahead_by_angle =
+  s.kept = slope.kept - (slope.by_x * elastic_y + slope.by_y * elastic_x) + slope.by_d * d_by_angle;
+  s.ahead_by_angle =
       slope.ahead_by_d * d_by_angle - (slope.ahead_by_x * elastic_y + slope.ahead_by_y * elastic_x);
-  Pack by_ratio = zero, ahead_by_ratio = zero;
+  s.by_ratio = s.ahead_by_ratio = zero;
   if (before.stuck) {
     const Pack x = elastic * before.ex, y = elastic * before.ey;
     const Pack d = bounds * (g.t11 * (moved.rho_x * before.ex) + g.t22 * (moved.rho_y * before.ey));
-    by_ratio = slope.by_x * x - slope.by_y * y - slope.by_d * d;
-    ahead_by_ratio = slope.ahead_by_x * x - slope.ahead_by_y * y - slope.ahead_by_d * d;
+    s.by_ratio = slope.by_x * x - slope.by_y * y - slope.by_d * d;
+    s.ahead_by_ratio = slope.ahead_by_x * x - slope.ahead_by_y * y - slope.ahead_by_d * d;
   }
-  const Pack by_turning = slope.by_d * moved.turn.d, ahead_by_turning = slope.ahead_by_d * moved.turn.d;
+  s.by_turning = slope.by_d * moved.turn.d;
+  s.ahead_by_turning = slope.ahead_by_d * moved.turn.d;
+  s.by_x = slope.by_x;
+  s.by_y = slope.by_y;
+  s.ahead_by_x = slope.ahead_by_x;
+  s.ahead_by_y = slope.ahead_by_y;
+  s.bend = g.over_cell.bend;
+  s.ahead_before = before.ahead;
+  if constexpr (entering) take_part_of_cell(g, cell, before, moved, slope, s);
+  return s;
+}
 
-  // Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
-  // changes with the onset of slip, as does the bound there.
-  Pack by_x = slope.by_x, by_y = slope.by_y, ahead_by_x = slope.ahead_by_x, ahead_by_y = slope.ahead_by_y;
-  Pack bend = g.over_cell.bend, ahead_before = before.ahead;
-  [[maybe_unused]] Pack share, by_onset, ahead_by_onset, bound_by_onset;
-  [[maybe_unused]] Mask partial;
-  if constexpr (entering) {
-    const Pack wx = g.wx + (g.elastic * cell.x) * moved.rho_x;
-    const Pack wy = g.wy + g.spin * cell.x - (g.elastic * cell.x) * moved.rho_y +
-                    (2.0 * moved.advance.spin) * before.ahead;
-    partial = (moved.dv > zero) & (moved.dv < cell.h);
-    bound_by_onset = select(Pack(cell.index - 0.5) < g.stick_cells, 2.0 * (1.0 - g.slip_end), zero);
-    const Pack d_by_onset = bound_by_onset * moved.flexibility;
-    by_onset = select(partial, by_x * wx + by_y * wy, zero) + slope.by_d * d_by_onset;
-    ahead_by_onset = select(partial, ahead_by_x * wx + ahead_by_y * wy, zero) + slope.ahead_by_d * d_by_onset;
-    share = select(moved.dv < cell.h, moved.dv * cell.per_h, 1.0);
-    by_x = share * by_x;
-    by_y = share * by_y;
-    ahead_by_x = share * ahead_by_x;
-    ahead_by_y = share * ahead_by_y;
-    bend = share * bend;
-    ahead_before = share * ahead_before;
+/// How the angle and `ahead` after the step change with input k.
+template <bool entering>
+WRC_IN_LOOP void turn_derivative(const StepSlopes& s, const Cell& cell, bool stuck, std::int32_t k,
+                                 const Derivative& d, Pack& angle, Pack& ahead) {
+  const Advance& a = d.over_cell;
+  Pack wy = a.wy + s.bend * d.ahead;
+  if (k == 2) wy += a.spin * cell.x + a.bend * s.ahead_before;  // only spin turns the slip
+  angle = s.kept * d.angle + s.by_y * wy + s.by_turning * d.turning;
+  ahead = s.ahead_by_angle * d.angle + s.ahead_by_y * wy + s.ahead_by_turning * d.turning;
+  if (k != 1) {  // the lateral creepage has no part in the slip along x
+    angle += s.by_x * a.wx;
+    ahead += s.ahead_by_x * a.wx;
   }
+  if constexpr (entering) {
+    angle += s.by_onset * d.slip_end;
+    ahead += s.ahead_by_onset * d.slip_end;
+  }
+  if (stuck) {
+    angle += s.by_ratio * d.ratio;
+    ahead += s.ahead_by_ratio * d.ratio;
+  }
+}
+
+/// How the traction of lanes that stick changes: its ratio to the bound, and its angle.
+template <bool entering>
+WRC_IN_LOOP void stick_derivative(const Group& g, const StepSlopes& s, const Cell& cell, const State& before,
+                                  const State& after, const Moved& moved, const Derivative& d, Pack& ratio,
+                                  Pack& angle) {
+  const Pack zero = 0.0;
+  const Advance& a = d.over_cell;
+  const Pack middle = 2.0 * cell.x + moved.dv;
+  Pack gx = a.gx, gy = a.gy, curvature = a.curvature, bound = zero;
+  if constexpr (entering) {
+    const Pack dv = select(s.partial, d.slip_end, zero);
+    gx = s.share * gx + g.gx * dv;
+    curvature = s.share * curvature + g.curvature * dv;
+    gy = s.share * gy + (g.gy + moved.advance.curvature) * dv;
+    bound = s.bound_by_onset * d.slip_end;
+  }
+  const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
+  const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
+  const Pack x = dx * moved.bound_before + moved.rho_x * bound - gx;
+  const Pack y = dy * moved.bound_before + moved.rho_y * bound - (gy + curvature * middle);
+  ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
+  angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
+}
+
+/// The same step for the derivatives; `before`: the state it began with.
+template <bool entering>
+WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
+                               const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
+  const Pack zero = 0.0;
+  const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
   Pack mean = cell.mean;  // of the bound, as far as tractions have the march's direction
   [[maybe_unused]] Pack x_by_s, y_by_s, y_by_psi;
   if constexpr (entering) {
@@ -260,41 +337,9 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
   const Pack rho_x = mean * after.x(), rho_y = mean * after.y();
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
-    const Advance& a = d.over_cell;
-    Pack wy = a.wy + bend * d.ahead;
-    if (k == 2) wy += a.spin * cell.x + a.bend * ahead_before;  // only spin turns the slip
-    Pack angle = kept * d.angle + by_y * wy + by_turning * d.turning;
-    Pack ahead = ahead_by_angle * d.angle + ahead_by_y * wy + ahead_by_turning * d.turning;
-    if (k != 1) {  // the lateral creepage has no part in the slip along x
-      angle += by_x * a.wx;
-      ahead += ahead_by_x * a.wx;
-    }
-    if constexpr (entering) {
-      angle += by_onset * d.slip_end;
-      ahead += ahead_by_onset * d.slip_end;
-    }
-    if (before.stuck) {
-      angle += by_ratio * d.ratio;
-      ahead += ahead_by_ratio * d.ratio;
-    }
-    Pack ratio = zero;
-    if (moved.any_sticks) {
-      const Pack middle = 2.0 * cell.x + moved.dv;
-      Pack gx = a.gx, gy = a.gy, curvature = a.curvature, bound = zero;
-      if constexpr (entering) {
-        const Pack dv = select(partial, d.slip_end, zero);
-        gx = share * gx + g.gx * dv;
-        curvature = share * curvature + g.curvature * dv;
-        gy = share * gy + (g.gy + moved.advance.curvature) * dv;
-        bound = bound_by_onset * d.slip_end;
-      }
-      const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
-      const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
-      const Pack x = dx * moved.bound_before + moved.rho_x * bound - gx;
-      const Pack y = dy * moved.bound_before + moved.rho_y * bound - (gy + curvature * middle);
-      ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
-      angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
-    }
+    Pack angle, ahead, ratio = zero;
+    turn_derivative<entering>(s, cell, before.stuck, k, d, angle, ahead);
+    if (moved.any_sticks) stick_derivative<entering>(g, s, cell, before, after, moved, d, ratio, angle);
     if (before.stuck || moved.any_sticks) d.ratio = ratio;
     d.angle = entering ? select(moving, angle, d.angle) : angle;
     d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
@@ -445,28 +490,6 @@ WRC_IN_LOOP void stay(const StripFastsimMarch& task, const Cell& cell, Marching&
   if constexpr (fields) store_cell(task, m.group, cell, {stuck.x, stuck.y, 0.0, 0.0, 0.0}, m.sums);
 }
 
-/// A cell of a group in which strips move.
-template <bool entering, Output output>
-WRC_IN_LOOP void move(const StripFastsimMarch& task, const Cell& cell, Marching& m,
-                      Derivative (&derivative)[inputs]) {
-  const Mask moves = m.group.stick_cells <= Pack(cell.index);
-  Moved moved = begin_step<entering>(m.group, cell, moves, m.state);
-  turn(moved.turn);
-  settle<entering, output>(task, cell, moves, moved, m, derivative);
-}
-
-/// A cell of two groups all of whose strips move.
-template <Output output>
-WRC_IN_LOOP void move_both(const StripFastsimMarch& task, const Cell& cell, Marching (&m)[in_flight],
-                           Derivative (&derivative)[in_flight][inputs]) {
-  const Mask all = Pack(0.0) <= Pack(0.0);
-  Moved first = begin_step<false>(m[0].group, cell, all, m[0].state);
-  Moved second = begin_step<false>(m[1].group, cell, all, m[1].state);
-  turn(first.turn, second.turn);
-  settle<false, output>(task, cell, all, first, m[0], derivative[0]);
-  settle<false, output>(task, cell, all, second, m[1], derivative[1]);
-}
-
 /// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi) [N].
 inline double balance_of_power(const StripFastsimTask& task, const simd::Sums& total) {
   const double balance = -(total.fx * task.nu_x + total.fy * task.nu_y + total.mz * task.phi);
@@ -475,13 +498,14 @@ inline double balance_of_power(const StripFastsimTask& task, const simd::Sums& t
 
 /// Adds a group's strips to the sums.
 inline void finish(const StripFastsimTask& task, const Marching& m, simd::Sums& total) {
-  add_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, total);
+  add_forces(m.group, task.cells, m.sums.force, total);
+  add_power(m.group, task.cells, m.sums.unslid, m.group.cell * m.sums.power, total);
 }
 
 /// The same where strips have axes of their own: their forces are stored, and the balance of power is summed.
 inline void finish(const SurfaceStripsTask& task, const Marching& m, simd::Sums& total) {
-  store_group(m.group, task.cells, m.sums.force, m.sums.unslid, m.group.cell * m.sums.power, task.fx, task.fy,
-              task.mz, total);
+  store_forces(m.group, task.cells, m.sums.force, task.fx, task.fy, task.mz);
+  add_power(m.group, task.cells, m.sums.unslid, m.group.cell * m.sums.power, total);
 }
 
 /// Its balance of power.
@@ -505,67 +529,57 @@ inline void scale_slip(const StripFastsimMarch& task, std::int32_t first, double
   }
 }
 
+/// What is particular to strip FASTSIM: see march_groups().
+template <Output output, class Task>
+struct March {
+  using Marching = strip::Marching;
+  using Derivative = strip::Derivative;
+  static constexpr bool stays = true;
+  static constexpr bool sensitivities = output == Output::sensitivities;
+
+  const Task& task;
+  simd::Sums& total;
+  double h, per_h;
+
+  void prepare(std::int32_t at, std::int32_t count, Marching& m, Derivative (&derivative)[inputs]) const {
+    strip::prepare(task, at, count, m.group, m.state);
+    m.stick = {};
+    m.sums = {};
+    if constexpr (output == Output::fields) m.slip = slip_shape(task, m.group);
+    const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
+    m.stick.root_near = root(near);
+    m.stick.power_near = near * m.stick.root_near;
+    if constexpr (sensitivities) differentiate(task, m.group, derivative);
+  }
+  Cell cell(std::int32_t i) const {
+    const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
+    const double t_before =
+        (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
+    return {i, t,     1.0 - t, t_before * (2.0 - t_before), shape, task.shape->mean[i],
+            h, per_h, behind,  task.inverse_weight[i]};
+  }
+  void stay(const Cell& cell, Marching& m, Derivative (&derivative)[inputs]) const {
+    strip::stay<output>(task, cell, m, derivative);
+  }
+  void finish(Marching& m, Derivative (&derivative)[inputs]) const {
+    add_stick(m.group, m.stick, m.sums);
+    strip::finish(task, m, total);
+    if constexpr (sensitivities) {
+      for (std::int32_t n = 0; n < inputs; ++n) {
+        add_stick(m.group, m.stick, derivative[n]);
+        add_derivative(m.group, task.cells, derivative[n].force, n, total);
+      }
+    }
+  }
+};
+
 }  // namespace strip
 
 template <Output output, class Task>
 void strip_fastsim_kernel(const Task& task, Sums& total) {
-  constexpr bool sensitivities = output == Output::sensitivities;
   total = {};
-  const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
-  const std::int32_t strips = task.strips;
-  const double* mean = task.shape->mean;
-  std::int32_t slips = task.cells;  // no cell before it
-  for (std::int32_t first = 0; first < strips; first += in_flight * lanes) {
-    strip::Marching marching[in_flight];
-    strip::Derivative derivative[in_flight][inputs];  // not touched without sensitivities
-    std::int32_t groups = 0;
-    std::int32_t both_move = 0;  // cells from this one on are those of move_both()
-    for (std::int32_t at = first; at < strips && groups < in_flight; at += lanes, ++groups) {
-      strip::Marching& m = marching[groups];
-      strip::prepare(task, at, strips - at < lanes ? strips - at : lanes, m.group, m.state);
-      m.stick = {};
-      m.sums = {};
-      if constexpr (output == Output::fields) m.slip = strip::slip_shape(task, m.group);
-      slips = m.group.all_stick < slips ? m.group.all_stick : slips;
-      both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
-      const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
-      m.stick.root_near = root(near);
-      m.stick.power_near = near * m.stick.root_near;
-      if constexpr (sensitivities) strip::differentiate(task, m.group, derivative[groups]);
-    }
-    for (std::int32_t i = 0; i < task.cells; ++i) {
-      const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
-      const double t_before =
-          (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
-      const strip::Cell cell{i, t,     1.0 - t, t_before * (2.0 - t_before), shape, mean[i],
-                             h, per_h, behind,  task.inverse_weight[i]};
-      if (groups == in_flight && i >= both_move) {
-        strip::move_both<output>(task, cell, marching, derivative);
-        continue;
-      }
-      for (std::int32_t k = 0; k < groups; ++k) {
-        strip::Marching& m = marching[k];
-        strip::Derivative(&d)[inputs] = derivative[k];
-        if (i >= m.group.all_move)
-          strip::move<false, output>(task, cell, m, d);
-        else if (i >= m.group.all_stick)
-          strip::move<true, output>(task, cell, m, d);
-        else
-          strip::stay<output>(task, cell, m, d);
-      }
-    }
-    for (std::int32_t k = 0; k < groups; ++k) {
-      strip::Marching& m = marching[k];
-      strip::add_stick(m.group, m.stick, m.sums);
-      strip::finish(task, m, total);
-      if constexpr (sensitivities) {
-        for (std::int32_t n = 0; n < inputs; ++n) {
-          strip::add_stick(m.group, m.stick, derivative[k][n]);
-          add_group(m.group, task.cells, derivative[k][n].force, n, total);
-        }
-      }
-    }
-  }
+  const std::int32_t slips =
+      march_groups<output>(task, strip::March<output, Task>{task, total, 2.0 / task.cells, 0.5 * task.cells});
   const double power = strip::balance_of_power(task, total);
   if constexpr (output == Output::fields)
     strip::scale_slip(task, slips, total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0);

@@ -2,10 +2,10 @@
 /// either task, relative, the onset of slip, the state there; and the derivatives of all that.
 #pragma once
 
-#include "simd/pack.hpp"
+#include "base/pack.hpp"
 #include "tangential/march_grid.hpp"
-#include "tangential/simd/kernels.hpp"
 #include "tangential/simd/strip_group.hpp"
+#include "tangential/simd/tasks.hpp"
 #include "tangential/simd/turning.hpp"
 #include "tangential/stick_zone.hpp"
 
@@ -132,6 +132,18 @@ inline Pack tell(const SurfaceStripsTask& task, std::int32_t first, std::int32_t
   return g.bound + tiny_stress;
 }
 
+/// Where between the direction of growth (0) and that against the slip (1) a strip starts to slip.
+inline Pack start_against_slip(const StripFastsimTask&, Pack slip_end) {
+  return select(slip_end >= 2.0, Pack(1.0), Pack(0.0));
+}
+
+/// Gradually where the stick zone at the leading edge is shorter than a cell: a strip whose slip reaches that
+/// edge must not leap.
+inline Pack start_against_slip(const SurfaceStripsTask& task, Pack slip_end) {
+  const Pack t = larger(0.0, 1.0 - (0.5 * task.cells) * (2.0 - slip_end));
+  return t * t * (3.0 - 2.0 * t);
+}
+
 template <class Task>
 inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state) {
   const double h = 2.0 / task.cells;
@@ -160,8 +172,9 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
 
   // A strip that slips from its leading edge on starts against the slip there, whose elastic part depends on
   // the direction itself: three substitutions settle it.
-  const Mask at_edge = g.slip_end >= 2.0;
-  Pack ex = g.kappa, ey = g.lambda;
+  const Pack share = start_against_slip(task, g.slip_end);
+  const Mask at_edge = share > zero, partly = at_edge & (share < one);
+  Pack ex = g.kappa, ey = g.lambda, growth_x = ex, growth_y = ey;
   for (int n = 0; n < 4; ++n) {
     Pack wx = g.gx, wy = gy_end;  // n == 0: against the growth at u_s
     if (n > 0) {
@@ -171,6 +184,16 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
     const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
     ex = -(wx * inverse);
     ey = -(wy * inverse);
+    if (n == 0) {
+      growth_x = ex;
+      growth_y = ey;
+    }
+  }
+  if (any(partly)) {
+    const Pack x = growth_x + share * (ex - growth_x), y = growth_y + share * (ey - growth_y);
+    const Pack inverse = one / (root(x * x + y * y) + 1e-100);
+    ex = select(partly, x * inverse, ex);
+    ey = select(partly, y * inverse, ey);
   }
   state.ex = ex;
   state.ey = ey;

@@ -2,8 +2,8 @@
 /// strips lie, which cells lie in their first stick zones, and what the cells' tractions sum up to.
 #pragma once
 
-#include "simd/pack.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "base/pack.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -91,46 +91,44 @@ inline LaneForces lane_forces(const StripGroup& g, std::int32_t cells, const For
   return f;
 }
 
-/// Adds a group strip by strip. unslid: cells behind the first stick zone that have not slid; power: of the
-/// slip [N].
-inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, Pack unslid, Pack power,
-                      Sums& total) {
-  const LaneForces f = lane_forces(g, cells, s);
+/// Adds a group's power and areas strip by strip. unslid: cells behind the first stick zone that have not
+/// slid; power: of the slip [N].
+inline void add_power(const StripGroup& g, std::int32_t cells, Pack unslid, Pack power, Sums& total) {
   double of_power[lanes], cell[lanes], slid[lanes];
   store_pack(of_power, power);
   store_pack(cell, g.cell);
   store_pack(slid, g.cell * ((cells - g.stick_cells) - unslid));
+  for (std::int32_t k = 0; k < g.count; ++k) {
+    total.power_per_speed += of_power[k];
+    total.area += cells * cell[k];
+    total.slid_area += slid[k];
+  }
+}
+
+/// Adds a group's forces strip by strip.
+inline void add_forces(const StripGroup& g, std::int32_t cells, const ForceSums& s, Sums& total) {
+  const LaneForces f = lane_forces(g, cells, s);
   for (std::int32_t k = 0; k < g.count; ++k) {
     total.fx += f.fx[k];
     total.fy += f.fy[k];
     total.mz += f.mz[k];
-    total.power_per_speed += of_power[k];
-    total.area += cells * cell[k];
-    total.slid_area += slid[k];
   }
 }
 
-/// The same where strips have axes of their own: their forces are stored, power and areas added.
-inline void store_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, Pack unslid, Pack power,
-                        double* fx, double* fy, double* mz, Sums& total) {
+/// Stores a group's forces where strips have axes of their own.
+inline void store_forces(const StripGroup& g, std::int32_t cells, const ForceSums& s, double* fx, double* fy,
+                         double* mz) {
   const LaneForces f = lane_forces(g, cells, s);
-  double of_power[lanes], cell[lanes], slid[lanes];
-  store_pack(of_power, power);
-  store_pack(cell, g.cell);
-  store_pack(slid, g.cell * ((cells - g.stick_cells) - unslid));
   for (std::int32_t k = 0; k < g.count; ++k) {
     fx[g.first + k] = f.fx[k];
     fy[g.first + k] = f.fy[k];
     mz[g.first + k] = f.mz[k];
-    total.power_per_speed += of_power[k];
-    total.area += cells * cell[k];
-    total.slid_area += slid[k];
   }
 }
 
-/// The same for the derivatives with respect to an input.
-inline void add_group(const StripGroup& g, std::int32_t cells, const ForceSums& s, std::int32_t input,
-                      Sums& total) {
+/// Adds the derivatives of a group's forces with respect to an input.
+inline void add_derivative(const StripGroup& g, std::int32_t cells, const ForceSums& s, std::int32_t input,
+                           Sums& total) {
   const LaneForces f = lane_forces(g, cells, s);
   for (std::int32_t k = 0; k < g.count; ++k) {
     total.d[0][input] += f.fx[k];

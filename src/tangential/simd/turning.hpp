@@ -15,8 +15,8 @@
 /// both takes more multiplications than it saves.
 #pragma once
 
-#include "simd/pack.hpp"
-#include "tangential/simd/kernels.hpp"
+#include "base/pack.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {

@@ -23,7 +23,7 @@ int32_t roll(wrc_contact* contact, double lateral) {
   creepage.speed = 55.0;
   const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, nullptr, nullptr, nullptr, nullptr};
-  return wrc_step(contact, &input, &output);
+  return wrc_contact_step(contact, &input, &output);
 }
 
 void run_motion(wrc_contact* contact, Hash& hash) {
@@ -40,8 +40,8 @@ void run_motion(wrc_contact* contact, Hash& hash) {
     motion.roll_rate = numbers.between(-0.1, 0.1);
     motion.yaw_rate = numbers.between(-0.1, 0.1);
     wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-    hash.add(wrc_geometry(contact, &pose, nullptr));
-    hash.add(wrc_creepages(contact, &motion, &creepage));
+    hash.add(wrc_contact_geometry(contact, &pose, nullptr));
+    hash.add(wrc_contact_creepages(contact, &motion, &creepage));
     for (double number : {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed})
       hash.add(number);
   }
@@ -66,16 +66,16 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
     const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
     wrc_forces forces = made<wrc_forces>(wrc_forces_init);
     wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
-    hash.add(wrc_geometry(contact, &pose, nullptr));
-    hash.add(wrc_normal(contact, nullptr, &load, nullptr));
-    hash.add(wrc_creepages(contact, &motion, &creepage));
+    hash.add(wrc_contact_geometry(contact, &pose, nullptr));
+    hash.add(wrc_contact_normal(contact, nullptr, &load, nullptr));
+    hash.add(wrc_contact_creepages(contact, &motion, &creepage));
     for (double number :
          {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed, creepage.other_way})
       hash.add(number);
-    hash.add(wrc_tangential(contact, nullptr, &creepage, &friction, &forces));
+    hash.add(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces));
     hash_forces(forces, hash);
     hash_fields(contact, hash);
-    hash.add(wrc_sensitivities(contact, &sensitivity));
+    hash.add(wrc_contact_sensitivities(contact, &sensitivity));
     for (const auto& row : sensitivity.forces)
       for (double number : row) hash.add(number);
   }
@@ -90,7 +90,7 @@ void run_geometry(wrc_contact* contact, Hash& hash) {
     pose.roll = numbers.between(-5e-3, 5e-3);
     pose.yaw = numbers.between(-0.03, 0.03);
     wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-    hash.add(wrc_geometry(contact, &pose, &point));
+    hash.add(wrc_contact_geometry(contact, &pose, &point));
     hash_point(point, hash);
     if (i % 8 == 0) hash_fields(contact, hash);
   }
@@ -100,11 +100,11 @@ void run_wear(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
     wrc_wear wear = made<wrc_wear>(wrc_wear_init);
-    hash.add(wrc_wear_numbers(contact, nullptr, &wear));
+    hash.add(wrc_contact_wear(contact, nullptr, &wear));
     for (double number : {wear.worn_area_rate, wear.largest_depth_rate, wear.largest_depth_velocity})
       hash.add(number);
     wrc_view view = made<wrc_view>(wrc_view_init);
-    hash.add(wrc_field(contact, 0, WRC_FIELD_STRIP_WEAR, &view));
+    hash.add(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &view));
     hash_view(view, hash);
   }
 }
@@ -127,11 +127,11 @@ void run_plain_numbers(wrc_contact*, Hash& hash) {
 
 /// Wheels on rails, both sides of one model: tread, two regions, flange, apart; at given heights and under
 /// given loads.
-void run_wheels(wrc_contact* contact, Hash& hash) {
+void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 40; ++i) {
     wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-    wheel.side = i % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT;
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
     wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
     wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
     const double outward = i % 2 == 0 ? 1.0 : -1.0;
@@ -162,7 +162,7 @@ void run_wheels(wrc_contact* contact, Hash& hash) {
       input.damping = numbers.between(0.0, 0.3);
     }
     wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
-    hash.add(wrc_wheel_step(contact, &input, &wrench));
+    hash.add(wrc_contact_wrench(contact, &input, &wrench));
     for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment}) {
       for (int k = 0; k < 3; ++k) hash.add(each[k]);
     }
@@ -171,7 +171,7 @@ void run_wheels(wrc_contact* contact, Hash& hash) {
       hash.add(number);
     for (int32_t k = 0; k < wrench.regions; ++k) {
       wrc_region region = made<wrc_region>(wrc_region_init);
-      hash.add(wrc_wheel_region(contact, k, &region));
+      hash.add(wrc_contact_region(contact, k, &region));
       for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
                             region.force[1], region.moment[2], region.power, region.creepage[0]})
         hash.add(number);
@@ -193,7 +193,7 @@ void run_refused(wrc_contact* contact, Hash& hash) {
   const auto refused = [&](double& number, double wrong) {
     const double kept = number;
     number = wrong;
-    hash.add(wrc_step(contact, &input, &output));
+    hash.add(wrc_contact_step(contact, &input, &output));
     hash_patch(patch, hash);
     hash_forces(forces, hash);
     number = kept;
@@ -221,7 +221,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
-  plan.jobs.push_back({"wheel on rail", model, {}, run_wheels});
+  plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
 }
 
 Plan golden_plan() {

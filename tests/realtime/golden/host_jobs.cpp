@@ -88,14 +88,15 @@ void add_gaps(Plan& plan) {
     plan.gaps.push_back(by_elements(shape, 120, 41));
   }
   for (int32_t normal = 0; normal < normal_methods; ++normal) {
-    add_model(plan, normal, normal % 2 == 0 ? WRC_TANGENTIAL_STRIP_FASTSIM : WRC_TANGENTIAL_FASTSIM_SDEC);
+    add_model(plan, normal, normal % 2 == 0 ? preset_strip_fastsim : preset_fastsim_sdec);
     Job job{"gaps", plan.models.size() - 1, {}, {}};
     for (const HostGap& gap : plan.gaps) job.steps.push_back(on(gap, 70e3));
     plan.jobs.push_back(std::move(job));
   }
 }
 
-/// Pressure of the host as strips: two hills with a gap between, then the whole chain from wrc_regularise on.
+/// Pressure of the host as strips: two hills with a gap between, then the whole chain from
+/// wrc_contact_regularise on.
 void run_strips(wrc_contact* contact, Hash& hash) {
   Numbers numbers(3);
   for (int round = 0; round < 4; ++round) {
@@ -126,9 +127,9 @@ void run_strips(wrc_contact* contact, Hash& hash) {
     creepage.lateral = numbers.between(-3e-3, 3e-3);
     creepage.spin = numbers.between(-0.5, 0.5);
     const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-    hash.add(wrc_regularise(contact, &strips, &patch));
-    hash.add(wrc_tangential(contact, nullptr, &creepage, &friction, &forces));
-    hash.add(wrc_damage_numbers(contact, &damage));
+    hash.add(wrc_contact_regularise(contact, &strips, &patch));
+    hash.add(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces));
+    hash.add(wrc_contact_damage(contact, &damage));
     hash_patch(patch, hash);
     hash_forces(forces, hash);
     hash_damage(damage, hash);
@@ -156,8 +157,8 @@ void run_patches(wrc_contact* contact, Hash& hash) {
       creepage.longitudinal = numbers.between(-size, size);
       creepage.lateral = numbers.between(-size, size);
       creepage.spin = numbers.between(-size, size) / 5e-3;
-      hash.add(wrc_tangential(contact, &patch, &creepage, &friction, &forces));
-      hash.add(wrc_damage_numbers(contact, &damage));
+      hash.add(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces));
+      hash.add(wrc_contact_damage(contact, &damage));
       hash_forces(forces, hash);
       hash_damage(damage, hash);
     }

@@ -52,9 +52,9 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
     wrc_output output = made<wrc_output>(wrc_output_init);
     wrc_sensitivity slopes = made<wrc_sensitivity>(wrc_sensitivity_init);
     wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-    hash.add(wrc_step(contact, &input, &output));
-    hash.add(wrc_sensitivities(contact, &slopes));
-    hash.add(wrc_step_sensitivities(contact, &of_step));
+    hash.add(wrc_contact_step(contact, &input, &output));
+    hash.add(wrc_contact_sensitivities(contact, &slopes));
+    hash.add(wrc_contact_step_sensitivities(contact, &of_step));
     for (const auto& row : slopes.forces) {
       for (double number : row) hash.add(number);
     }

@@ -34,6 +34,8 @@ struct Job {
   std::size_t model = 0;                           ///< index into Plan::models
   std::vector<Step> steps;                         ///< none of which may fail
   std::function<void(wrc_contact*, Hash&)> calls;  ///< instead of steps
+  std::function<void(wrc_contact* right, wrc_contact* left, Hash&)> calls_of_both = {};  ///< instead of these
+  int32_t side = WRC_SIDE_RIGHT;
 };
 
 /// Deques: configurations point to profiles, profiles to points, jobs to gaps.

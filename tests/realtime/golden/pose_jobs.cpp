@@ -96,7 +96,7 @@ void add_methods(Plan& plan) {
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
     std::vector<Step> few = {poses[0], poses[2], poses[3], poses[5]};
     for (Step& step : few) step.friction.slope_fall = slope_fall_for(tangential);
-    const std::string group = std::string("tangential ") + tangential_names[tangential];
+    const std::string group = std::string("tangential ") + presets[tangential].identifier;
     for (int32_t normal = 0; normal < normal_methods; ++normal) {
       wrc_config& config = add_model(plan);
       config.normal_method = normal;
@@ -140,10 +140,10 @@ void add_flexibilities(Plan& plan) {
 
 void add_creepages(Plan& plan) {
   const std::vector<Step> steps = creepages();
-  for (int32_t tangential : {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTSIM_SDEC}) {
+  for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
     wrc_config& config = add_model(plan);
     choose_tangential(config, tangential);
-    config.poisson = tangential == WRC_TANGENTIAL_STRIP_FASTSIM ? 0.28 : 0.25;
+    config.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
     // Contacts of one model, so that threads have something to share.
     for (std::size_t first = 0; first < steps.size(); first += 7)
       add_job(plan, "creepage",
@@ -156,7 +156,7 @@ void add_grids(Plan& plan) {
   const std::vector<Step> poses = usual_poses();
   for (const auto& [strips, cells] :
        {std::pair{4, 4}, {5, 7}, {7, 31}, {9, 8}, {17, 33}, {50, 60}, {64, 64}, {130, 5}}) {
-    for (int32_t tangential : {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTSIM_SDEC}) {
+    for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
       wrc_config& config = add_model(plan);
       choose_tangential(config, tangential);
       config.strips = strips;
@@ -212,10 +212,10 @@ void add_profiles(Plan& plan) {
     wrc_config& config = add_model(plan);
     config.rail = &rail;
     config.rail_inclination = 0.025;
-    config.side = side;
     const double sign = side == WRC_SIDE_RIGHT ? 1.0 : -1.0;
     add_job(plan, "profiles",
             {at(0.0, 0.0, 0.0, 80e3), at(4e-3 * sign, 0.0, 6e-3, 80e3), at(7e-3 * sign, 0.0, 0.0, 80e3)});
+    plan.jobs.back().side = side;
   }
 }
 
@@ -230,7 +230,7 @@ void add_flat_calls(Plan& plan) {
                                numbers.between(-2e-3, 2e-3), numbers.between(-2e-3, 2e-3),
                                numbers.between(-0.5, 0.5),   numbers.between(0.1, 0.5)};
                            double out[WRC_FLAT_OUTPUTS];
-                           hash.add(wrc_step_flat(contact, in, out));
+                           hash.add(wrc_contact_step_flat(contact, in, out));
                            for (double number : out) hash.add(number);
                          }
                        }});

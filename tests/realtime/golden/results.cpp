@@ -32,7 +32,7 @@ void hash_fields(const wrc_contact* contact, Hash& hash) {
   for (int32_t patch = 0; patch < 16; ++patch) {
     for (int32_t field = WRC_FIELD_X; field < WRC_FIELD_STRIP_WEAR; ++field) {
       wrc_view view = made<wrc_view>(wrc_view_init);
-      const int32_t status = wrc_field(contact, patch, field, &view);
+      const int32_t status = wrc_contact_field(contact, patch, field, &view);
       if (status == WRC_ERROR_RANGE) return;  // no further patch
       hash.add(status);
       for (std::uint64_t i = 0; i < view.count[0]; ++i) {

@@ -28,7 +28,7 @@ namespace {
 class Running {
  public:
   Running(const Job& job, const wrc_model* model) : job_(&job) {
-    if (wrc_contact_create(model, nullptr, &contact_) < 0) throw std::runtime_error("no contact");
+    if (wrc_contact_create(model, job.side, nullptr, &contact_) < 0) throw std::runtime_error("no contact");
   }
   ~Running() { wrc_contact_destroy(contact_); }
   Running(Running&& other) noexcept : hash(other.hash), job_(other.job_), contact_(other.contact_) {
@@ -62,23 +62,23 @@ class Running {
     output.damage = &damage_;
   }
 
-  /// wrc_step() in its stages: the first flag counts.
+  /// wrc_contact_step() in its stages: the first flag counts.
   int32_t run_stages() {
     int32_t status = WRC_OK;
     const auto keep = [&](int32_t next) {
       if (status == WRC_OK || next < 0) status = next;
     };
-    if (input.pose != nullptr) keep(wrc_geometry(contact_, input.pose, &point_));
-    keep(wrc_normal(contact_, input.gap, input.load, &patch_));
-    keep(wrc_tangential(contact_, nullptr, input.creepage, input.friction, &forces_));
-    keep(wrc_damage_numbers(contact_, &damage_));
+    if (input.pose != nullptr) keep(wrc_contact_geometry(contact_, input.pose, &point_));
+    keep(wrc_contact_normal(contact_, input.gap, input.load, &patch_));
+    keep(wrc_contact_tangential(contact_, nullptr, input.creepage, input.friction, &forces_));
+    keep(wrc_contact_damage(contact_, &damage_));
     return status;
   }
 
   void keep(std::size_t k, int32_t status) {
     if (status < 0) {
       char text[256];
-      wrc_last_error(contact_, text, sizeof text);
+      wrc_contact_last_error(contact_, text, sizeof text);
       throw std::runtime_error(job_->group + ", step " + std::to_string(k) + ": " + text);
     }
     hash_step(contact_, status, point_, patch_, forces_, damage_, hash);
@@ -115,8 +115,8 @@ void run_batches(std::vector<Running>& all) {
       outputs.push_back(each->output);
     }
     std::vector<int32_t> statuses(going.size());
-    wrc_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(), sizeof(wrc_input),
-                   outputs.data(), sizeof(wrc_output), statuses.data());
+    wrc_contact_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(),
+                           sizeof(wrc_input), outputs.data(), sizeof(wrc_output), statuses.data());
     for (std::size_t i = 0; i < going.size(); ++i) going[i]->keep(k, statuses[i]);
   }
 }
@@ -134,10 +134,17 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
   if (way == Way::batch) run_batches(mine);
   for (Running& each : mine) {
     if (each.job().calls) each.job().calls(each.contact(), each.hash);
+    if (each.job().calls_of_both) {
+      wrc_contact* left = nullptr;
+      if (wrc_contact_create(models[each.job().model], WRC_SIDE_LEFT, nullptr, &left) < 0)
+        throw std::runtime_error("no contact");
+      each.job().calls_of_both(each.contact(), left, each.hash);
+      wrc_contact_destroy(left);
+    }
     for (std::size_t k = 0; way != Way::batch && k < each.job().steps.size(); ++k) {
       each.prepare(k);
-      each.keep(k,
-                way == Way::stages ? each.run_stages() : wrc_step(each.contact(), &each.input, &each.output));
+      each.keep(k, way == Way::stages ? each.run_stages()
+                                      : wrc_contact_step(each.contact(), &each.input, &each.output));
     }
   }
   for (std::size_t i = 0; i < mine.size(); ++i) hashes[places[i]] = mine[i].hash.value();

@@ -77,7 +77,7 @@ int32_t create_all(const wrc_config& config, const wrc_allocator* allocator, boo
   int32_t status = wrc_model_create(&config, allocator, &model);
   left_a_handle = status < 0 && model != nullptr;
   if (status >= 0) {
-    status = wrc_contact_create(model, allocator, &contact);
+    status = wrc_contact_create(model, WRC_SIDE_RIGHT, allocator, &contact);
     left_a_handle = status < 0 && contact != nullptr;
   }
   wrc_contact_destroy(contact);

@@ -94,7 +94,7 @@ void print_denormals() {
     Wheel wheel({WRC_NORMAL_STRIP_HALFSPACE, tangential, WRC_SIDE_RIGHT, 60, 50});
     const wrc_friction friction = wheel.friction;
     const Gap usual = wheel.gap_of_pose();
-    const int rounds = tangential == WRC_TANGENTIAL_COARSE_HALFSPACE ? 30 : 300;
+    const int rounds = tangential == preset_coarse_halfspace ? 30 : 300;
     for (const Case& each : cases) {
       std::vector<double> none, tiny[std::size(sizes)];
       const auto time_with = [&](double size) {
@@ -113,7 +113,7 @@ void print_denormals() {
         for (std::size_t k = 0; k < std::size(sizes); ++k) tiny[k].push_back(time_with(sizes[k]));
       }
       const double unit = median(none);
-      std::printf("%-26s %-18s %14.2f %14.2f\n", each.name, tangential_names[tangential],
+      std::printf("%-26s %-18s %14.2f %14.2f\n", each.name, presets[tangential].identifier,
                   median(tiny[0]) / unit, median(tiny[1]) / unit);
     }
   }

@@ -34,13 +34,13 @@ int32_t step_batch(Wheel& wheel) {
                            &wheel.friction};
   const wrc_output output = {sizeof output, 0, &wheel.point, &wheel.patch, &wheel.forces, &wheel.damage};
   int32_t status = 0;
-  return wrc_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
+  return wrc_contact_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
 }
 
 int32_t step_flat(Wheel& wheel) {
   const double in[WRC_FLAT_INPUTS] = {wheel.pose.lateral, 0.0, wheel.pose.yaw, 80e3, 1e-3, -1e-3, 0.1, 0.3};
   double out[WRC_FLAT_OUTPUTS];
-  return wrc_step_flat(wheel.contact, in, out);
+  return wrc_contact_step_flat(wheel.contact, in, out);
 }
 
 int32_t geometry(Wheel& wheel) { return wheel.geometry(); }
@@ -51,10 +51,10 @@ int32_t creepages(Wheel& wheel) {
   motion.speed = 40.0;
   motion.pitch_rate = -87.0;
   motion.yaw_rate = 0.02;
-  return wrc_creepages(wheel.contact, &motion, &creepage);
+  return wrc_contact_creepages(wheel.contact, &motion, &creepage);
 }
 
-int32_t normal(Wheel& wheel) { return wrc_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
+int32_t normal(Wheel& wheel) { return wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
 
 int32_t normal_of_elements(Wheel& wheel) {
   wrc_gap gap = made<wrc_gap>(wrc_gap_init);
@@ -64,32 +64,31 @@ int32_t normal_of_elements(Wheel& wheel) {
   gap.y = host.y;
   gap.x = host.x;
   gap.h = host.h;
-  return wrc_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
+  return wrc_contact_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
 }
 
-int32_t regularise(Wheel& wheel) { return wrc_regularise(wheel.contact, nullptr, &wheel.patch); }
+int32_t regularise(Wheel& wheel) { return wrc_contact_regularise(wheel.contact, nullptr, &wheel.patch); }
 
 int32_t tangential(Wheel& wheel) {
-  return wrc_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+  return wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
 }
 
-int32_t damage_numbers(Wheel& wheel) { return wrc_damage_numbers(wheel.contact, &wheel.damage); }
+int32_t damage_numbers(Wheel& wheel) { return wrc_contact_damage(wheel.contact, &wheel.damage); }
 
 int32_t wear_numbers(Wheel& wheel) {
   wrc_wear wear = made<wrc_wear>(wrc_wear_init);
-  const int32_t status = wrc_wear_numbers(wheel.contact, nullptr, &wear);
-  const bool without_tractions = wheel.methods.tangential == WRC_TANGENTIAL_TABLE;
-  return without_tractions && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+  const int32_t status = wrc_contact_wear(wheel.contact, nullptr, &wear);
+  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 int32_t sensitivities(Wheel& wheel) {
   wrc_sensitivity forces = made<wrc_sensitivity>(wrc_sensitivity_init);
-  return wrc_sensitivities(wheel.contact, &forces);
+  return wrc_contact_sensitivities(wheel.contact, &forces);
 }
 
 int32_t step_sensitivities(Wheel& wheel) {
   wrc_step_sensitivity forces = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
-  return wrc_step_sensitivities(wheel.contact, &forces);
+  return wrc_contact_step_sensitivities(wheel.contact, &forces);
 }
 
 int32_t contact_patch(Wheel& wheel) {
@@ -104,7 +103,7 @@ int32_t field(Wheel& wheel) {
   int32_t of_gap = WRC_OK;
   for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
     wrc_view view = made<wrc_view>(wrc_view_init);
-    const int32_t status = wrc_field(wheel.contact, 0, id, &view);
+    const int32_t status = wrc_contact_field(wheel.contact, 0, id, &view);
     if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE && status < 0) of_gap = status;
   }
   return of_gap;
@@ -118,7 +117,7 @@ int32_t save_and_restore(Wheel& wheel) {
 /// A contact in the wheel's spare memory.
 int32_t contact_init(Wheel& wheel) {
   wrc_contact* another = nullptr;
-  return wrc_contact_init(wheel.model, wheel.spare, wheel.contact_bytes, &another);
+  return wrc_contact_init(wheel.model, wheel.methods.side, wheel.spare, wheel.contact_bytes, &another);
 }
 
 int32_t regularise_strips(Wheel& wheel) {
@@ -128,7 +127,7 @@ int32_t regularise_strips(Wheel& wheel) {
   strips.width = host.width;
   strips.half_length = host.half;
   strips.peak = host.peak;
-  return wrc_regularise(wheel.contact, &strips, &wheel.patch);
+  return wrc_contact_regularise(wheel.contact, &strips, &wheel.patch);
 }
 
 int32_t tangential_patch(Wheel& wheel) {
@@ -139,13 +138,13 @@ int32_t tangential_patch(Wheel& wheel) {
   patch.normal_force = 80e3;
   wrc_friction friction = wheel.friction;
   friction.zone_frame = WRC_ZONES_CONTACT_FRAME;  // a patch of the host has no place on the rail
-  return wrc_tangential(wheel.contact, &patch, &wheel.creepage, &friction, &wheel.forces);
+  return wrc_contact_tangential(wheel.contact, &patch, &wheel.creepage, &friction, &wheel.forces);
 }
 
 /// A wheel on a rail as far as the methods have one: a refusal for the methods is as it should be.
 int32_t wheel_status(const Wheel& wheel, int32_t status) {
-  const bool solved = wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE &&
-                      wheel.methods.tangential == WRC_TANGENTIAL_STRIP_FASTSIM;
+  const bool solved =
+      wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
   return !solved && (status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_SEQUENCE) ? WRC_OK : status;
 }
 
@@ -156,7 +155,6 @@ int32_t wheel_step(Wheel& wheel) {
   wrc_friction friction = made<wrc_friction>(wrc_friction_init);
   wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
   wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
-  state.side = wheel.methods.side;
   state.y = wheel.pose.lateral;
   state.yaw = wheel.pose.yaw;
   state.velocity[0] = 40.0;
@@ -173,25 +171,25 @@ int32_t wheel_step(Wheel& wheel) {
     state.z = wheel.load.approach;
     input.damping = 0.1;
   }
-  const int32_t status = wrc_wheel_step(wheel.contact, &input, &wrench);
+  const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   int32_t of_batch = 0;
-  wrc_wheel_step_batch(&wheel.contact, 1, &input, sizeof input, &wrench, sizeof wrench, &of_batch);
+  wrc_contact_wrench_batch(&wheel.contact, 1, &input, sizeof input, &wrench, sizeof wrench, &of_batch);
   return wheel_status(wheel, std::min(status, of_batch));
 }
 
 int32_t wheel_step_flat(Wheel& wheel) {
   double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[2] = wheel.pose.lateral;
-  in[5] = wheel.pose.yaw;
-  in[6] = 40.0;
-  in[10] = -87.0;
-  in[18] = 0.3;
-  return wheel_status(wheel, wrc_wheel_step_flat(wheel.contact, in, out));
+  in[1] = wheel.pose.lateral;
+  in[4] = wheel.pose.yaw;
+  in[5] = 40.0;
+  in[9] = -87.0;
+  in[17] = 0.3;
+  return wheel_status(wheel, wrc_contact_wrench_flat(wheel.contact, in, out));
 }
 
 int32_t wheel_region(Wheel& wheel) {
   wrc_region region = made<wrc_region>(wrc_region_init);
-  const int32_t status = wrc_wheel_region(wheel.contact, 0, &region);
+  const int32_t status = wrc_contact_region(wheel.contact, 0, &region);
   return wheel_status(wheel, status == WRC_ERROR_RANGE ? WRC_OK : status);  // apart: there is none
 }
 
@@ -210,7 +208,8 @@ int32_t refused_input(Wheel& wheel) {
           std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
       *number = wrong;
       const bool refused = wheel.step() < 0;
-      if (!refused || wrc_last_error(wheel.contact, text, sizeof text) < 0) taken = WRC_ERROR_INTERNAL;
+      if (!refused || wrc_contact_last_error(wheel.contact, text, sizeof text) < 0)
+        taken = WRC_ERROR_INTERNAL;
     }
     *number = kept;
   }
@@ -229,7 +228,7 @@ int32_t denormal_input(Wheel& wheel) {
 int32_t model_profile(Wheel& wheel) {
   wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
   double deviation = 0.0;
-  return wrc_model_profile(wheel.model, WRC_BODY_RAIL, &y, &z, &deviation);
+  return wrc_model_profile(wheel.model, wheel.methods.side, WRC_BODY_RAIL, &y, &z, &deviation);
 }
 
 int32_t contact_sizes(Wheel& wheel) {
@@ -257,6 +256,7 @@ int32_t defaults_and_names(Wheel&) {
   made<wrc_allocator>(wrc_allocator_init);
   wrc_version();
   wrc_abi_version();
+  wrc_version_text(1);
   wrc_status_name(WRC_ERROR_GAP);
   wrc_status_text(-1000);
   wrc_get_api(WRC_ABI_VERSION);
@@ -267,30 +267,30 @@ int32_t defaults_and_names(Wheel&) {
 
 const std::vector<Entry>& all_entries() {
   static const std::vector<Entry> entries = {
-      {"wrc_step", step},
-      {"wrc_step_batch", step_batch},
-      {"wrc_step_flat", step_flat},
-      {"wrc_geometry", geometry},
-      {"wrc_creepages", creepages},
-      {"wrc_normal", normal},
-      {"wrc_regularise", regularise},
-      {"wrc_tangential", tangential},
-      {"wrc_damage_numbers", damage_numbers},
-      {"wrc_wear_numbers", wear_numbers},
-      {"wrc_sensitivities", sensitivities},
-      {"wrc_step_sensitivities", step_sensitivities},
+      {"wrc_contact_step", step},
+      {"wrc_contact_step_batch", step_batch},
+      {"wrc_contact_step_flat", step_flat},
+      {"wrc_contact_geometry", geometry},
+      {"wrc_contact_creepages", creepages},
+      {"wrc_contact_normal", normal},
+      {"wrc_contact_regularise", regularise},
+      {"wrc_contact_tangential", tangential},
+      {"wrc_contact_damage", damage_numbers},
+      {"wrc_contact_wear", wear_numbers},
+      {"wrc_contact_sensitivities", sensitivities},
+      {"wrc_contact_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},
-      {"wrc_field, all of them", field},
+      {"wrc_contact_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
       {"wrc_contact_init", contact_init},
-      {"wrc_normal, gap by elements", normal_of_elements},
-      {"wrc_regularise, strips", regularise_strips},
-      {"wrc_tangential, double ellipse", tangential_patch},
-      {"wrc_wheel_step, _batch", wheel_step},
-      {"wrc_wheel_step_flat", wheel_step_flat},
-      {"wrc_wheel_region", wheel_region},
-      {"wrc_step refused, wrc_last_error", refused_input},
-      {"wrc_step, denormal pose", denormal_input},
+      {"wrc_contact_normal, gap by elements", normal_of_elements},
+      {"wrc_contact_regularise, strips", regularise_strips},
+      {"wrc_contact_tangential, double ellipse", tangential_patch},
+      {"wrc_contact_wrench, _batch", wheel_step},
+      {"wrc_contact_wrench_flat", wheel_step_flat},
+      {"wrc_contact_region", wheel_region},
+      {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
+      {"wrc_contact_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
       {"wrc_contact_size, _state_size", contact_sizes},
       {"wrc_linear_coefficients, ...", plain_numbers},

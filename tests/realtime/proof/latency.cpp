@@ -84,7 +84,7 @@ class Subject {
 /// 60 x 50 cells, damage. The gaps are those of a sweep from the field side of the head to the flange.
 class OneWheel : public Subject {
  public:
-  OneWheel() : wheel_({WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC, WRC_SIDE_RIGHT, 60, 50}) {
+  OneWheel() : wheel_({WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec, WRC_SIDE_RIGHT, 60, 50}) {
     for (int i = 0; i < positions; ++i) {
       wheel_.pose.lateral = -5e-3 + 12e-3 * i / (positions - 1);
       gaps_.push_back(wheel_.gap_of_pose());
@@ -113,7 +113,7 @@ class EightWheels : public Subject {
  public:
   explicit EightWheels(bool from_pose) : from_pose_(from_pose) {
     for (int k = 0; k < 8; ++k) {
-      Methods methods{WRC_NORMAL_STRIP_HALFSPACE, WRC_TANGENTIAL_FASTSIM_SDEC,
+      Methods methods{WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec,
                       k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, 60, 50};
       wheels_.push_back(std::make_unique<Wheel>(methods));
       contacts_.push_back(wheels_.back()->contact);
@@ -145,8 +145,8 @@ class EightWheels : public Subject {
     }
   }
   void work() override {
-    wrc_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_input), outputs_.data(),
-                   sizeof(wrc_output), nullptr);
+    wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_input), outputs_.data(),
+                           sizeof(wrc_output), nullptr);
     ++cycles_;
     for (const auto& wheel : wheels_) patches_ += wheel->patch.patches;
   }

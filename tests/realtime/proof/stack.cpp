@@ -12,11 +12,6 @@
 
 namespace {
 
-#ifdef NDEBUG
-constexpr std::size_t allowed = 80 * 1024;  ///< what docs/realtime.md promises of release builds [bytes]
-#else
-constexpr std::size_t allowed = 512 * 1024;  ///< without optimisation every temporary has its own place
-#endif
 constexpr std::size_t stack_size = 1024 * 1024;
 constexpr unsigned char paint = 0xa5;
 constexpr std::size_t own_frame = 512;  ///< room below the measuring frame for what it calls while painting
@@ -104,6 +99,6 @@ bool prove_stack_bound() {
   }
   for (const auto& [name, depth] : by_entry)
     std::printf("%-34s %7zu bytes  %s\n", name.c_str(), depth.bytes, depth.methods.c_str());
-  std::printf("deepest use of the stack: %zu bytes, promised: %zu\n", deepest, allowed);
-  return notices && deepest <= allowed;
+  std::printf("deepest use of the stack: %zu bytes, promised: %zu\n", deepest, stack_bound);
+  return notices && deepest <= stack_bound;
 }

@@ -9,8 +9,8 @@ std::vector<Methods> all_methods() {
     for (int32_t tangential = 0; tangential < tangential_methods; ++tangential)
       all.push_back({normal, tangential, WRC_SIDE_RIGHT, 32, 32});
   }
-  for (int32_t tangential : {WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTSIM_EQE, WRC_TANGENTIAL_FASTSIM_EQL,
-                             WRC_TANGENTIAL_FASTSIM_SDEC, WRC_TANGENTIAL_MODIFIED_FASTSIM}) {
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+    if (presets[tangential].method != WRC_TANGENTIAL_FASTSIM) continue;
     for (int32_t other : {1, 2}) {  // both at once: they do not meet in the code
       Methods methods{WRC_NORMAL_EKP, tangential, WRC_SIDE_RIGHT, 32, 32};
       methods.bound = other;
@@ -36,7 +36,7 @@ std::vector<Methods> on_every_instruction_set(const std::vector<Methods>& all) {
 std::string names_of(const Methods& methods) {
   static constexpr const char* bounds[] = {"", ", elliptic", ", ellipsoidal"};
   static constexpr const char* flexibilities[] = {"", ", single", ", blended"};
-  return std::string(normal_names[methods.normal]) + ", " + tangential_names[methods.tangential] +
+  return std::string(normal_names[methods.normal]) + ", " + presets[methods.tangential].identifier +
          bounds[methods.bound] + flexibilities[methods.flexibility];
 }
 
@@ -45,7 +45,6 @@ Wheel::Wheel(const Methods& with) : methods(with) {
   wheel.kind = WRC_PROFILE_S1002;
   rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_config config = made<wrc_config>(wrc_config_init);
-  config.side = methods.side;
   config.normal_method = methods.normal;
   choose_tangential(config, methods.tangential);
   config.strips = methods.strips;
@@ -57,7 +56,8 @@ Wheel::Wheel(const Methods& with) : methods(with) {
   config.wheel = &wheel;
   config.rail = &rail;
   std::uint64_t alignment = 0, state_bytes = 0;
-  if (wrc_model_create(&config, nullptr, &model) < 0 || wrc_contact_create(model, nullptr, &contact) < 0 ||
+  if (wrc_model_create(&config, nullptr, &model) < 0 ||
+      wrc_contact_create(model, methods.side, nullptr, &contact) < 0 ||
       wrc_contact_size(model, &contact_bytes, &alignment) < 0 ||
       wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
@@ -101,14 +101,14 @@ void Wheel::vary_laws(int i) {
 int32_t Wheel::step() {
   const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-  return wrc_step(contact, &input, &output);
+  return wrc_contact_step(contact, &input, &output);
 }
 
 int32_t Wheel::step_with(const Gap& gap) {
   const wrc_gap rows = shown(gap);
   const wrc_input input = {sizeof input, 0, nullptr, &rows, &load, &creepage, &friction};
   wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, &damage};
-  return wrc_step(contact, &input, &output);
+  return wrc_contact_step(contact, &input, &output);
 }
 
 Gap Wheel::gap_of_pose() {
@@ -116,7 +116,7 @@ Gap Wheel::gap_of_pose() {
   geometry();
   const auto copy = [&](int32_t field) {
     wrc_view view = made<wrc_view>(wrc_view_init);
-    wrc_field(contact, 0, field, &view);
+    wrc_contact_field(contact, 0, field, &view);
     return std::vector<double>(view.data, view.data + view.count[0]);
   };
   gap.y = copy(WRC_FIELD_GAP_Y);

@@ -11,7 +11,7 @@
 /// What a wheel is solved with. Fields not named here have the library's defaults.
 struct Methods {
   int32_t normal = WRC_NORMAL_STRIP_HALFSPACE;
-  int32_t tangential = WRC_TANGENTIAL_STRIP_FASTSIM;
+  int32_t tangential = preset_strip_fastsim;  ///< number of a published method
   int32_t side = WRC_SIDE_RIGHT;
   int32_t strips = 60, cells = 32;
   int32_t instruction_set = WRC_INSTRUCTIONS_BEST;
@@ -51,7 +51,7 @@ class Wheel {
 
   int32_t step();                     ///< from the pose
   int32_t step_with(const Gap& gap);  ///< from a gap of the host
-  int32_t geometry() { return wrc_geometry(contact, &pose, &point); }
+  int32_t geometry() { return wrc_contact_geometry(contact, &pose, &point); }
   Gap gap_of_pose();  ///< what the geometry left in the contact
   int32_t save() { return wrc_contact_save(contact, state.data(), state.size()); }
   int32_t restore() { return wrc_contact_restore(contact, state.data(), state.size()); }

@@ -1,0 +1,72 @@
+/** @file wrc_methods.h
+ * The methods a model can be made of, and the published names of their combinations; wrc.h includes it. The library's
+ * table of methods is in the order of these values. */
+#ifndef WRC_METHODS_H
+#define WRC_METHODS_H
+
+/** Method of the normal problem. */
+enum wrc_normal_method {
+  WRC_NORMAL_HERTZ = 0,           /**< one ellipse; lateral curvature from the chord of the gap at half the approach */
+  WRC_NORMAL_KIK_PIOTROWSKI = 1,  /**< Kik and Piotrowski, VSD 46 (2008) */
+  WRC_NORMAL_EKP = 2,             /**< extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature */
+  WRC_NORMAL_EKP_ELLIPSE = 3,     /**< threshold varying over y, every region of overlap: CONTACT's KPEC, to 0.02 % */
+  WRC_NORMAL_ANALYN = 4,          /**< ANALYN in the modified form, after VSD 52 (2014); unconfirmed */
+  WRC_NORMAL_STRIPES = 5,         /**< STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed */
+  WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
+};
+
+/** Method of the tangential problem. All but the first have the bound friction * pressure. */
+enum wrc_tangential_method {
+  WRC_TANGENTIAL_FASTSIM = 0,          /**< FASTSIM, Kalker 1982, marched in second order, with config.patch_model,
+                                            traction_bound and flexibility; modified FASTSIM where friction.slope_fall
+                                            > 0 */
+  WRC_TANGENTIAL_FASTRIP = 1,          /**< FaStrip, VSD 54 (2016), with config.patch_model: strip theory where it
+                                            sticks, FASTSIM's directions where it slips */
+  WRC_TANGENTIAL_STRIP_FASTSIM = 2,    /**< FASTSIM in the shape of strip theory on the patch as it is, calibrated on
+                                            exact solutions */
+  WRC_TANGENTIAL_COARSE_HALFSPACE = 3, /**< exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated:
+                                            forces within about 1 % of mu N, about a hundred times the time of FASTSIM */
+  WRC_TANGENTIAL_FORCE_TABLE = 4       /**< total forces from config.force_table, exact solutions for double
+                                            ellipses: no tractions, no slip, and nothing that is made of them */
+};
+
+/** What FASTSIM and FaStrip take for the patch: the strips tractions live on, and the shape whose coefficients of linear
+ * theory they have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of wrc_patch. */
+enum wrc_patch_model {
+  WRC_PATCH_MODEL_PATCH_SDEC = 0,        /**< the patch; coefficients of its equivalent double ellipse */
+  WRC_PATCH_MODEL_PATCH_ELLIPSE = 1,     /**< the patch; coefficients of the equivalent ellipse */
+  WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE = 2, /**< the equivalent ellipse about mid-width, creepage corrected for the shift */
+  WRC_PATCH_MODEL_ELLIPSE_AT_POINT = 3   /**< the equivalent ellipse about the contact point: no psi */
+};
+
+/** The normal methods, X(identifier, value), for programs that go through all of them. */
+#define WRC_NORMAL_METHOD_LIST(X)              \
+  X(hertz, WRC_NORMAL_HERTZ)                   \
+  X(kik_piotrowski, WRC_NORMAL_KIK_PIOTROWSKI) \
+  X(ekp, WRC_NORMAL_EKP)                       \
+  X(ekp_ellipse, WRC_NORMAL_EKP_ELLIPSE)       \
+  X(analyn, WRC_NORMAL_ANALYN)                 \
+  X(stripes, WRC_NORMAL_STRIPES)               \
+  X(strip_halfspace, WRC_NORMAL_STRIP_HALFSPACE)
+
+/** The tangential methods by their published names, X(identifier, name, WRC_TANGENTIAL_..., WRC_PATCH_MODEL_...,
+ * WRC_BOUND_..., WRC_FLEXIBILITY_..., WRC_REGULARISE_..., slope falls). wrc_config_use() sets a configuration by name;
+ * bound, flexibilities and regularisation may then be chosen otherwise where the method reads them. The last column is 1
+ * where friction.slope_fall > 0 belongs to the name.
+ * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L, -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and its
+ * modified form, Sichani, Enblom and Berg, VSD 54 (2016); FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and Cole,
+ * VSD 51 (2013). KBTNH-type table, after Piotrowski, Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space: own. */
+#define WRC_PRESET_LIST(X)                                                                                       \
+  X(fastsim, "FASTSIM", FASTSIM, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
+  X(fastsim_eqe, "FASTSIM-EQ.E", FASTSIM, ELLIPSE_AT_MIDDLE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                 \
+  X(fastsim_eql, "FASTSIM-EQ.L", FASTSIM, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                     \
+  X(fastsim_sdec, "FASTSIM-SDEC", FASTSIM, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                       \
+  X(strip_fastsim, "strip FASTSIM", STRIP_FASTSIM, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)               \
+  X(table, "KBTNH-type table", FORCE_TABLE, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                      \
+  X(modified_fastsim, "modified FASTSIM", FASTSIM, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 1)            \
+  X(fastrip, "FaStrip", FASTRIP, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
+  X(fastrip_modified, "modified FaStrip", FASTRIP, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)            \
+  X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                       \
+  X(coarse_halfspace, "coarse half-space", COARSE_HALFSPACE, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
+
+#endif /* WRC_METHODS_H */

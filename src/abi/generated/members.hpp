@@ -1,0 +1,1117 @@
+/// Written by tools/interface/describe.py from the headers in include_c/wrc: do not edit.
+/// What every member of every struct may be, and what it is by default.
+#pragma once
+
+// clang-format off
+#include "abi/member.hpp"
+#include "wrc/wrc.h"
+#include "wrc/wrc_offline.h"
+
+namespace wrc::abi {
+
+namespace enumerations {
+
+inline constexpr Enumerator wrc_normal_method_values[] = {
+    {"WRC_NORMAL_HERTZ", WRC_NORMAL_HERTZ},
+    {"WRC_NORMAL_KIK_PIOTROWSKI", WRC_NORMAL_KIK_PIOTROWSKI},
+    {"WRC_NORMAL_EKP", WRC_NORMAL_EKP},
+    {"WRC_NORMAL_EKP_ELLIPSE", WRC_NORMAL_EKP_ELLIPSE},
+    {"WRC_NORMAL_ANALYN", WRC_NORMAL_ANALYN},
+    {"WRC_NORMAL_STRIPES", WRC_NORMAL_STRIPES},
+    {"WRC_NORMAL_STRIP_HALFSPACE", WRC_NORMAL_STRIP_HALFSPACE},
+};
+inline constexpr Enumeration wrc_normal_method{wrc_normal_method_values, 7,
+    "see enum wrc_normal_method: WRC_NORMAL_HERTZ (0), _KIK_PIOTROWSKI (1), _EKP (2), _EKP_ELLIPSE (3), _ANALYN (4), _STRIPES (5), _STRIP_HALFSPACE (6)"};
+
+inline constexpr Enumerator wrc_tangential_method_values[] = {
+    {"WRC_TANGENTIAL_FASTSIM", WRC_TANGENTIAL_FASTSIM},
+    {"WRC_TANGENTIAL_FASTRIP", WRC_TANGENTIAL_FASTRIP},
+    {"WRC_TANGENTIAL_STRIP_FASTSIM", WRC_TANGENTIAL_STRIP_FASTSIM},
+    {"WRC_TANGENTIAL_COARSE_HALFSPACE", WRC_TANGENTIAL_COARSE_HALFSPACE},
+    {"WRC_TANGENTIAL_FORCE_TABLE", WRC_TANGENTIAL_FORCE_TABLE},
+};
+inline constexpr Enumeration wrc_tangential_method{wrc_tangential_method_values, 5,
+    "see enum wrc_tangential_method: WRC_TANGENTIAL_FASTSIM (0), _FASTRIP (1), _STRIP_FASTSIM (2), _COARSE_HALFSPACE (3), _FORCE_TABLE (4)"};
+
+inline constexpr Enumerator wrc_patch_model_values[] = {
+    {"WRC_PATCH_MODEL_PATCH_SDEC", WRC_PATCH_MODEL_PATCH_SDEC},
+    {"WRC_PATCH_MODEL_PATCH_ELLIPSE", WRC_PATCH_MODEL_PATCH_ELLIPSE},
+    {"WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE", WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE},
+    {"WRC_PATCH_MODEL_ELLIPSE_AT_POINT", WRC_PATCH_MODEL_ELLIPSE_AT_POINT},
+};
+inline constexpr Enumeration wrc_patch_model{wrc_patch_model_values, 4,
+    "see enum wrc_patch_model: WRC_PATCH_MODEL_PATCH_SDEC (0), _PATCH_ELLIPSE (1), _ELLIPSE_AT_MIDDLE (2), _ELLIPSE_AT_POINT (3)"};
+
+inline constexpr Enumerator wrc_side_values[] = {
+    {"WRC_SIDE_RIGHT", WRC_SIDE_RIGHT},
+    {"WRC_SIDE_LEFT", WRC_SIDE_LEFT},
+};
+inline constexpr Enumeration wrc_side{wrc_side_values, 2,
+    "see enum wrc_side: WRC_SIDE_RIGHT (0), _LEFT (1)"};
+
+inline constexpr Enumerator wrc_profile_kind_values[] = {
+    {"WRC_PROFILE_POINTS", WRC_PROFILE_POINTS},
+    {"WRC_PROFILE_S1002", WRC_PROFILE_S1002},
+    {"WRC_PROFILE_60E1", WRC_PROFILE_60E1},
+    {"WRC_PROFILE_UIC60_BENCHMARK", WRC_PROFILE_UIC60_BENCHMARK},
+};
+inline constexpr Enumeration wrc_profile_kind{wrc_profile_kind_values, 4,
+    "see enum wrc_profile_kind: WRC_PROFILE_POINTS (0), _S1002 (1), _60E1 (2), _UIC60_BENCHMARK (3)"};
+
+inline constexpr Enumerator wrc_body_values[] = {
+    {"WRC_BODY_WHEEL", WRC_BODY_WHEEL},
+    {"WRC_BODY_RAIL", WRC_BODY_RAIL},
+};
+inline constexpr Enumeration wrc_body{wrc_body_values, 2,
+    "see enum wrc_body: WRC_BODY_WHEEL (0), _RAIL (1)"};
+
+inline constexpr Enumerator wrc_regularisation_values[] = {
+    {"WRC_REGULARISE_KEEP_WIDTH", WRC_REGULARISE_KEEP_WIDTH},
+    {"WRC_REGULARISE_KEEP_RATIO", WRC_REGULARISE_KEEP_RATIO},
+};
+inline constexpr Enumeration wrc_regularisation{wrc_regularisation_values, 2,
+    "see enum wrc_regularisation: WRC_REGULARISE_KEEP_WIDTH (0), _RATIO (1)"};
+
+inline constexpr Enumerator wrc_traction_bound_values[] = {
+    {"WRC_BOUND_PARABOLIC", WRC_BOUND_PARABOLIC},
+    {"WRC_BOUND_ELLIPTIC", WRC_BOUND_ELLIPTIC},
+    {"WRC_BOUND_ELLIPSOIDAL", WRC_BOUND_ELLIPSOIDAL},
+};
+inline constexpr Enumeration wrc_traction_bound{wrc_traction_bound_values, 3,
+    "see enum wrc_traction_bound: WRC_BOUND_PARABOLIC (0), _ELLIPTIC (1), _ELLIPSOIDAL (2)"};
+
+inline constexpr Enumerator wrc_flexibility_values[] = {
+    {"WRC_FLEXIBILITY_SEPARATE", WRC_FLEXIBILITY_SEPARATE},
+    {"WRC_FLEXIBILITY_SINGLE", WRC_FLEXIBILITY_SINGLE},
+    {"WRC_FLEXIBILITY_BLENDED", WRC_FLEXIBILITY_BLENDED},
+};
+inline constexpr Enumeration wrc_flexibility{wrc_flexibility_values, 3,
+    "see enum wrc_flexibility: WRC_FLEXIBILITY_SEPARATE (0), _SINGLE (1), _BLENDED (2)"};
+
+inline constexpr Enumerator wrc_friction_kind_values[] = {
+    {"WRC_FRICTION_CONSTANT", WRC_FRICTION_CONSTANT},
+    {"WRC_FRICTION_FALLING", WRC_FRICTION_FALLING},
+    {"WRC_FRICTION_STATIC_KINETIC", WRC_FRICTION_STATIC_KINETIC},
+};
+inline constexpr Enumeration wrc_friction_kind{wrc_friction_kind_values, 3,
+    "see enum wrc_friction_kind: WRC_FRICTION_CONSTANT (0), _FALLING (1), _STATIC_KINETIC (2)"};
+
+inline constexpr Enumerator wrc_zone_frame_values[] = {
+    {"WRC_ZONES_CONTACT_FRAME", WRC_ZONES_CONTACT_FRAME},
+    {"WRC_ZONES_RAIL_PROFILE", WRC_ZONES_RAIL_PROFILE},
+};
+inline constexpr Enumeration wrc_zone_frame{wrc_zone_frame_values, 2,
+    "see enum wrc_zone_frame: WRC_ZONES_CONTACT_FRAME (0), _RAIL_PROFILE (1)"};
+
+inline constexpr Enumerator wrc_profile_placement_values[] = {
+    {"WRC_PLACEMENT_GAUGE", WRC_PLACEMENT_GAUGE},
+    {"WRC_PLACEMENT_ORIGIN", WRC_PLACEMENT_ORIGIN},
+};
+inline constexpr Enumeration wrc_profile_placement{wrc_profile_placement_values, 2,
+    "see enum wrc_profile_placement: WRC_PLACEMENT_GAUGE (0), _ORIGIN (1)"};
+
+inline constexpr Enumerator wrc_instruction_set_values[] = {
+    {"WRC_INSTRUCTIONS_BEST", WRC_INSTRUCTIONS_BEST},
+    {"WRC_INSTRUCTIONS_BASELINE", WRC_INSTRUCTIONS_BASELINE},
+    {"WRC_INSTRUCTIONS_AVX2", WRC_INSTRUCTIONS_AVX2},
+    {"WRC_INSTRUCTIONS_AVX512", WRC_INSTRUCTIONS_AVX512},
+};
+inline constexpr Enumeration wrc_instruction_set{wrc_instruction_set_values, 4,
+    "see enum wrc_instruction_set: WRC_INSTRUCTIONS_BEST (0), _BASELINE (1), _AVX2 (2), _AVX512 (3)"};
+
+inline constexpr Enumerator wrc_prescribed_values[] = {
+    {"WRC_PRESCRIBE_LOAD", WRC_PRESCRIBE_LOAD},
+    {"WRC_PRESCRIBE_APPROACH", WRC_PRESCRIBE_APPROACH},
+};
+inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 2,
+    "see enum wrc_prescribed: WRC_PRESCRIBE_LOAD (0), _APPROACH (1)"};
+
+inline constexpr Enumerator wrc_field_id_values[] = {
+    {"WRC_FIELD_X", WRC_FIELD_X},
+    {"WRC_FIELD_PRESSURE", WRC_FIELD_PRESSURE},
+    {"WRC_FIELD_TRACTION_X", WRC_FIELD_TRACTION_X},
+    {"WRC_FIELD_TRACTION_Y", WRC_FIELD_TRACTION_Y},
+    {"WRC_FIELD_SLIP_X", WRC_FIELD_SLIP_X},
+    {"WRC_FIELD_SLIP_Y", WRC_FIELD_SLIP_Y},
+    {"WRC_FIELD_POWER_DENSITY", WRC_FIELD_POWER_DENSITY},
+    {"WRC_FIELD_FATIGUE_INDEX", WRC_FIELD_FATIGUE_INDEX},
+    {"WRC_FIELD_STRIP_Y", WRC_FIELD_STRIP_Y},
+    {"WRC_FIELD_STRIP_WIDTH", WRC_FIELD_STRIP_WIDTH},
+    {"WRC_FIELD_STRIP_CENTRE", WRC_FIELD_STRIP_CENTRE},
+    {"WRC_FIELD_STRIP_HALF", WRC_FIELD_STRIP_HALF},
+    {"WRC_FIELD_STRIP_PEAK", WRC_FIELD_STRIP_PEAK},
+    {"WRC_FIELD_STRIP_POWER", WRC_FIELD_STRIP_POWER},
+    {"WRC_FIELD_GAP_Y", WRC_FIELD_GAP_Y},
+    {"WRC_FIELD_GAP_HEIGHT", WRC_FIELD_GAP_HEIGHT},
+    {"WRC_FIELD_GAP_CENTRE", WRC_FIELD_GAP_CENTRE},
+    {"WRC_FIELD_GAP_CURVATURE", WRC_FIELD_GAP_CURVATURE},
+    {"WRC_FIELD_STRIP_WEAR", WRC_FIELD_STRIP_WEAR},
+    {"WRC_FIELD_STRIP_FRICTION", WRC_FIELD_STRIP_FRICTION},
+};
+inline constexpr Enumeration wrc_field_id{wrc_field_id_values, 20,
+    "see enum wrc_field_id: WRC_FIELD_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_Y (3), _SLIP_X (4), _SLIP_Y (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_Y (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _GAP_Y (14), _GAP_HEIGHT (15), _GAP_CENTRE (16), _GAP_CURVATURE (17), _STRIP_WEAR (18), _STRIP_FRICTION (19)"};
+
+inline constexpr Enumerator wrc_wheel_reference_values[] = {
+    {"WRC_REFERENCE_WHEELSET", WRC_REFERENCE_WHEELSET},
+    {"WRC_REFERENCE_WHEEL", WRC_REFERENCE_WHEEL},
+};
+inline constexpr Enumeration wrc_wheel_reference{wrc_wheel_reference_values, 2,
+    "see enum wrc_wheel_reference: WRC_REFERENCE_WHEELSET (0), _WHEEL (1)"};
+
+inline constexpr Enumerator wrc_axes_values[] = {
+    {"WRC_AXES_TRACK", WRC_AXES_TRACK},
+    {"WRC_AXES_BODY", WRC_AXES_BODY},
+};
+inline constexpr Enumeration wrc_axes{wrc_axes_values, 2,
+    "see enum wrc_axes: WRC_AXES_TRACK (0), _BODY (1)"};
+
+inline constexpr Enumerator wrc_wheel_prescribed_values[] = {
+    {"WRC_PRESCRIBE_HEIGHT", WRC_PRESCRIBE_HEIGHT},
+    {"WRC_PRESCRIBE_VERTICAL_LOAD", WRC_PRESCRIBE_VERTICAL_LOAD},
+};
+inline constexpr Enumeration wrc_wheel_prescribed{wrc_wheel_prescribed_values, 2,
+    "see enum wrc_wheel_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
+
+inline constexpr Enumerator wrc_adhesion_values[] = {
+    {"WRC_ADHESION_COULOMB", WRC_ADHESION_COULOMB},
+    {"WRC_ADHESION_FULL", WRC_ADHESION_FULL},
+};
+inline constexpr Enumeration wrc_adhesion{wrc_adhesion_values, 2,
+    "see enum wrc_adhesion: WRC_ADHESION_COULOMB (0), _FULL (1)"};
+
+inline constexpr Enumerator wrc_collocation_values[] = {
+    {"WRC_COLLOCATION_QUARTER_POINT", WRC_COLLOCATION_QUARTER_POINT},
+    {"WRC_COLLOCATION_REFERENCE", WRC_COLLOCATION_REFERENCE},
+};
+inline constexpr Enumeration wrc_collocation{wrc_collocation_values, 2,
+    "see enum wrc_collocation: WRC_COLLOCATION_QUARTER_POINT (0), _REFERENCE (1)"};
+
+inline constexpr Enumerator wrc_surface_influence_values[] = {
+    {"WRC_INFLUENCE_TURNED", WRC_INFLUENCE_TURNED},
+    {"WRC_INFLUENCE_PLAIN", WRC_INFLUENCE_PLAIN},
+};
+inline constexpr Enumeration wrc_surface_influence{wrc_surface_influence_values, 2,
+    "see enum wrc_surface_influence: WRC_INFLUENCE_TURNED (0), _PLAIN (1)"};
+
+}  // namespace enumerations
+
+template <>
+struct Description<wrc_profile> {
+  static constexpr const char* name = "wrc_profile";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_profile defaults = [] {
+    wrc_profile value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_profile, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "kind", .offset = offsetof(wrc_profile, kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "count", .offset = offsetof(wrc_profile, count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "reserved", .offset = offsetof(wrc_profile, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_profile, y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
+      {.name = "z", .offset = offsetof(wrc_profile, z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
+      {.name = "smoothing", .offset = offsetof(wrc_profile, smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_profile) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config> {
+  static constexpr const char* name = "wrc_config";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 144;
+  static constexpr wrc_config defaults = [] {
+    wrc_config value{};
+    value.struct_size = sizeof value;
+    value.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
+    value.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    value.strips = 60;
+    value.cells = 32;
+    value.gap_rows = 256;
+    value.max_patches = 4;
+    value.shear_modulus = 80e9;
+    value.poisson = 0.25;
+    value.load_tolerance = 1e-10;
+    value.gap_limit = 1e-3;
+    value.shear_yield = 250e6;
+    value.wheel_radius = 0.46;
+    value.flange_back_distance = 1.360;
+    value.track_gauge = 1.435;
+    value.gauge_depth = 0.014;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_config, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_config, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "normal_method", .offset = offsetof(wrc_config, normal_method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
+      {.name = "regularisation", .offset = offsetof(wrc_config, regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
+      {.name = "tangential_method", .offset = offsetof(wrc_config, tangential_method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
+      {.name = "traction_bound", .offset = offsetof(wrc_config, traction_bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
+      {.name = "strips", .offset = offsetof(wrc_config, strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
+      {.name = "cells", .offset = offsetof(wrc_config, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
+      {.name = "gap_rows", .offset = offsetof(wrc_config, gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
+      {.name = "max_iterations", .offset = offsetof(wrc_config, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000, .or_zero = true, .too_small = "0 is the method's own cap", .too_large = "0 is the method's own cap"},
+      {.name = "max_patches", .offset = offsetof(wrc_config, max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
+      {.name = "warm_start", .offset = offsetof(wrc_config, warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "shear_modulus", .offset = offsetof(wrc_config, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
+      {.name = "poisson", .offset = offsetof(wrc_config, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "load_tolerance", .offset = offsetof(wrc_config, load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
+      {.name = "gap_limit", .offset = offsetof(wrc_config, gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "shear_yield", .offset = offsetof(wrc_config, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheel_radius", .offset = offsetof(wrc_config, wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "flange_back_distance", .offset = offsetof(wrc_config, flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "track_gauge", .offset = offsetof(wrc_config, track_gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "gauge_depth", .offset = offsetof(wrc_config, gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "rail_inclination", .offset = offsetof(wrc_config, rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
+      {.name = "wheel", .offset = offsetof(wrc_config, wheel), .type = Type::pointer, .rule = Rule::none},
+      {.name = "rail", .offset = offsetof(wrc_config, rail), .type = Type::pointer, .rule = Rule::none},
+      {.name = "flexibility", .offset = offsetof(wrc_config, flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
+      {.name = "instruction_set", .offset = offsetof(wrc_config, instruction_set), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_instruction_set},
+      {.name = "force_table", .offset = offsetof(wrc_config, force_table), .type = Type::pointer, .rule = Rule::none},
+      {.name = "profile_placement", .offset = offsetof(wrc_config, profile_placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
+      {.name = "patch_model", .offset = offsetof(wrc_config, patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
+      {.name = "rail_origin", .offset = offsetof(wrc_config, rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config, profile_placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
+  };
+};
+static_assert(sizeof(wrc_config) == 176, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_pose> {
+  static constexpr const char* name = "wrc_pose";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_pose defaults = [] {
+    wrc_pose value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_pose, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_pose, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "lateral", .offset = offsetof(wrc_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "roll", .offset = offsetof(wrc_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "yaw", .offset = offsetof(wrc_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+  };
+};
+static_assert(sizeof(wrc_pose) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_contact_point> {
+  static constexpr const char* name = "wrc_contact_point";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_contact_point defaults = [] {
+    wrc_contact_point value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_contact_point, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_contact_point, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "x", .offset = offsetof(wrc_contact_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_contact_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z", .offset = offsetof(wrc_contact_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel", .offset = offsetof(wrc_contact_point, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail", .offset = offsetof(wrc_contact_point, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "angle", .offset = offsetof(wrc_contact_point, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "vertical_gap", .offset = offsetof(wrc_contact_point, vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "rolling_radius", .offset = offsetof(wrc_contact_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_contact_point) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_gap> {
+  static constexpr const char* name = "wrc_gap";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_gap defaults = [] {
+    wrc_gap value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_gap, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "rows", .offset = offsetof(wrc_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.gap_rows", .not_set = "was it set? its default is 0"},
+      {.name = "columns", .offset = offsetof(wrc_gap, columns), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
+      {.name = "reserved", .offset = offsetof(wrc_gap, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_gap, rows)},
+      {.name = "height", .offset = offsetof(wrc_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
+      {.name = "centre", .offset = offsetof(wrc_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
+      {.name = "curvature", .offset = offsetof(wrc_gap, curvature), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 1e6, .unit = "1/m", .too_small = "rows must be convex; did you pass 1/mm, or a radius?", .too_large = "did you pass 1/um?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
+      {.name = "x", .offset = offsetof(wrc_gap, x), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::not_zero, .counted_by = offsetof(wrc_gap, columns)},
+      {.name = "h", .offset = offsetof(wrc_gap, h), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::not_zero, .by_caller = true},
+      {.name = "row_stride", .offset = offsetof(wrc_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_gap) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_load> {
+  static constexpr const char* name = "wrc_load";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_load defaults = [] {
+    wrc_load value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_load, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "prescribed", .offset = offsetof(wrc_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "normal_force", .offset = offsetof(wrc_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
+      {.name = "approach", .offset = offsetof(wrc_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "approach_velocity", .offset = offsetof(wrc_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "damping", .offset = offsetof(wrc_load, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+  };
+};
+static_assert(sizeof(wrc_load) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_creepage> {
+  static constexpr const char* name = "wrc_creepage";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_creepage defaults = [] {
+    wrc_creepage value{};
+    value.struct_size = sizeof value;
+    value.speed = 1;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_creepage, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_creepage, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "longitudinal", .offset = offsetof(wrc_creepage, longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "lateral", .offset = offsetof(wrc_creepage, lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "spin", .offset = offsetof(wrc_creepage, spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "speed", .offset = offsetof(wrc_creepage, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "approach_velocity", .offset = offsetof(wrc_creepage, approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "other_way", .offset = offsetof(wrc_creepage, other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
+  };
+};
+static_assert(sizeof(wrc_creepage) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_friction> {
+  static constexpr const char* name = "wrc_friction";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 16;
+  static constexpr wrc_friction defaults = [] {
+    wrc_friction value{};
+    value.struct_size = sizeof value;
+    value.coefficient = 0.3;
+    value.kinetic_ratio = 0.4;
+    value.fall_rate = 0.6;
+    value.half_speed = 1;
+    value.slope_reduction = 1;
+    value.slope_limit = 0.02;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_friction, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "coefficient", .offset = offsetof(wrc_friction, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "kind", .offset = offsetof(wrc_friction, kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
+      {.name = "zone_frame", .offset = offsetof(wrc_friction, zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "kinetic_ratio", .offset = offsetof(wrc_friction, kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "fall_rate", .offset = offsetof(wrc_friction, fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "half_speed", .offset = offsetof(wrc_friction, half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "slope_reduction", .offset = offsetof(wrc_friction, slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .or_zero = true, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "slope_limit", .offset = offsetof(wrc_friction, slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "slope_fall", .offset = offsetof(wrc_friction, slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "zone_y", .offset = offsetof(wrc_friction, zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
+      {.name = "zone_coefficient", .offset = offsetof(wrc_friction, zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
+      {.name = "zones", .offset = offsetof(wrc_friction, zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "zones_reserved", .offset = offsetof(wrc_friction, zones_reserved), .type = Type::uint32, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_friction) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_patch> {
+  static constexpr const char* name = "wrc_patch";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 112;
+  static constexpr wrc_patch defaults = [] {
+    wrc_patch value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_patch, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "strips", .offset = offsetof(wrc_patch, strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_patch, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "patches", .offset = offsetof(wrc_patch, patches), .type = Type::int32, .rule = Rule::none},
+      {.name = "a", .offset = offsetof(wrc_patch, a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "b", .offset = offsetof(wrc_patch, b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "psi", .offset = offsetof(wrc_patch, psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "normal_force", .offset = offsetof(wrc_patch, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "approach", .offset = offsetof(wrc_patch, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "stiffness", .offset = offsetof(wrc_patch, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_patch, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_patch, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_patch, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_patch, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_patch, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_patch, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "damping_force", .offset = offsetof(wrc_patch, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+  };
+};
+static_assert(sizeof(wrc_patch) == 120, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_strips> {
+  static constexpr const char* name = "wrc_strips";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_strips defaults = [] {
+    wrc_strips value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_strips, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.strips", .not_set = "was it set? its default is 0"},
+      {.name = "y", .offset = offsetof(wrc_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
+      {.name = "width", .offset = offsetof(wrc_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
+      {.name = "centre", .offset = offsetof(wrc_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
+      {.name = "half_length", .offset = offsetof(wrc_strips, half_length), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without length", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
+      {.name = "peak", .offset = offsetof(wrc_strips, peak), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .counted_by = offsetof(wrc_strips, count)},
+  };
+};
+static_assert(sizeof(wrc_strips) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_forces> {
+  static constexpr const char* name = "wrc_forces";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_forces defaults = [] {
+    wrc_forces value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_forces, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "fx", .offset = offsetof(wrc_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fy", .offset = offsetof(wrc_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fn", .offset = offsetof(wrc_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "mz", .offset = offsetof(wrc_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "power", .offset = offsetof(wrc_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_forces) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_motion> {
+  static constexpr const char* name = "wrc_motion";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_motion defaults = [] {
+    wrc_motion value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_motion, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_motion, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "speed", .offset = offsetof(wrc_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "lateral_velocity", .offset = offsetof(wrc_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "vertical_velocity", .offset = offsetof(wrc_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "roll_rate", .offset = offsetof(wrc_motion, roll_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "yaw_rate", .offset = offsetof(wrc_motion, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "pitch_rate", .offset = offsetof(wrc_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
+  };
+};
+static_assert(sizeof(wrc_motion) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_damage> {
+  static constexpr const char* name = "wrc_damage";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_damage defaults = [] {
+    wrc_damage value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_damage, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "power", .offset = offsetof(wrc_damage, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "peak_power_density", .offset = offsetof(wrc_damage, peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
+      {.name = "t_gamma", .offset = offsetof(wrc_damage, t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "t_gamma_no_spin", .offset = offsetof(wrc_damage, t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "utilisation", .offset = offsetof(wrc_damage, utilisation), .type = Type::real, .rule = Rule::none},
+      {.name = "load_factor", .offset = offsetof(wrc_damage, load_factor), .type = Type::real, .rule = Rule::none},
+      {.name = "shakedown_limit", .offset = offsetof(wrc_damage, shakedown_limit), .type = Type::real, .rule = Rule::none},
+      {.name = "fatigue_index", .offset = offsetof(wrc_damage, fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "local_fatigue_index", .offset = offsetof(wrc_damage, local_fatigue_index), .type = Type::real, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_damage) == 80, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wear_laws> {
+  static constexpr const char* name = "wrc_wear_laws";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 160;
+  static constexpr wrc_wear_laws defaults = [] {
+    wrc_wear_laws value{};
+    value.struct_size = sizeof value;
+    value.t_gamma_mild_end = 100;
+    value.t_gamma_severe_start = 200;
+    value.t_gamma_mild_slope = 0.25;
+    value.t_gamma_plateau = 25;
+    value.t_gamma_severe_slope = 1.19;
+    value.t_gamma_severe_offset = 154;
+    value.sheffield_mild_end = 10.4;
+    value.sheffield_severe_end = 77.2;
+    value.sheffield_mild_slope = 5.3;
+    value.sheffield_catastrophic_slope = 61.9;
+    value.density = 7850;
+    value.hardness = 3e9;
+    value.archard_slow = 5e-4;
+    value.archard_severe = 35e-4;
+    value.archard_fast = 5e-4;
+    value.archard_seizure = 350e-4;
+    value.archard_severe_start = 0.2;
+    value.archard_severe_end = 0.7;
+    value.seizure_pressure = 0.8;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wear_laws, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_wear_laws, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "t_gamma_mild_end", .offset = offsetof(wrc_wear_laws, t_gamma_mild_end), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "N"},
+      {.name = "t_gamma_severe_start", .offset = offsetof(wrc_wear_laws, t_gamma_severe_start), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "N"},
+      {.name = "t_gamma_mild_slope", .offset = offsetof(wrc_wear_laws, t_gamma_mild_slope), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "mm^3/(km N)"},
+      {.name = "t_gamma_plateau", .offset = offsetof(wrc_wear_laws, t_gamma_plateau), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e9, .unit = "mm^3/km"},
+      {.name = "t_gamma_severe_slope", .offset = offsetof(wrc_wear_laws, t_gamma_severe_slope), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "mm^3/(km N)"},
+      {.name = "t_gamma_severe_offset", .offset = offsetof(wrc_wear_laws, t_gamma_severe_offset), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e15, .unit = "mm^3/km"},
+      {.name = "sheffield_mild_end", .offset = offsetof(wrc_wear_laws, sheffield_mild_end), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 1e9, .unit = "N/mm^2"},
+      {.name = "sheffield_severe_end", .offset = offsetof(wrc_wear_laws, sheffield_severe_end), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 1e9, .unit = "N/mm^2"},
+      {.name = "sheffield_mild_slope", .offset = offsetof(wrc_wear_laws, sheffield_mild_slope), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "microgram/(m N)"},
+      {.name = "sheffield_catastrophic_slope", .offset = offsetof(wrc_wear_laws, sheffield_catastrophic_slope), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "microgram/(m N)"},
+      {.name = "density", .offset = offsetof(wrc_wear_laws, density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "hardness", .offset = offsetof(wrc_wear_laws, hardness), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa, or a Vickers number?"},
+      {.name = "archard_slow", .offset = offsetof(wrc_wear_laws, archard_slow), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "archard_severe", .offset = offsetof(wrc_wear_laws, archard_severe), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "archard_fast", .offset = offsetof(wrc_wear_laws, archard_fast), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "archard_seizure", .offset = offsetof(wrc_wear_laws, archard_seizure), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "archard_severe_start", .offset = offsetof(wrc_wear_laws, archard_severe_start), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "m/s"},
+      {.name = "archard_severe_end", .offset = offsetof(wrc_wear_laws, archard_severe_end), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "m/s"},
+      {.name = "seizure_pressure", .offset = offsetof(wrc_wear_laws, seizure_pressure), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+  };
+};
+static_assert(sizeof(wrc_wear_laws) == 160, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wear> {
+  static constexpr const char* name = "wrc_wear";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_wear defaults = [] {
+    wrc_wear value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wear, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_wear, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "worn_area_rate", .offset = offsetof(wrc_wear, worn_area_rate), .type = Type::real, .rule = Rule::none, .unit = "m^2/m"},
+      {.name = "largest_depth_rate", .offset = offsetof(wrc_wear, largest_depth_rate), .type = Type::real, .rule = Rule::none, .unit = "m/m"},
+      {.name = "largest_depth_velocity", .offset = offsetof(wrc_wear, largest_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+  };
+};
+static_assert(sizeof(wrc_wear) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_coefficients> {
+  static constexpr const char* name = "wrc_coefficients";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 64;
+  static constexpr wrc_coefficients defaults = [] {
+    wrc_coefficients value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_coefficients, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_coefficients, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "c11", .offset = offsetof(wrc_coefficients, c11), .type = Type::real, .rule = Rule::none},
+      {.name = "c22", .offset = offsetof(wrc_coefficients, c22), .type = Type::real, .rule = Rule::none},
+      {.name = "c23", .offset = offsetof(wrc_coefficients, c23), .type = Type::real, .rule = Rule::none},
+      {.name = "c11s", .offset = offsetof(wrc_coefficients, c11s), .type = Type::real, .rule = Rule::none},
+      {.name = "c13s", .offset = offsetof(wrc_coefficients, c13s), .type = Type::real, .rule = Rule::none},
+      {.name = "c22s", .offset = offsetof(wrc_coefficients, c22s), .type = Type::real, .rule = Rule::none},
+      {.name = "c23s", .offset = offsetof(wrc_coefficients, c23s), .type = Type::real, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_coefficients) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_sensitivity> {
+  static constexpr const char* name = "wrc_sensitivity";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 128;
+  static constexpr wrc_sensitivity defaults = [] {
+    wrc_sensitivity value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_sensitivity, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_sensitivity, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "forces", .offset = offsetof(wrc_sensitivity, forces), .type = Type::real, .elements = 15, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_sensitivity) == 128, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_step_sensitivity> {
+  static constexpr const char* name = "wrc_step_sensitivity";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_step_sensitivity defaults = [] {
+    wrc_step_sensitivity value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_step_sensitivity, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_step_sensitivity, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "by_load", .offset = offsetof(wrc_step_sensitivity, by_load), .type = Type::real, .elements = 4, .rule = Rule::none},
+      {.name = "by_lateral", .offset = offsetof(wrc_step_sensitivity, by_lateral), .type = Type::real, .elements = 4, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_step_sensitivity) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_input> {
+  static constexpr const char* name = "wrc_input";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_input defaults = [] {
+    wrc_input value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_input, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_input, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "pose", .offset = offsetof(wrc_input, pose), .type = Type::pointer, .rule = Rule::none},
+      {.name = "gap", .offset = offsetof(wrc_input, gap), .type = Type::pointer, .rule = Rule::none},
+      {.name = "load", .offset = offsetof(wrc_input, load), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "creepage", .offset = offsetof(wrc_input, creepage), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "friction", .offset = offsetof(wrc_input, friction), .type = Type::pointer, .rule = Rule::none, .required = true},
+  };
+};
+static_assert(sizeof(wrc_input) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_output> {
+  static constexpr const char* name = "wrc_output";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_output defaults = [] {
+    wrc_output value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_output, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_output, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "point", .offset = offsetof(wrc_output, point), .type = Type::pointer, .rule = Rule::none},
+      {.name = "patch", .offset = offsetof(wrc_output, patch), .type = Type::pointer, .rule = Rule::none},
+      {.name = "forces", .offset = offsetof(wrc_output, forces), .type = Type::pointer, .rule = Rule::none},
+      {.name = "damage", .offset = offsetof(wrc_output, damage), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_output) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_view> {
+  static constexpr const char* name = "wrc_view";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_view defaults = [] {
+    wrc_view value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_view, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "rank", .offset = offsetof(wrc_view, rank), .type = Type::uint32, .rule = Rule::none},
+      {.name = "data", .offset = offsetof(wrc_view, data), .type = Type::pointer, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_view, count), .type = Type::uint64, .elements = 2, .rule = Rule::none},
+      {.name = "stride", .offset = offsetof(wrc_view, stride), .type = Type::uint64, .elements = 2, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_view) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_allocator> {
+  static constexpr const char* name = "wrc_allocator";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_allocator defaults = [] {
+    wrc_allocator value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_allocator, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_allocator, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "user", .offset = offsetof(wrc_allocator, user), .type = Type::pointer, .rule = Rule::none},
+      {.name = "allocate", .offset = offsetof(wrc_allocator, allocate), .type = Type::pointer, .rule = Rule::none},
+      {.name = "release", .offset = offsetof(wrc_allocator, release), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_allocator) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wheel_state> {
+  static constexpr const char* name = "wrc_wheel_state";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 104;
+  static constexpr wrc_wheel_state defaults = [] {
+    wrc_wheel_state value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wheel_state, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reference", .offset = offsetof(wrc_wheel_state, reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
+      {.name = "angular_axes", .offset = offsetof(wrc_wheel_state, angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
+      {.name = "reserved", .offset = offsetof(wrc_wheel_state, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_wheel_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "z", .offset = offsetof(wrc_wheel_state, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
+      {.name = "roll", .offset = offsetof(wrc_wheel_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "yaw", .offset = offsetof(wrc_wheel_state, yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "rotation", .offset = offsetof(wrc_wheel_state, rotation), .type = Type::pointer, .rule = Rule::none},
+      {.name = "velocity[0]", .offset = offsetof(wrc_wheel_state, velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "velocity[1]", .offset = offsetof(wrc_wheel_state, velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "velocity[2]", .offset = offsetof(wrc_wheel_state, velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "angular_velocity[0]", .offset = offsetof(wrc_wheel_state, angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "angular_velocity[1]", .offset = offsetof(wrc_wheel_state, angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "angular_velocity[2]", .offset = offsetof(wrc_wheel_state, angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+  };
+};
+static_assert(sizeof(wrc_wheel_state) == 104, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_rail_state> {
+  static constexpr const char* name = "wrc_rail_state";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_rail_state defaults = [] {
+    wrc_rail_state value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_rail_state, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_rail_state, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_rail_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "z", .offset = offsetof(wrc_rail_state, z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "roll", .offset = offsetof(wrc_rail_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "y_velocity", .offset = offsetof(wrc_rail_state, y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "z_velocity", .offset = offsetof(wrc_rail_state, z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "roll_velocity", .offset = offsetof(wrc_rail_state, roll_velocity), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+  };
+};
+static_assert(sizeof(wrc_rail_state) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wheel_input> {
+  static constexpr const char* name = "wrc_wheel_input";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_wheel_input defaults = [] {
+    wrc_wheel_input value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_prescribed},
+      {.name = "wheel", .offset = offsetof(wrc_wheel_input, wheel), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "rail", .offset = offsetof(wrc_wheel_input, rail), .type = Type::pointer, .rule = Rule::none},
+      {.name = "friction", .offset = offsetof(wrc_wheel_input, friction), .type = Type::pointer, .rule = Rule::none},
+      {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "the height is prescribed; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
+      {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
+  };
+};
+static_assert(sizeof(wrc_wheel_input) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wrench> {
+  static constexpr const char* name = "wrc_wrench";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 160;
+  static constexpr wrc_wrench defaults = [] {
+    wrc_wrench value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wrench, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "regions", .offset = offsetof(wrc_wrench, regions), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_wrench, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_wrench, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "force", .offset = offsetof(wrc_wrench, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "moment", .offset = offsetof(wrc_wrench, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "rail_force", .offset = offsetof(wrc_wrench, rail_force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "rail_moment", .offset = offsetof(wrc_wrench, rail_moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "z", .offset = offsetof(wrc_wrench, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal_force", .offset = offsetof(wrc_wrench, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "area", .offset = offsetof(wrc_wrench, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_wrench, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "power", .offset = offsetof(wrc_wrench, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "steepest_angle", .offset = offsetof(wrc_wrench, steepest_angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+  };
+};
+static_assert(sizeof(wrc_wrench) == 160, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_region> {
+  static constexpr const char* name = "wrc_region";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 176;
+  static constexpr wrc_region defaults = [] {
+    wrc_region value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_region, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_region, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "point", .offset = offsetof(wrc_region, point), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel", .offset = offsetof(wrc_region, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z_wheel", .offset = offsetof(wrc_region, z_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail", .offset = offsetof(wrc_region, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z_rail", .offset = offsetof(wrc_region, z_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "angle", .offset = offsetof(wrc_region, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "normal_force", .offset = offsetof(wrc_region, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "force", .offset = offsetof(wrc_region, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "moment", .offset = offsetof(wrc_region, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "area", .offset = offsetof(wrc_region, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_region, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "power", .offset = offsetof(wrc_region, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "creepage", .offset = offsetof(wrc_region, creepage), .type = Type::real, .elements = 3, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_region) == 176, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_grid> {
+  static constexpr const char* name = "wrc_grid";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_grid defaults = [] {
+    wrc_grid value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_grid, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "nx", .offset = offsetof(wrc_grid, nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "ny", .offset = offsetof(wrc_grid, ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "reserved", .offset = offsetof(wrc_grid, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "dx", .offset = offsetof(wrc_grid, dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "dy", .offset = offsetof(wrc_grid, dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "x0", .offset = offsetof(wrc_grid, x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "y0", .offset = offsetof(wrc_grid, y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_grid) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_materials> {
+  static constexpr const char* name = "wrc_materials";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_materials defaults = [] {
+    wrc_materials value{};
+    value.struct_size = sizeof value;
+    value.shear_modulus_1 = 80e9;
+    value.poisson_1 = 0.25;
+    value.shear_modulus_2 = 80e9;
+    value.poisson_2 = 0.25;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_materials, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_materials, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "shear_modulus_1", .offset = offsetof(wrc_materials, shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "poisson_1", .offset = offsetof(wrc_materials, poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "shear_modulus_2", .offset = offsetof(wrc_materials, shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "poisson_2", .offset = offsetof(wrc_materials, poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+  };
+};
+static_assert(sizeof(wrc_materials) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_normal_problem> {
+  static constexpr const char* name = "wrc_exact_normal_problem";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_exact_normal_problem defaults = [] {
+    wrc_exact_normal_problem value{};
+    value.struct_size = sizeof value;
+    value.max_iterations = 1000;
+    value.tolerance = 1e-6;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_normal_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "prescribed", .offset = offsetof(wrc_exact_normal_problem, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "max_iterations", .offset = offsetof(wrc_exact_normal_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 100000},
+      {.name = "reserved", .offset = offsetof(wrc_exact_normal_problem, reserved), .type = Type::int32, .rule = Rule::zero},
+      {.name = "normal_force", .offset = offsetof(wrc_exact_normal_problem, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
+      {.name = "approach", .offset = offsetof(wrc_exact_normal_problem, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "tolerance", .offset = offsetof(wrc_exact_normal_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 0.1},
+      {.name = "materials", .offset = offsetof(wrc_exact_normal_problem, materials), .type = Type::pointer, .rule = Rule::none},
+      {.name = "grid", .offset = offsetof(wrc_exact_normal_problem, grid), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "gap", .offset = offsetof(wrc_exact_normal_problem, gap), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .by_caller = true},
+      {.name = "progress", .offset = offsetof(wrc_exact_normal_problem, progress), .type = Type::pointer, .rule = Rule::none},
+      {.name = "user", .offset = offsetof(wrc_exact_normal_problem, user), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_exact_normal_problem) == 80, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_normal_solution> {
+  static constexpr const char* name = "wrc_exact_normal_solution";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_exact_normal_solution defaults = [] {
+    wrc_exact_normal_solution value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_normal_solution, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_exact_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "approach", .offset = offsetof(wrc_exact_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal_force", .offset = offsetof(wrc_exact_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_exact_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_exact_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "residual", .offset = offsetof(wrc_exact_normal_solution, residual), .type = Type::real, .rule = Rule::none},
+      {.name = "pressure", .offset = offsetof(wrc_exact_normal_solution, pressure), .type = Type::pointer, .rule = Rule::none, .unit = "Pa"},
+  };
+};
+static_assert(sizeof(wrc_exact_normal_solution) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_rolling_problem> {
+  static constexpr const char* name = "wrc_exact_rolling_problem";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 88;
+  static constexpr wrc_exact_rolling_problem defaults = [] {
+    wrc_exact_rolling_problem value{};
+    value.struct_size = sizeof value;
+    value.max_iterations = 60;
+    value.tolerance = 1e-4;
+    value.coefficient = 0.3;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_rolling_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "adhesion", .offset = offsetof(wrc_exact_rolling_problem, adhesion), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_adhesion},
+      {.name = "collocation", .offset = offsetof(wrc_exact_rolling_problem, collocation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_collocation},
+      {.name = "max_iterations", .offset = offsetof(wrc_exact_rolling_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 1000},
+      {.name = "tolerance", .offset = offsetof(wrc_exact_rolling_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 0.1},
+      {.name = "materials", .offset = offsetof(wrc_exact_rolling_problem, materials), .type = Type::pointer, .rule = Rule::none},
+      {.name = "grid", .offset = offsetof(wrc_exact_rolling_problem, grid), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "pressure", .offset = offsetof(wrc_exact_rolling_problem, pressure), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .by_caller = true},
+      {.name = "friction", .offset = offsetof(wrc_exact_rolling_problem, friction), .type = Type::pointer, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
+      {.name = "coefficient", .offset = offsetof(wrc_exact_rolling_problem, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
+      {.name = "creepage", .offset = offsetof(wrc_exact_rolling_problem, creepage), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "progress", .offset = offsetof(wrc_exact_rolling_problem, progress), .type = Type::pointer, .rule = Rule::none},
+      {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_exact_rolling_problem) == 88, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_rolling_solution> {
+  static constexpr const char* name = "wrc_exact_rolling_solution";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 96;
+  static constexpr wrc_exact_rolling_solution defaults = [] {
+    wrc_exact_rolling_solution value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_rolling_solution, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_exact_rolling_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "fx", .offset = offsetof(wrc_exact_rolling_solution, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fy", .offset = offsetof(wrc_exact_rolling_solution, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "mz", .offset = offsetof(wrc_exact_rolling_solution, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "power", .offset = offsetof(wrc_exact_rolling_solution, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "power_by_balance", .offset = offsetof(wrc_exact_rolling_solution, power_by_balance), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_exact_rolling_solution, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "residual", .offset = offsetof(wrc_exact_rolling_solution, residual), .type = Type::real, .rule = Rule::none},
+      {.name = "traction_x", .offset = offsetof(wrc_exact_rolling_solution, traction_x), .type = Type::pointer, .rule = Rule::none, .unit = "Pa"},
+      {.name = "traction_y", .offset = offsetof(wrc_exact_rolling_solution, traction_y), .type = Type::pointer, .rule = Rule::none, .unit = "Pa"},
+      {.name = "slip_x", .offset = offsetof(wrc_exact_rolling_solution, slip_x), .type = Type::pointer, .rule = Rule::none},
+      {.name = "slip_y", .offset = offsetof(wrc_exact_rolling_solution, slip_y), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_exact_rolling_solution) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_wrench_options> {
+  static constexpr const char* name = "wrc_exact_wrench_options";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_exact_wrench_options defaults = [] {
+    wrc_exact_wrench_options value{};
+    value.struct_size = sizeof value;
+    value.cell_x = 2e-4;
+    value.cell_s = 2e-4;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_wrench_options, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "collocation", .offset = offsetof(wrc_exact_wrench_options, collocation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_collocation},
+      {.name = "influence", .offset = offsetof(wrc_exact_wrench_options, influence), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_surface_influence},
+      {.name = "reserved", .offset = offsetof(wrc_exact_wrench_options, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "cell_x", .offset = offsetof(wrc_exact_wrench_options, cell_x), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "cell_s", .offset = offsetof(wrc_exact_wrench_options, cell_s), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_exact_wrench_options) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_check_result> {
+  static constexpr const char* name = "wrc_exact_check_result";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 64;
+  static constexpr wrc_exact_check_result defaults = [] {
+    wrc_exact_check_result value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_check_result, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_exact_check_result, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "fx", .offset = offsetof(wrc_exact_check_result, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fy", .offset = offsetof(wrc_exact_check_result, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "mz", .offset = offsetof(wrc_exact_check_result, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "power", .offset = offsetof(wrc_exact_check_result, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_exact_check_result, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "force_error", .offset = offsetof(wrc_exact_check_result, force_error), .type = Type::real, .rule = Rule::none},
+      {.name = "power_error", .offset = offsetof(wrc_exact_check_result, power_error), .type = Type::real, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
+
+}  // namespace wrc::abi

@@ -1,0 +1,85 @@
+/// What a member of one of the interface's structs may be. The tables themselves are made of the headers
+/// (abi/generated/members.hpp, by tools/interface).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace wrc::abi {
+
+struct Enumerator {
+  const char* name;
+  std::int32_t value;
+};
+
+struct Enumeration {
+  const Enumerator* values;
+  std::int32_t count;
+  const char* names;  ///< all of them, as a hint
+
+  constexpr bool has(std::int32_t value) const {
+    for (std::int32_t i = 0; i < count; ++i) {
+      if (values[i].value == value) return true;
+    }
+    return false;
+  }
+};
+
+enum class Type : std::uint8_t { int32, uint32, uint64, real, pointer };
+
+/// What is asked of a member when its struct is read.
+enum class Rule : std::uint8_t {
+  none,   ///< a result, or something that has no range
+  range,  ///< low .. high; of a pointer: the numbers behind it
+  one_of /* an enumeration */,
+  zero  ///< kept for later
+};
+
+inline constexpr std::int32_t nowhere = -1;  ///< of an offset
+
+/// What another member must be for one to be read.
+enum class State : std::uint8_t {
+  value,     ///< an int32 of that value
+  null,      ///< a pointer that is NULL
+  zero,      ///< a uint32 that is 0
+  not_zero,  ///< a uint32 that is not
+};
+
+struct Member {
+  const char* name = nullptr;  ///< within its struct: "lateral", "velocity[1]", "track.gauge"
+  std::size_t offset = 0;      ///< [bytes]
+  Type type = Type::real;
+  std::int32_t elements = 1;  ///< of an array in the struct
+  Rule rule = Rule::none;
+  bool required = false;                                  ///< a pointer that must not be NULL
+  double low = 0.0, high = 0.0;                           ///< in `unit`, ends included
+  bool or_zero = false;                                   ///< 0 is allowed beside the range
+  const char* unit = "";                                  ///< "" of a pure number
+  const char* negative = nullptr;                         ///< likely causes
+  const char *too_small = nullptr, *too_large = nullptr;  ///< likely causes
+  const char* not_set = nullptr;                          ///< cause where 0 is the default and not allowed
+  const Enumeration* enumeration = nullptr;               ///< of Rule::one_of
+  std::int32_t asked = nowhere;                           ///< read where what lies at this offset ...
+  std::int32_t asked_for = 0;                             ///< ... is this int32, or ...
+  State state = State::value;         ///< ... is in this state; else not looked at, or it ...
+  const char* otherwise = nullptr;    ///< ... must be 0, for this reason
+  std::int32_t counted_by = nowhere;  ///< offset of the uint32 that counts the numbers behind a pointer
+  bool by_caller = false;             ///< read() leaves the check to whoever knows more
+};
+
+/// Name, first published size (what the oldest caller passes), defaults and members of a struct.
+template <typename Struct>
+struct Description;
+
+/// The member of that name; a name that is none does not compile.
+template <typename Struct>
+consteval const Member& member(const char* name) {
+  for (const Member& each : Description<Struct>::members) {
+    const char *ours = each.name, *theirs = name;
+    while (*ours != '\0' && *ours == *theirs) ++ours, ++theirs;
+    if (*ours == *theirs) return each;
+  }
+  throw "no such member";
+}
+
+}  // namespace wrc::abi

@@ -1,0 +1,64 @@
+/// Published methods by name: what a configuration is made of for each.
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#include "abi/fp_environment.hpp"
+#include "abi/message.hpp"
+#include "abi/structs.hpp"
+
+namespace abi = wrc::abi;
+using wrc::Fault;
+
+namespace {
+
+struct Preset {
+  const char* name;
+  int32_t tangential_method, patch_model, traction_bound, flexibility, regularisation;
+};
+
+constexpr Preset presets[] = {
+#define WRC_PRESET(identifier, name, method, model, bound, flexibility, regularisation, falls) \
+  {name,                                                                                       \
+   WRC_TANGENTIAL_##method,                                                                    \
+   WRC_PATCH_MODEL_##model,                                                                    \
+   WRC_BOUND_##bound,                                                                          \
+   WRC_FLEXIBILITY_##flexibility,                                                              \
+   WRC_REGULARISE_##regularisation},
+    WRC_PRESET_LIST(WRC_PRESET)
+#undef WRC_PRESET
+};
+
+constexpr const char* known_names = "no such method; there are"
+#define WRC_PRESET(identifier, name, ...) " \"" name "\""
+    WRC_PRESET_LIST(WRC_PRESET);
+#undef WRC_PRESET
+
+Fault use(wrc_config* config, const char* name) {
+  if (config == nullptr) return {.status = WRC_ERROR_NULL, .field = "config"};
+  const Fault fault = abi::check_size(*config);
+  if (fault.failed()) return fault;
+  if (name == nullptr) return {.status = WRC_ERROR_NULL, .field = "name"};
+  const Preset* const preset = std::find_if(std::begin(presets), std::end(presets), [&](const Preset& each) {
+    return std::strcmp(each.name, name) == 0;
+  });
+  if (preset == std::end(presets))
+    return {.status = WRC_ERROR_UNSUPPORTED, .field = "name", .cause = known_names};
+  wrc_config ours = abi::defaults<wrc_config>();
+  std::memcpy(&ours, config, config->struct_size);  // not checked: other members may not be set yet
+  ours.tangential_method = preset->tangential_method;
+  ours.patch_model = preset->patch_model;
+  ours.traction_bound = preset->traction_bound;
+  ours.flexibility = preset->flexibility;
+  ours.regularisation = preset->regularisation;
+  abi::write(ours, config);
+  return {};
+}
+
+}  // namespace
+
+extern "C" int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size) {
+  const Fault fault = use(config, name);
+  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size);
+  return fault.status;
+}

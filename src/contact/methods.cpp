@@ -1,0 +1,179 @@
+#include "contact/methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+
+#include "contact/contact.hpp"
+#include "normal/analyn.hpp"
+#include "normal/ekp.hpp"
+#include "normal/hertz.hpp"
+#include "normal/kik_piotrowski.hpp"
+#include "normal/load_search.hpp"
+#include "normal/strip_halfspace.hpp"
+#include "normal/stripes.hpp"
+#include "tangential/coarse_halfspace.hpp"
+#include "tangential/fastrip.hpp"
+#include "tangential/fastsim.hpp"
+#include "tangential/force_table.hpp"
+#include "tangential/strip_fastsim.hpp"
+#include "wrc/wrc_methods.h"
+
+namespace wrc {
+namespace {
+
+/// The strip half-space solver with its scratch memory, from its last solution where the model asks for that;
+/// beyond what the gap carries it is continued as the other methods are.
+Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
+  const ModelOptions& options = contact.model->options;
+  NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace_bytes};
+  StripHalfspaceStart start{options.sizes.strips,
+                            options.warm_start ? contact.start_strips : 0,
+                            array(contact, Array::start_y),
+                            array(contact, Array::start_width),
+                            array(contact, Array::start_length_squared),
+                            array(contact, Array::start_shift)};
+  const auto solve = [&](const NormalProblem& posed) {
+    return solve_strip_halfspace(posed, {.max_sweeps = options.max_iterations}, *contact.model->influence,
+                                 workspace, start, strips, contact.normal);
+  };
+  bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
+  Fault fault;
+  if (!beyond) {
+    fault = solve(problem);
+    beyond = fault.status == WRC_ERROR_LOAD || (!fault.failed() && contact.normal.approach > problem.deepest);
+    if (beyond) start.count = 0;  // what is beyond the gap is no start
+  }
+  if (beyond) {
+    NormalProblem end = problem;
+    end.prescribed = Prescribed::approach;
+    end.approach = std::min(deepest_approach(problem.gap, minimum(problem.gap)), problem.deepest);
+    fault = solve(end);
+    if (!fault.failed()) fault = continue_beyond(problem, strips, contact.normal);
+  }
+  contact.start_strips = fault.failed() ? 0 : start.count;
+  return fault;
+}
+
+#define WRC_ENUMERATOR(name) \
+  { name, #name }
+
+constexpr NormalMethod normal_methods[] = {
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_HERTZ),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_hertz(problem, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_KIK_PIOTROWSKI),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_kik_piotrowski(problem, {}, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_ekp(problem, {EkpScale::area}, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP_ELLIPSE),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_ekp(problem, {EkpScale::ellipse}, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_ANALYN),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_analyn(problem, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIPES),
+     .reads = Option::load_tolerance,
+     .solve = [](Contact& c, const NormalProblem& problem,
+                 Strips& strips) { return solve_stripes(problem, strips, c.normal); }},
+    {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIP_HALFSPACE),
+     .reads = Option::warm_start,  // the load is met to rounding
+     .iterations = StripHalfspaceOptions{}.max_sweeps,
+     .half_space = true,
+     .workspace = strip_halfspace_workspace,
+     .solve = solve_from_start},
+};
+
+constexpr TangentialMethod tangential_methods[] = {
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FASTSIM),
+     .reads = {Option::patch_model, Option::traction_bound, Option::flexibility, Option::slope_fall},
+     .gives_tractions = true,
+     .gives_derivatives = true,
+     .solve = fastsim},
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FASTRIP),
+     .reads = Option::patch_model,
+     .gives_tractions = true,
+     .workspace = fastrip_workspace,
+     .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
+                 TangentialSensitivities*) { return fastrip(c, fields, fault); }},
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_STRIP_FASTSIM),
+     .gives_tractions = true,
+     .gives_derivatives = true,
+     .on_surface = true,
+     .solve = strip_fastsim},
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_COARSE_HALFSPACE),
+     .gives_tractions = true,
+     .workspace = [](std::int32_t, std::int32_t) { return coarse_halfspace_workspace(); },
+     .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
+                 TangentialSensitivities*) { return coarse_halfspace(c, c.workspace, fields, fault); }},
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FORCE_TABLE),
+     .reads = Option::force_table,
+     .solve =
+         [](const RollingContact& c, const TangentialFields&, Fault& fault, TangentialSensitivities*) {
+           return table_forces(*c.force_table, {c.a, c.b, c.shape_number}, c.normal_force, c.shear_modulus,
+                               c.friction.mean, c.creepage, fault);
+         }},
+};
+#undef WRC_ENUMERATOR
+
+/// Does every row stand where its value says?
+template <class Method, std::size_t count>
+constexpr bool in_order(const Method (&methods)[count]) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (methods[i].is.value != static_cast<std::int32_t>(i)) return false;
+  return true;
+}
+static_assert(in_order(normal_methods) && in_order(tangential_methods));
+
+struct Sentence {
+  char text[256] = {};
+};
+
+constexpr Sentence sentence_about(Option option) {
+  Sentence sentence;
+  std::size_t length = 0;
+  int readers = 0;
+  const auto add = [&](const char* piece) {
+    while (*piece != '\0') sentence.text[length++] = *piece++;
+  };
+  const auto add_readers = [&](const auto& methods) {
+    for (const auto& method : methods) {
+      if (!method.reads.has(option)) continue;
+      add(readers++ == 0 ? "only " : ", ");
+      add(method.is.name);
+    }
+  };
+  add_readers(normal_methods);
+  add_readers(tangential_methods);
+  add(readers == 1 ? " reads it" : " read it");
+  return sentence;
+}
+
+constexpr auto sentences = [] {
+  std::array<Sentence, static_cast<std::size_t>(Option::count)> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = sentence_about(static_cast<Option>(i));
+  return all;
+}();
+
+template <class Method, std::size_t count>
+const Method* row(const Method (&methods)[count], std::int32_t value) {
+  return value >= 0 && value < static_cast<std::int32_t>(count) ? &methods[value] : nullptr;
+}
+
+}  // namespace
+
+const NormalMethod* normal_method(std::int32_t value) { return row(normal_methods, value); }
+
+const TangentialMethod* tangential_method(std::int32_t value) { return row(tangential_methods, value); }
+
+const char* readers_of(Option option) { return sentences[static_cast<std::size_t>(option)].text; }
+
+}  // namespace wrc

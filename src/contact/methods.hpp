@@ -1,0 +1,76 @@
+/// The methods a model can be made of: one row each, in the order of the enumerations in wrc_methods.h. What
+/// a method needs, reads and gives stands in its row; nothing else in the library asks which method it is.
+#pragma once
+
+#include <cstdint>
+
+#include "base/fault.hpp"
+#include "normal/problem.hpp"
+#include "tangential/problem.hpp"
+#include "tangential/rolling_contact.hpp"
+
+namespace wrc {
+
+struct Contact;
+
+/// Options of wrc_config and wrc_friction that some methods read and others do not.
+enum class Option {
+  load_tolerance,
+  warm_start,
+  patch_model,
+  traction_bound,
+  flexibility,
+  force_table,
+  slope_fall,  ///< friction.slope_limit and friction.slope_fall
+  count
+};
+
+/// A set of them.
+class OptionSet {
+ public:
+  template <class... Options>
+  constexpr OptionSet(Options... options) : bits_(((1U << static_cast<unsigned>(options)) | ... | 0U)) {}
+  constexpr bool has(Option option) const { return (bits_ >> static_cast<unsigned>(option) & 1U) != 0; }
+
+ private:
+  unsigned bits_;
+};
+
+/// A value of wrc_methods.h, and how it is written.
+struct Enumerator {
+  std::int32_t value = 0;
+  const char* name = nullptr;
+};
+
+struct NormalMethod {
+  Enumerator is;  ///< of enum wrc_normal_method
+  OptionSet reads{};
+  std::int32_t iterations =
+      60;  ///< cap where the configuration leaves it to the method: steps of the load search
+  /// Needs the influence table in the model; with profiles such a model also solves a wheel on a rail.
+  bool half_space = false;
+  std::int64_t (*workspace)(std::int32_t strips) = nullptr;  ///< in the contact [bytes]; nullptr: none
+  /// Fills contact.normal, too.
+  Fault (*solve)(Contact& contact, const NormalProblem& problem, Strips& strips) = nullptr;
+};
+
+struct TangentialMethod {
+  Enumerator is;  ///< of enum wrc_tangential_method
+  OptionSet reads{};
+  bool gives_tractions = false;    ///< and the slip of every cell; otherwise forces only
+  bool gives_derivatives = false;  ///< otherwise differences stand in
+  bool on_surface = false;         ///< what a wheel on a rail rolls with
+  std::int64_t (*workspace)(std::int32_t strips,
+                            std::int32_t cells) = nullptr;  ///< in the contact [bytes]; nullptr: none
+  TangentialForces (*solve)(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                            TangentialSensitivities* sensitivities) = nullptr;
+};
+
+/// The row of a value of wrc_methods.h; nullptr if there is none.
+const NormalMethod* normal_method(std::int32_t value);
+const TangentialMethod* tangential_method(std::int32_t value);
+
+/// "only ... read it", for the refusal of an option that the chosen methods do not read.
+const char* readers_of(Option option);
+
+}  // namespace wrc

@@ -1,0 +1,97 @@
+/// The functions that are compiled once per instruction set: one table of them for each set. Their bodies are
+/// in the rooms' simd folders, beside the tasks they are given.
+#pragma once
+
+#include <cstdint>
+
+#include "base/instruction_set.hpp"
+
+namespace wrc {
+
+struct MarchGrid;
+struct Overlaps;
+struct Strips;
+
+namespace simd {
+
+struct RowsTask;
+struct InfluenceTask;
+struct EdgeTask;
+struct EliminationTask;
+struct SpanTask;
+struct StripArrays;
+struct PointTask;
+struct MarchTask;
+struct StripFastsimTask;
+struct SurfaceMarchTask;
+struct SurfaceStripsTask;
+struct Sums;
+struct SurfaceTables;
+struct SurfaceSources;
+struct SurfacePoint;
+struct OutlineTask;
+struct CellTask;
+struct CellExtremes;
+
+}  // namespace simd
+
+/// All sets give the same bits.
+struct Kernels {
+  InstructionSet set;
+
+  // geometry
+  /// Fills the rows; false: not every one of them converged.
+  bool (*fill_rows)(const simd::RowsTask& task);
+
+  // normal contact
+  /// Displacement at the middle of strip j by unit peak in each of the strips, over the compliance [m]. Its
+  /// own element of the row is left to the caller.
+  void (*influence_row)(const simd::InfluenceTask& task, std::int32_t j, double* row);
+  void (*edge_displacements)(const simd::EdgeTask& task);
+  void (*eliminate)(const simd::EliminationTask& task);
+  /// Fills the strips: place, width, centre, and half length, that of the overlap of the row's parabola,
+  /// sqrt(2 g / curvature).
+  void (*divide_span)(const simd::SpanTask& task, const simd::StripArrays& strips);
+  /// Displacement at the point by each strip of unit peak / half length, over the compliance [m^2]: see
+  /// impose_approach (normal/contact_condition.hpp). What strips nearer than their width do is left to the
+  /// caller.
+  void (*displacements_at)(const simd::PointTask& task, const simd::StripArrays& strips,
+                           double* displacement);
+
+  // rolling; fields are written by the kernels of fields only
+  void (*march)(const simd::MarchTask& task, simd::Sums& sums);
+  void (*march_fields)(const simd::MarchTask& task, simd::Sums& sums);
+  void (*march_sensitivities)(const simd::MarchTask& task, simd::Sums& sums);
+  void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  void (*strip_fastsim_fields)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
+  /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
+  void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
+
+  // contact on the rail's surface
+  /// Sums hold power and areas only: forces of strips with axes of their own do not add.
+  void (*surface_march)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
+  void (*surface_march_fields)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
+  void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
+  void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
+  /// factor_k J_k cos_k for each source, seen from the middle of a strip. `skewed`: not all centres are the
+  /// same.
+  void (*surface_influence_row)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                                const simd::SurfacePoint& point, bool skewed, double* row);
+  /// Sum of the same, seen from the edge of a strip.
+  double (*surface_edge_displacement)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                                      const simd::SurfacePoint& point);
+  /// Fills scratch.y, z and seen at the wheel's knots.
+  void (*outline)(const simd::OutlineTask& task);
+  /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.
+  /// Depth -1 where the surfaces do not face each other.
+  void (*follow_rays)(const simd::OutlineTask& task, Overlaps& overlaps);
+
+  // damage
+  void (*assess_cells)(const simd::CellTask& task, simd::CellExtremes& extremes);
+};
+
+/// The kernels of a set, which the processor must have.
+const Kernels& kernels_for(InstructionSet set);
+
+}  // namespace wrc

@@ -1,0 +1,50 @@
+/// Body of the units baseline.cpp, avx2.cpp and avx512.cpp: the kernels for whatever instruction set the unit
+/// is compiled for.
+#pragma once
+
+#include "damage/simd/cells_kernel.hpp"
+#include "geometry/simd/rows_kernel.hpp"
+#include "kernels/kernels.hpp"
+#include "normal/simd/edge_kernel.hpp"
+#include "normal/simd/elimination_kernel.hpp"
+#include "normal/simd/influence_kernel.hpp"
+#include "normal/simd/penetration_kernel.hpp"
+#include "surface/simd/influence_kernel.hpp"
+#include "surface/simd/outline_kernel.hpp"
+#include "tangential/simd/cells_kernel.hpp"
+#include "tangential/simd/march_kernel.hpp"
+#include "tangential/simd/strip_fastsim_kernel.hpp"
+
+namespace wrc::simd {
+namespace {
+
+constexpr Kernels kernels_of(InstructionSet set) {
+  return {
+      .set = set,
+      .fill_rows = fill_rows_kernel,
+      .influence_row = influence_row_kernel,
+      .edge_displacements = edge_displacements_kernel,
+      .eliminate = eliminate_kernel,
+      .divide_span = divide_span_kernel,
+      .displacements_at = displacements_at_kernel,
+      .march = march_kernel<Output::forces, MarchTask>,
+      .march_fields = march_kernel<Output::fields, MarchTask>,
+      .march_sensitivities = march_kernel<Output::sensitivities, MarchTask>,
+      .strip_fastsim = strip_fastsim_kernel<Output::forces, StripFastsimTask>,
+      .strip_fastsim_fields = strip_fastsim_kernel<Output::fields, StripFastsimTask>,
+      .strip_fastsim_sensitivities = strip_fastsim_kernel<Output::sensitivities, StripFastsimTask>,
+      .place_cells = place_cells_kernel,
+      .surface_march = march_kernel<Output::forces, SurfaceMarchTask>,
+      .surface_march_fields = march_kernel<Output::fields, SurfaceMarchTask>,
+      .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
+      .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
+      .surface_influence_row = surface_influence_row,
+      .surface_edge_displacement = surface_edge_displacement,
+      .outline = outline_kernel,
+      .follow_rays = follow_rays_kernel,
+      .assess_cells = assess_cells_kernel,
+  };
+}
+
+}  // namespace
+}  // namespace wrc::simd

@@ -1,0 +1,47 @@
+/// What crosses between contact on the rail's surface and the kernels of an instruction set: plain data, no
+/// constructors.
+#pragma once
+
+#include <cstdint>
+
+#include "normal/simd/tasks.hpp"
+#include "surface/outline.hpp"
+
+namespace wrc {
+namespace simd {
+
+/// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the
+/// last with factor 0 and inverse_length 0.
+struct SurfaceSources {
+  std::int32_t count;
+  const double* place;           ///< arc length of the middle [m]
+  const double* centre;          ///< x of the middle [m]
+  const double* inverse_length;  ///< 1 / l [1/m]
+  const double* half_width;      ///< half the width over l [-]
+  const double* factor;          ///< what the displacement is multiplied by
+  const double *ny, *nz;         ///< directions
+};
+
+/// Tables of the influence function (normal/influence_tables.hpp).
+struct SurfaceTables {
+  StripTables line;
+  const double* own_middle;
+};
+
+/// A point of the surface that sees the sources.
+struct SurfacePoint {
+  double place, x, ny, nz;
+};
+
+/// A wheel's outline, and the strips whose rays it may cross.
+struct OutlineTask {
+  const RailStrips* rail;
+  const WheelCurve* wheel;
+  const RelativePose* pose;
+  OutlineAttitude attitude;
+  const OverlapScratch* scratch;
+};
+
+}  // namespace simd
+
+}  // namespace wrc

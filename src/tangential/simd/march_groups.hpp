@@ -1,0 +1,76 @@
+/// The way over a patch that the march and strip FASTSIM share: groups of strips from the leading edge to the
+/// trailing one, two groups in flight where all their strips move. What a step is, each has of its own:
+/// begin_step() up to the turn of the traction's direction, settle() behind it.
+#pragma once
+
+#include "tangential/simd/strip_group.hpp"
+#include "tangential/simd/turning.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// A cell of a group in which strips move. entering: some may still be in their first stick zones.
+template <bool entering, Output output, class Task, class Cell, class Marching, class Derivative>
+WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m, Derivative (&derivative)[inputs]) {
+  const Mask moves = m.group.stick_cells <= Pack(cell.index);
+  auto moved = begin_step<entering>(m.group, cell, moves, m.state);
+  turn(moved.turn);
+  settle<entering, output>(task, cell, moves, moved, m, derivative);
+}
+
+/// A cell of two groups all of whose strips move.
+template <Output output, class Task, class Cell, class Marching, class Derivative>
+WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_flight],
+                           Derivative (&derivative)[in_flight][inputs]) {
+  const Mask all = Pack(0.0) <= Pack(0.0);
+  auto first = begin_step<false>(m[0].group, cell, all, m[0].state);
+  auto second = begin_step<false>(m[1].group, cell, all, m[1].state);
+  turn(first.turn, second.turn);
+  settle<false, output>(task, cell, all, first, m[0], derivative[0]);
+  settle<false, output>(task, cell, all, second, m[1], derivative[1]);
+}
+
+/// Takes all strips of a task over their cells. March says what is particular to a kernel: Marching, a group
+/// on its way; prepare() a group and its derivatives; cell() number i; stay(), a cell in the first stick
+/// zones of all strips of a group, where March::stays, otherwise such cells are left out; finish(), a group's
+/// part of the results. The number of the first cell in which some strip moves.
+template <Output output, class March, class Task>
+WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
+  std::int32_t first_to_move = task.cells;
+  for (std::int32_t first = 0; first < task.strips; first += in_flight * lanes) {
+    typename March::Marching marching[in_flight];
+    typename March::Derivative derivative[in_flight][inputs];  // not touched without sensitivities
+    std::int32_t groups = 0;
+    std::int32_t start = task.cells;  // no strip moves before
+    std::int32_t both_move = 0;       // cells from this one on are those of move_both()
+    for (std::int32_t at = first; at < task.strips && groups < in_flight; at += lanes, ++groups) {
+      typename March::Marching& m = marching[groups];
+      march.prepare(at, task.strips - at < lanes ? task.strips - at : lanes, m, derivative[groups]);
+      start = m.group.all_stick < start ? m.group.all_stick : start;
+      both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
+    }
+    first_to_move = start < first_to_move ? start : first_to_move;
+    for (std::int32_t i = March::stays ? 0 : start; i < task.cells; ++i) {
+      const auto cell = march.cell(i);
+      if (groups == in_flight && i >= both_move) {
+        move_both<output>(task, cell, marching, derivative);
+        continue;
+      }
+      for (std::int32_t k = 0; k < groups; ++k) {
+        typename March::Marching& m = marching[k];
+        if (i >= m.group.all_move) {
+          move<false, output>(task, cell, m, derivative[k]);
+        } else if (i >= m.group.all_stick) {
+          move<true, output>(task, cell, m, derivative[k]);
+        } else if constexpr (March::stays) {
+          march.stay(cell, m, derivative[k]);
+        }
+      }
+    }
+    for (std::int32_t k = 0; k < groups; ++k) march.finish(marching[k], derivative[k]);
+  }
+  return first_to_move;
+}
+
+}  // namespace
+}  // namespace wrc::simd

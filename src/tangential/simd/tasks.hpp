@@ -1,0 +1,107 @@
+/// What crosses between the methods and the kernels of an instruction set: plain data, no constructors.
+#pragma once
+
+#include <cstdint>
+
+#include "tangential/problem.hpp"
+
+namespace wrc {
+
+struct BoundShape;
+struct MarchGrid;
+
+namespace simd {
+
+/// Forces and moment can be differentiated with respect to nu_x, nu_y, phi. (Friction and load follow: the
+/// forces are homogeneous of degree one in creepages and friction together.)
+inline constexpr std::int32_t inputs = 3;
+
+/// A number and its derivatives with respect to nu_x, nu_y, phi.
+struct Coefficient {
+  double value;
+  double d[inputs];
+};
+
+/// What a kernel finds, summed over the strips in their order.
+struct Sums {
+  double fx, fy, mz;       ///< [N], [N m]
+  double power_per_speed;  ///< [N]
+  double area, slid_area;  ///< [m^2]
+  double d[3][inputs];     ///< of fx, fy, mz; zero if not asked for
+};
+
+/// What every such march needs, whatever its strips are told.
+struct MarchCells {
+  std::int32_t strips, cells;
+  bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
+  const BoundShape* shape;
+  const TangentialFields* fields;
+};
+
+/// The march of simplified rolling contact (march.hpp). Tractions of full adhesion grow with the distance
+/// from the leading edge by gx = gx_constant - gx_by_y y, gy = gy_constant + gy_by_x x [Pa/m].
+struct MarchTask : MarchCells {
+  const Strips* region;
+  const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
+  Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
+  double l11, l22;  ///< flexibilities that turn the excess of traction into slip [m/Pa]
+  /// Bound at the middle of a strip of half length l: per_pressure * peak + per_length l + per_length_square
+  /// l^2.
+  double per_pressure, per_length, per_length_square;
+};
+
+/// The same where every strip is told its own numbers, about its own middle (surface/surface_rolling.hpp).
+/// One element per strip; growth of adhesion tractions relative to the bound at the strip's middle over the
+/// half length.
+struct SurfaceMarchTask : MarchCells {
+  const double *width, *half_length;  ///< [m]
+  const double* bound;                ///< at the strip's middle [Pa]
+  const double *growth_x, *growth_y;  ///< at the leading edge
+  const double* rate;                 ///< by which the latter falls per half length
+  const double *soft_x, *soft_y;      ///< flexibilities times bound over half length [-]
+  double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
+};
+
+/// What every march of strip FASTSIM needs, whatever its strips are told.
+struct StripFastsimMarch {
+  std::int32_t strips, cells;
+  const BoundShape* shape;
+  const double* inverse_weight;  ///< of the cells of the first stick zone (march_grid.hpp)
+  const TangentialFields* fields;
+};
+
+/// Strip FASTSIM (strip_fastsim.hpp): what the patch, its load and the creepages make of the model. Tractions
+/// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
+/// L x, with the flexibilities l11, l22; that part of it which differs between x and y, by 2 elastic x.
+struct StripFastsimTask : StripFastsimMarch {
+  const Strips* region;
+  const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
+  double nu_x, nu_y, phi, friction;
+  Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
+  double l11, l22;      ///< of the stick zone [m/Pa]
+  double t11, t22;      ///< for the turning of slip [m/Pa]
+  Coefficient turning;  ///< factor on them
+  Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
+  double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
+};
+
+/// Strip FASTSIM where every strip is told its own numbers, about its own middle
+/// (surface/surface_rolling.hpp). One element per strip; lengths relative to the half length, growth of
+/// adhesion tractions to the parabolic bound at the strip's middle over the half length.
+struct SurfaceStripsTask : StripFastsimMarch {
+  const double *width, *half_length;  ///< [m]
+  const double* bound;                ///< traction bound at the strip's middle [Pa]
+  const double *growth_x, *growth_y;  ///< of adhesion tractions at the strip's middle
+  const double* curvature;            ///< their growth along y changes by 2 curvature per half length
+  const double *slip_x, *slip_y;      ///< rigid slip at the strip's middle [-], torsion included
+  const double* spin;                 ///< [1/m]
+  const double* elastic;              ///< elastic slip at the leading edge, what differs between x and y [-]
+  const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
+  const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
+  double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
+  const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
+};
+
+}  // namespace simd
+
+}  // namespace wrc

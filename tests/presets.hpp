@@ -1,0 +1,69 @@
+/// The methods of wrc_methods.h for tests that go through all of them.
+#pragma once
+
+#include <cstdint>
+
+#include "made.hpp"
+
+/// Normal methods by identifier, in the order of their values.
+#define WRC_METHOD(identifier, value) #identifier,
+inline constexpr const char* normal_names[] = {WRC_NORMAL_METHOD_LIST(WRC_METHOD)};
+#undef WRC_METHOD
+inline constexpr std::int32_t normal_methods = sizeof normal_names / sizeof *normal_names;
+
+/// Numbers of the published tangential methods, in the order of their list.
+enum : std::int32_t {
+#define WRC_PRESET(identifier, ...) preset_##identifier,
+  WRC_PRESET_LIST(WRC_PRESET)
+#undef WRC_PRESET
+      tangential_methods
+};
+
+/// A published tangential method: what it is called and what it is made of.
+struct Preset {
+  const char* identifier;
+  const char* name;
+  std::int32_t method;
+  bool slope_falls;
+};
+
+inline constexpr Preset presets[] = {
+#define WRC_PRESET(identifier, name, method, model, bound, flexibility, regularisation, falls) \
+  {#identifier, name, WRC_TANGENTIAL_##method, falls != 0},
+    WRC_PRESET_LIST(WRC_PRESET)
+#undef WRC_PRESET
+};
+
+/// Takes a published tangential method, and the force table for the one that reads it.
+inline void choose_tangential(wrc_config& config, std::int32_t preset) {
+  char text[512] = "";
+  if (wrc_config_use(&config, presets[preset].name, text, sizeof text) != WRC_OK) {
+    std::fprintf(stderr, "%s\n", text);
+    std::abort();
+  }
+  config.force_table = presets[preset].method == WRC_TANGENTIAL_FORCE_TABLE ? WRC_FORCE_TABLE : nullptr;
+}
+
+/// The slope falls in modified FASTSIM.
+inline double slope_fall_for(std::int32_t preset) { return presets[preset].slope_falls ? 0.6 : 0.0; }
+
+/// Does the contact's method give tractions and slip? Some give forces alone.
+inline bool gives_tractions(const wrc_contact* contact) {
+  wrc_view view = made<wrc_view>(wrc_view_init);
+  return wrc_contact_field(contact, 0, WRC_FIELD_TRACTION_X, &view) != WRC_ERROR_UNSUPPORTED;
+}
+
+/// The same of a published method.
+inline bool gives_tractions(std::int32_t preset) {
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.normal_method = WRC_NORMAL_HERTZ;  // quickly made
+  choose_tangential(config, preset);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  const bool gives = wrc_model_create(&config, nullptr, &model) == WRC_OK &&
+                     wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) == WRC_OK &&
+                     gives_tractions(contact);
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+  return gives;
+}

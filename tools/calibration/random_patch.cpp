@@ -1,0 +1,127 @@
+#include "random_patch.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "patch/material.hpp"
+#include "random.hpp"
+#include "theory/sdec.hpp"
+#include "wrc/wrc.h"
+
+namespace wrc::calibration {
+namespace {
+
+template <typename Struct>
+Struct made(std::int32_t (*init)(Struct*)) {
+  Struct value{};
+  value.struct_size = sizeof value;
+  init(&value);
+  return value;
+}
+
+/// Fills shape, load and strips where the contact has one patch; leaves the strips empty where it has not.
+void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
+  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
+  wheel.kind = WRC_PROFILE_S1002;
+  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.wheel = &wheel;
+  config.rail = &rail;
+  config.shear_modulus = p.shear_modulus;
+  config.poisson = p.poisson;
+  config.strips = 48;
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  if (wrc_model_create(&config, nullptr, &model) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) < 0) {
+    throw std::runtime_error("the wheel on the rail cannot be made");
+  }
+  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  pose.lateral = shift;
+  pose.yaw = yaw;
+  wrc_load press = made<wrc_load>(wrc_load_init);
+  press.normal_force = load;
+  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  const bool solved = wrc_contact_geometry(contact, &pose, nullptr) == WRC_OK &&
+                      wrc_contact_normal(contact, nullptr, &press, &patch) == WRC_OK;
+  if (solved && patch.patches == 1) {
+    p.a = patch.a;
+    p.b = patch.b;
+    p.psi = patch.psi;
+    p.p0 = patch.peak_pressure;
+    p.normal_force = patch.normal_force;
+    const auto value = [&](std::int32_t field, std::int32_t strip) {
+      wrc_view view = made<wrc_view>(wrc_view_init);
+      wrc_contact_field(contact, 0, field, &view);
+      return view.data[strip * view.stride[0]];
+    };
+    for (std::int32_t j = 0; j < patch.strips; ++j) {
+      p.strips.push_back({value(WRC_FIELD_STRIP_Y, j), value(WRC_FIELD_STRIP_WIDTH, j),
+                          value(WRC_FIELD_STRIP_CENTRE, j), value(WRC_FIELD_STRIP_HALF, j),
+                          value(WRC_FIELD_STRIP_PEAK, j)});
+    }
+  }
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
+struct Direction {
+  double x, y, spin;
+};
+
+Direction random_direction(Random& random) {
+  const double spin = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * pi);
+  const double kind = random.uniform(0.0, 1.0);
+  if (kind < 0.2) return {std::cos(angle), std::sin(angle), 0.0};
+  if (kind < 0.45) return {0.0, 0.0, spin < 0.0 ? -1.0 : 1.0};
+  const double rest = std::sqrt(1.0 - spin * spin);
+  const Direction anywhere{rest * std::cos(angle), rest * std::sin(angle), spin};
+  if (kind < 0.6 && anywhere.y * spin > 0.0) return {anywhere.x, -anywhere.y, spin};
+  return anywhere;
+}
+
+/// Draws the creepages of a patch whose material, shape, friction and load are set.
+void roll(Patch& p, Random& random) {
+  const double ratio = p.a / p.b, c = std::sqrt(p.a * p.b);
+  Fault fault;
+  const SdecCoefficients linear = SdecTable(p.poisson).at(ratio, p.psi, fault);
+  const double level = std::sqrt(random.logarithmic(0.05, 6.0) * random.logarithmic(0.05, 6.0));
+  const double unit = level * p.friction * p.normal_force / (p.shear_modulus * c * c);
+  const Direction to = random_direction(random);
+  p.creepage = {to.x * unit / linear.c11, to.y * unit / linear.c22, to.spin * unit / (linear.c23 * c)};
+}
+
+}  // namespace
+
+Patch random_sdec(std::uint64_t seed, std::uint64_t row) {
+  Random random(seed, row);
+  Patch p{};
+  const double ratio = random.logarithmic(0.25, 3.0), c = random.uniform(3e-3, 8e-3);
+  p.a = c * std::sqrt(ratio);
+  p.b = c / std::sqrt(ratio);
+  p.psi = random.uniform(-0.7, 0.7);
+  p.poisson = random.uniform(0.25, 0.30);
+  p.shear_modulus = 80e9;
+  p.friction = random.uniform(0.1, 0.5);
+  p.p0 = random.uniform(0.5e9, 1.8e9);
+  p.normal_force = 2.0 / 3.0 * pi * p.a * p.b * p.p0;
+  roll(p, random);
+  return p;
+}
+
+Patch random_wheel_on_rail(std::uint64_t seed, std::uint64_t row) {
+  Random random(seed, row);
+  Patch p{};
+  p.shear_modulus = 80e9;
+  p.poisson = random.uniform(0.25, 0.30);
+  p.friction = random.uniform(0.1, 0.5);
+  while (p.strips.size() == 0) {
+    const double shift = random.uniform(-6e-3, 5e-3), yaw = random.uniform(-15e-3, 15e-3);
+    const double load = random.uniform(25e3, 125e3);
+    press_wheel_on_rail(shift, yaw, load, p);
+  }
+  roll(p, random);
+  return p;
+}
+
+}  // namespace wrc::calibration

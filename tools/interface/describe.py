@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Writes everything that is made of the C headers, or says what of it is out of date.
+
+    tools/interface/describe.py            writes the files
+    tools/interface/describe.py --check    names those that differ; exits with 1 if any does, 77 without libclang
+    --root FOLDER                          another tree than the one this program lies in
+
+Building the library does not need this program: what it writes is committed."""
+import argparse
+import pathlib
+import sys
+
+import cpp
+import dlopen
+import fortran
+import grammar
+import headers
+import manual
+
+MARK = "Written by tools/interface/describe.py from the headers in include_c/wrc: do not edit."
+
+
+def files(interface, table_order, root):
+    """{path in the tree: text}"""
+    described = {struct.name: grammar.describe(struct, interface)
+                 for struct in interface.structs.values()}
+    made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
+    made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
+    made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
+    return made
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--check", action="store_true")
+    arguments.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    asked = arguments.parse_args()
+    cindex = headers.libclang()
+    if cindex is None:
+        print("skipped: no libclang for Python (Debian: python3-clang-14): whether generated files are current is not known")
+        return 77
+    try:
+        include = asked.root / "include_c"
+        made = files(headers.parse(cindex, include), headers.table_order(cindex, include), asked.root)
+    except headers.Refused as why:
+        print(why)
+        return 1
+    stale = [name for name, text in made.items()
+             if not (asked.root / name).exists() or (asked.root / name).read_text() != text]
+    for name in stale:
+        if asked.check:
+            print(f"{name} is out of date: run tools/interface/describe.py")
+        else:
+            (asked.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (asked.root / name).write_text(made[name])
+            print(f"{name} written")
+    if asked.check and stale:
+        return 1
+    print(f"{len(made)} files current")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,239 @@
+"""What the C headers declare, as libclang reads them: numbers, statuses, enumerations, structs, functions, in their order.
+
+The headers are parsed for one fixed target and with the two standard headers they need given here, so that the outcome
+does not depend on the machine. Needs libclang 14 or newer with its Python binding (Debian: python3-clang-14, or
+libclang of the Python package index)."""
+import dataclasses
+import pathlib
+import sys
+
+HEADERS = ("wrc/wrc.h", "wrc/wrc_wheel.h", "wrc/wrc_offline.h")
+TABLE_HEADER = "wrc/wrc_api.h"  # itself made of the others
+STANDARD_HEADERS = {
+    "stddef.h": "typedef unsigned long size_t;\n#define NULL ((void*)0)\n",
+    "stdint.h": "typedef int int32_t;\ntypedef unsigned int uint32_t;\ntypedef unsigned long uint64_t;\n"
+                "typedef long int64_t;\n",
+}
+
+
+class Refused(Exception):
+    """Something in a header that cannot be described: the text begins with file:line."""
+
+
+@dataclasses.dataclass
+class Place:
+    """Where something is declared."""
+    file: str
+    line: int
+
+    def refuse(self, why):
+        raise Refused(f"{self.file}:{self.line}: {why}")
+
+
+@dataclasses.dataclass
+class Type:
+    """A type as far as the interface uses types.
+
+    base     int32_t, uint32_t, uint64_t, double, char, void, the name of a struct or handle, or "function"
+    pointers levels of indirection;  const  something that is pointed to is;  extents  of an array in the struct
+    spelling as C writes it
+    """
+    base: str
+    pointers: int
+    const: bool
+    extents: tuple
+    spelling: str
+
+
+@dataclasses.dataclass
+class Member:
+    name: str
+    type: Type
+    offset: int
+    size: int
+    comment: str
+    place: Place
+
+
+@dataclasses.dataclass
+class Struct:
+    name: str
+    size: int
+    members: list
+    comment: str
+    place: Place
+
+
+@dataclasses.dataclass
+class Enumerator:
+    name: str
+    value: int
+    comment: str
+
+
+@dataclasses.dataclass
+class Enumeration:
+    name: str
+    values: list
+    comment: str
+
+
+@dataclasses.dataclass
+class Function:
+    name: str
+    returned: Type
+    arguments: list  # of (name, Type)
+    comment: str
+    header: str
+    exported: bool   # False: static inline
+
+
+@dataclasses.dataclass
+class Interface:
+    numbers: list     # of (name, value): WRC_VERSION, WRC_ABI and WRC_FLAT macros
+    statuses: list    # of (name, value, text)
+    enumerations: dict
+    structs: dict
+    functions: dict
+    callbacks: set    # typedefs of function pointers
+
+    def enumerator(self, name):
+        """(enumeration, enumerator) of that name, or None."""
+        for enumeration in self.enumerations.values():
+            for each in enumeration.values:
+                if each.name == name:
+                    return enumeration, each
+        return None
+
+
+def libclang():
+    """The binding, from the running Python or from where Debian puts it."""
+    try:
+        import clang.cindex
+    except ImportError:
+        sys.path.append("/usr/lib/python3/dist-packages")
+        try:
+            import clang.cindex
+        except ImportError:
+            return None
+    try:
+        clang.cindex.Index.create()
+    except clang.cindex.LibclangError:
+        return None
+    return clang.cindex
+
+
+def parse(cindex, include):
+    """The Interface of the headers in the folder `include`."""
+    include = pathlib.Path(include).resolve()
+    unit = translation_unit(cindex, include, HEADERS)
+    for each in unit.diagnostics:
+        if each.severity >= cindex.Diagnostic.Warning:
+            raise Refused(str(each))
+    return _Reader(cindex, include).read(unit)
+
+
+def table_order(cindex, include):
+    """Names of the functions in the table for dlopen as it is, in their order; its types may be out of date."""
+    include = pathlib.Path(include).resolve()
+    if not (include / TABLE_HEADER).exists():
+        return []
+    for cursor in translation_unit(cindex, include, (TABLE_HEADER,)).cursor.get_children():
+        if cursor.kind == cindex.CursorKind.STRUCT_DECL and cursor.spelling == "wrc_api" and cursor.is_definition():
+            return [each.spelling for each in cursor.get_children() if each.kind == cindex.CursorKind.FIELD_DECL][2:]
+    return []
+
+
+def translation_unit(cindex, include, names):
+    standard = str(include / "standard")
+    main = str(include / "all_headers.c")
+    files = [(f"{standard}/{name}", text) for name, text in STANDARD_HEADERS.items()]
+    files.append((main, "".join(f'#include "{name}"\n' for name in names)))
+    return cindex.Index.create().parse(
+        main, ["-x", "c", "-std=c99", "--target=x86_64-linux-gnu", "-nostdinc", "-isystem", standard, "-I", str(include)],
+        files, cindex.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
+
+
+class _Reader:
+    def __init__(self, cindex, include):
+        self.kinds, self.types = cindex.CursorKind, cindex.TypeKind
+        self.include = include
+
+    def read(self, unit):
+        found = Interface([], [], {}, {}, {}, set())
+        for cursor in unit.cursor.get_children():
+            file = cursor.location.file
+            if file is None or not file.name.startswith(str(self.include / "wrc")):
+                continue
+            kind = cursor.kind
+            if kind == self.kinds.MACRO_DEFINITION:
+                self.macro(cursor, found)
+            elif kind == self.kinds.ENUM_DECL and cursor.spelling != "wrc_status":
+                found.enumerations[cursor.spelling] = Enumeration(
+                    cursor.spelling, [Enumerator(e.spelling, e.enum_value, plain(e.raw_comment)) for e in cursor.get_children()],
+                    plain(cursor.raw_comment))
+            elif kind == self.kinds.STRUCT_DECL and cursor.is_definition():
+                found.structs[cursor.spelling] = self.struct(cursor)
+            elif kind == self.kinds.TYPEDEF_DECL:
+                if self.is_callback(cursor.underlying_typedef_type):
+                    found.callbacks.add(cursor.spelling)
+            elif kind == self.kinds.FUNCTION_DECL:
+                found.functions[cursor.spelling] = self.function(cursor)
+        return found
+
+    def place(self, cursor):
+        name = pathlib.Path(cursor.location.file.name)
+        return Place(str(name.relative_to(self.include.parent)), cursor.location.line)
+
+    def macro(self, cursor, found):
+        name, tokens = cursor.spelling, [token.spelling for token in cursor.get_tokens()][1:]
+        if name.startswith(("WRC_VERSION_", "WRC_ABI_", "WRC_FLAT_")):
+            found.numbers.append((name, int(tokens[0])))
+        elif name == "WRC_STATUS_LIST":
+            tokens = tokens[tokens.index(")") + 1:]  # of its parameter
+            while tokens:  # X ( name , [-] value , "text" )
+                end = tokens.index(")")
+                first, value, text = "".join(tokens[2:end]).split(",", 2)
+                found.statuses.append((first, int(value), text.strip('"')))
+                tokens = tokens[end + 1:]
+
+    def is_callback(self, kind):
+        kind = kind.get_canonical()
+        return kind.kind == self.types.POINTER and kind.get_pointee().get_canonical().kind == self.types.FUNCTIONPROTO
+
+    def type(self, kind):
+        spelling, extents, pointers, const = kind.spelling, [], 0, False
+        while kind.kind == self.types.CONSTANTARRAY:
+            extents.append(kind.element_count)
+            kind = kind.element_type
+        if self.is_callback(kind):
+            return Type("function", 0, False, tuple(extents), spelling)
+        while kind.kind in (self.types.POINTER, self.types.INCOMPLETEARRAY):
+            kind = kind.get_pointee() if kind.kind == self.types.POINTER else kind.element_type
+            pointers, const = pointers + 1, const or kind.is_const_qualified()
+        base = kind.get_declaration().spelling or kind.spelling.replace("const ", "")
+        return Type(base, pointers, const, tuple(extents), spelling)
+
+    def struct(self, cursor):
+        members = []
+        for field in cursor.get_children():
+            if field.kind == self.kinds.FIELD_DECL:
+                members.append(Member(field.spelling, self.type(field.type), field.get_field_offsetof() // 8,
+                                      field.type.get_size(), plain(field.raw_comment), self.place(field)))
+        return Struct(cursor.spelling, cursor.type.get_size(), members, plain(cursor.raw_comment), self.place(cursor))
+
+    def function(self, cursor):
+        arguments = [(each.spelling, self.type(each.type)) for each in cursor.get_arguments()]
+        name = pathlib.Path(cursor.location.file.name).name
+        return Function(cursor.spelling, self.type(cursor.result_type), arguments, plain(cursor.raw_comment), name,
+                        cursor.storage_class.name != "STATIC")
+
+
+def plain(comment):
+    """The text of a comment in one line, without its marks."""
+    if comment is None:
+        return ""
+    for mark in ("/**<", "/**", "/*", "*/"):
+        comment = comment.replace(mark, " ")
+    lines = [line.strip() for line in comment.splitlines()]
+    return " ".join(" ".join(line[1:] if line.startswith("*") else line for line in lines).split())

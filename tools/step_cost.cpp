@@ -1,0 +1,165 @@
+/// Cost of every stage and variant against strips and cells, with Google Benchmark:
+///     step_cost                                                       a table
+///     step_cost --benchmark_filter=tangential                         part of it
+///     step_cost --benchmark_out=cost.json --benchmark_out_format=json for a machine
+/// Times are of this machine in this minute; compare rows of one run only.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <utility>
+
+#include "proof/wheel.hpp"
+
+namespace {
+
+/// Inputs go round in this many positions, so that neither caches nor branches learn one case by heart.
+constexpr int positions = 64;
+
+/// A wheel driven across the head, with the cost of all but the named stage kept out of the time.
+class Driven {
+ public:
+  explicit Driven(const Methods& methods) : wheel(methods) {
+    for (int i = 0; i < positions; ++i) {
+      vary(i);
+      gaps_.push_back(wheel.gap_of_pose());
+    }
+  }
+  const Gap& gap(int i) const { return gaps_[static_cast<std::size_t>(i % positions)]; }
+  void vary(int i) {
+    wheel.vary(i % positions);
+    wheel.pose.lateral = -3e-3 + 8e-3 * (i % positions) / positions;
+    wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+  }
+  Wheel wheel;
+
+ private:
+  std::vector<Gap> gaps_;
+};
+
+void step_from_pose(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  int i = 0;
+  for (auto _ : state) {
+    driven.vary(++i);
+    benchmark::DoNotOptimize(driven.wheel.step());
+  }
+}
+
+void step_from_gap(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  int i = 0;
+  for (auto _ : state) {
+    driven.vary(++i);
+    benchmark::DoNotOptimize(driven.wheel.step_with(driven.gap(i)));
+  }
+}
+
+void geometry(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  int i = 0;
+  for (auto _ : state) {
+    driven.vary(++i);
+    benchmark::DoNotOptimize(driven.wheel.geometry());
+  }
+}
+
+void normal(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  int i = 0;
+  for (auto _ : state) {
+    driven.vary(++i);
+    const wrc_gap rows = shown(driven.gap(i));
+    benchmark::DoNotOptimize(
+        wrc_contact_normal(driven.wheel.contact, &rows, &driven.wheel.load, &driven.wheel.patch));
+  }
+}
+
+/// On the patch of one position: the tangential problem's cost hardly depends on the patch, but on the
+/// creepages.
+void tangential(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  Wheel& wheel = driven.wheel;
+  driven.vary(20);
+  wheel.step();
+  int i = 0;
+  for (auto _ : state) {
+    driven.vary(++i);
+    benchmark::DoNotOptimize(
+        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces));
+  }
+}
+
+void damage(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  driven.vary(20);
+  driven.wheel.step();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(wrc_contact_damage(driven.wheel.contact, &driven.wheel.damage));
+}
+
+void wear(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  driven.vary(20);
+  driven.wheel.step();
+  wrc_wear numbers = made<wrc_wear>(wrc_wear_init);
+  for (auto _ : state) benchmark::DoNotOptimize(wrc_contact_wear(driven.wheel.contact, nullptr, &numbers));
+}
+
+void save_and_restore(benchmark::State& state, Methods methods) {
+  Driven driven(methods);
+  driven.vary(20);
+  driven.wheel.step();
+  for (auto _ : state) {
+    driven.wheel.save();
+    benchmark::DoNotOptimize(driven.wheel.restore());
+  }
+}
+
+void creation(benchmark::State& state, Methods methods) {
+  for (auto _ : state) Wheel wheel(methods);
+}
+
+using Work = void (*)(benchmark::State&, Methods);
+
+void add(const std::string& stage, const std::string& variant, const Methods& methods, Work work) {
+  const std::string name =
+      stage + "/" + variant + "/" + std::to_string(methods.strips) + "x" + std::to_string(methods.cells);
+  benchmark::RegisterBenchmark(name.c_str(), work, methods)->Unit(benchmark::kMicrosecond);
+}
+
+void add_all() {
+  const std::pair<int, int> grids[] = {{16, 16}, {32, 32}, {60, 32}, {60, 50}, {128, 64}};
+  Methods methods;
+  add("geometry", "pose", methods, geometry);
+  for (const auto& [strips, cells] : grids) {
+    methods.strips = strips;
+    methods.cells = cells;
+    for (int32_t each = 0; each < normal_methods; ++each) {
+      methods.normal = each;
+      add("normal", normal_names[each], methods, normal);
+    }
+    methods.normal = WRC_NORMAL_STRIP_HALFSPACE;
+    for (int32_t each = 0; each < tangential_methods; ++each) {
+      methods.tangential = each;
+      add("tangential", presets[each].identifier, methods, tangential);
+    }
+    methods.tangential = preset_strip_fastsim;
+    add("damage", "all", methods, damage);
+    add("wear", "all", methods, wear);
+    add("state", "save and restore", methods, save_and_restore);
+    add("step", "from gap", methods, step_from_gap);
+    add("step", "from pose", methods, step_from_pose);
+    add("creation", "model and contact", methods, creation);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  add_all();
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
