@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "base/instruction_set.hpp"
-#include "tangential/fastsim.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "unit/tangential_patches.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include "abi/structs.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
-#include "tangential/force_table_file.hpp"
+#include "tangential/force_table/force_table_file.hpp"
 
 namespace wrc::abi {
 namespace {

@@ -1,5 +1,5 @@
 /// The functions formulas use beside + - * / where they are written for plain numbers and others; packs of
-/// them (base/pack.hpp) and numbers with derivatives (tangential/dual.hpp) have their own.
+/// them (base/pack.hpp) and numbers with derivatives (base/dual.hpp) have their own.
 #pragma once
 
 namespace wrc {

@@ -21,7 +21,7 @@
 #include "patch/split.hpp"
 #include "patch/strips.hpp"
 #include "surface/wheel_on_rail.hpp"
-#include "tangential/friction.hpp"
+#include "tangential/friction/friction.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {

@@ -8,7 +8,7 @@
 #include "geometry/profile_points.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
-#include "tangential/force_table_file.hpp"
+#include "tangential/force_table/force_table_file.hpp"
 
 namespace wrc {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "halfspace/convolution.hpp"
 #include "halfspace/gmres.hpp"
-#include "tangential/rolling_newton.hpp"
+#include "tangential/coarse_halfspace/rolling_newton.hpp"
 
 namespace wrc::halfspace {
 

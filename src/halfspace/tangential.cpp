@@ -9,7 +9,7 @@
 #include "halfspace/gmres.hpp"
 #include "halfspace/resample.hpp"
 #include "halfspace/row_preconditioner.hpp"
-#include "tangential/rolling_newton.hpp"
+#include "tangential/coarse_halfspace/rolling_newton.hpp"
 
 namespace wrc::halfspace {
 namespace {

@@ -4,9 +4,9 @@
 ///     s(x, y) = w(x, y) - du/dx,    w = (nu_x - phi y, nu_y + phi x),
 /// u the displacement difference wheel minus rail from tractions p on the wheel (influence.hpp). Where |p| <
 /// g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g s / |s|. That is solved by Newton's method with a
-/// moving adhesion area (a primal-dual active set; tangential/rolling_newton.hpp), its linear systems by
-/// GMRES with the rows along x inverted as preconditioner and FFT convolutions as products, started from the
-/// solution on a grid of half as many cells each way.
+/// moving adhesion area (a primal-dual active set; tangential/coarse_halfspace/rolling_newton.hpp), its
+/// linear systems by GMRES with the rows along x inverted as preconditioner and FFT convolutions as products,
+/// started from the solution on a grid of half as many cells each way.
 ///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.

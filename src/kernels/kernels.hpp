@@ -53,8 +53,8 @@ struct Kernels {
   /// sqrt(2 g / curvature).
   void (*divide_span)(const simd::SpanTask& task, const simd::StripArrays& strips);
   /// Displacement at the point by each strip of unit peak / half length, over the compliance [m^2]: see
-  /// impose_approach (normal/contact_condition.hpp). What strips nearer than their width do is left to the
-  /// caller.
+  /// impose_approach (normal/elasticity/contact_condition.hpp). What strips nearer than their width do is
+  /// left to the caller.
   void (*displacements_at)(const simd::PointTask& task, const simd::StripArrays& strips,
                            double* displacement);
 

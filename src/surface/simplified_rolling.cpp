@@ -11,8 +11,8 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
-#include "tangential/fastrip_strip.hpp"
-#include "tangential/flexibility_form.hpp"
+#include "tangential/methods/fastrip_strip.hpp"
+#include "tangential/methods/flexibility_form.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "normal/elliptic_integrals.hpp"
+#include "normal/elasticity/elliptic_integrals.hpp"
 
 namespace wrc {
 namespace {

@@ -3,7 +3,7 @@
 /// (surface_rolling.hpp), and u is of the ellipse whose strips are held alike.
 #pragma once
 
-#include "tangential/saturation_terms.hpp"
+#include "tangential/methods/saturation_terms.hpp"
 
 namespace wrc {
 

@@ -7,14 +7,14 @@
 
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
-#include "normal/influence_tables.hpp"
+#include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
 #include "surface/overlap.hpp"
 #include "surface/rail_strips.hpp"
 #include "surface/surface_normal.hpp"
 #include "surface/surface_rolling.hpp"
 #include "surface/wheel_on_rail.hpp"
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 
 namespace wrc {
 

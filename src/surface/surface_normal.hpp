@@ -22,7 +22,7 @@
 #include <cstdint>
 
 #include "kernels/kernels.hpp"
-#include "normal/influence_tables.hpp"
+#include "normal/elasticity/influence_tables.hpp"
 #include "surface/overlap.hpp"
 
 namespace wrc {

@@ -7,8 +7,8 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "tangential/simd/tasks.hpp"
-#include "tangential/strip_fastsim.hpp"
 
 namespace wrc {
 namespace {

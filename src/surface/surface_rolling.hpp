@@ -1,8 +1,8 @@
 /// Strip FASTSIM on the rail's surface: tractions of strips that each have their own rigid slip and their own
 /// linear theory, with no patch between them.
 ///
-/// It is the model of tangential/strip_fastsim.hpp with the patch taken out of it, so that nothing jumps when
-/// regions of contact meet, part, appear or vanish:
+/// It is the model of tangential/methods/strip_fastsim.hpp with the patch taken out of it, so that nothing
+/// jumps when regions of contact meet, part, appear or vanish:
 ///
 ///  - Coefficients are the strip's own, by its level peak / half length and its curvature
 ///    (strip_coefficients.hpp). All lengths of a patch drop out: adhesion tractions grow by
@@ -33,7 +33,7 @@
 
 #include "surface/strip_coefficients.hpp"
 #include "surface/surface_calibration.hpp"
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {
@@ -43,7 +43,7 @@ enum class SurfaceRollingMethod {
   strip_fastsim,
   fastsim,  ///< FASTSIM with separate flexibilities and the bound mu p; power is what the march dissipates
   fastrip,  ///< strip theory where a strip sticks, directions of FASTSIM with the common flexibility
-            ///< where it slips (tangential/fastrip.hpp); all four fields must be given
+            ///< where it slips (tangential/methods/fastrip.hpp); all four fields must be given
 };
 
 /// Strips in contact, by increasing place; one element per strip in arrays of the caller. A strip without

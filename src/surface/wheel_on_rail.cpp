@@ -133,7 +133,7 @@ void into_track(const Seen& s, double (&v)[3]) {
 }
 
 /// The law's coefficient of each strip: over its width on the rail, at the root mean square of its rigid slip
-/// times `speed` (tangential/friction.hpp).
+/// times `speed` (tangential/friction/friction.hpp).
 void find_friction(const SurfaceModel& model, const FrictionLaw& law, double speed, std::int32_t count,
                    Work& w) {
   for (std::int32_t k = 0; k < count; ++k) {

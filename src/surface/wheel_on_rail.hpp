@@ -16,7 +16,7 @@
 #include <cstdint>
 
 #include "base/fault.hpp"
-#include "tangential/friction.hpp"
+#include "tangential/friction/friction.hpp"
 
 namespace wrc {
 

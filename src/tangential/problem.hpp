@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "patch/strips.hpp"
-#include "tangential/strip_friction.hpp"
+#include "tangential/friction/strip_friction.hpp"
 #include "theory/flexibility.hpp"
 
 namespace wrc {

@@ -2,7 +2,7 @@
 /// the creepages.
 #pragma once
 
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 #include "tangential/patch_model.hpp"
 #include "tangential/problem.hpp"
 #include "theory/sdec.hpp"

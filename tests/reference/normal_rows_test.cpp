@@ -23,12 +23,12 @@
 #include "geometry/contact_search.hpp"
 #include "geometry/gap_rows.hpp"
 #include "kernels/kernels.hpp"
-#include "normal/analyn.hpp"
-#include "normal/ekp.hpp"
-#include "normal/hertz.hpp"
-#include "normal/kik_piotrowski.hpp"
-#include "normal/strip_halfspace.hpp"
-#include "normal/stripes.hpp"
+#include "normal/methods/analyn.hpp"
+#include "normal/methods/ekp.hpp"
+#include "normal/methods/hertz.hpp"
+#include "normal/methods/kik_piotrowski.hpp"
+#include "normal/methods/stripes.hpp"
+#include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "overlap_weighted_point.hpp"
 
 namespace wrc {

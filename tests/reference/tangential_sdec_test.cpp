@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "unit/published_methods.hpp"
 #include "unit/tangential_patches.hpp"
 

@@ -9,7 +9,7 @@
 #include "damage/frictional_power.hpp"
 #include "damage/wear.hpp"
 #include "kernels/kernels.hpp"
-#include "tangential/fastsim.hpp"
+#include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

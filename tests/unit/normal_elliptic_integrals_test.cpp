@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/elementary.hpp"
-#include "normal/elliptic_integrals.hpp"
+#include "normal/elasticity/elliptic_integrals.hpp"
 #include "patch/material.hpp"
 
 namespace wrc {

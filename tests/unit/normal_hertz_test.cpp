@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "normal/hertz.hpp"
-#include "normal/hertz_theory.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal/methods/hertz.hpp"
 #include "normal_gaps.hpp"
 
 namespace wrc {

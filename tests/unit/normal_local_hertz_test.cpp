@@ -1,9 +1,9 @@
 // ANALYN and STRIPES.
 #include <gtest/gtest.h>
 
-#include "normal/analyn.hpp"
-#include "normal/hertz_theory.hpp"
-#include "normal/stripes.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal/methods/analyn.hpp"
+#include "normal/methods/stripes.hpp"
 #include "normal_gaps.hpp"
 
 namespace wrc {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "kernels/kernels.hpp"
-#include "normal/ekp.hpp"
-#include "normal/overlap_regions.hpp"
+#include "normal/methods/ekp.hpp"
+#include "normal/penetration/overlap_regions.hpp"
 #include "normal_gaps.hpp"
 #include "patch/split.hpp"
 

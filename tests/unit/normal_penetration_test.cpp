@@ -6,12 +6,12 @@
 #include <functional>
 #include <string_view>
 
-#include "normal/contact_condition.hpp"
-#include "normal/ekp.hpp"
-#include "normal/elliptic_integrals.hpp"
-#include "normal/hertz_theory.hpp"
-#include "normal/kik_piotrowski.hpp"
-#include "normal/penetration.hpp"
+#include "normal/elasticity/contact_condition.hpp"
+#include "normal/elasticity/elliptic_integrals.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal/methods/ekp.hpp"
+#include "normal/methods/kik_piotrowski.hpp"
+#include "normal/penetration/penetration.hpp"
 #include "normal_gaps.hpp"
 #include "patch/regularise.hpp"
 

@@ -7,12 +7,12 @@
 #include <memory>
 #include <random>
 
-#include "normal/analyn.hpp"
-#include "normal/ekp.hpp"
-#include "normal/hertz.hpp"
-#include "normal/kik_piotrowski.hpp"
-#include "normal/strip_halfspace.hpp"
-#include "normal/stripes.hpp"
+#include "normal/methods/analyn.hpp"
+#include "normal/methods/ekp.hpp"
+#include "normal/methods/hertz.hpp"
+#include "normal/methods/kik_piotrowski.hpp"
+#include "normal/methods/stripes.hpp"
+#include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 
 namespace wrc {

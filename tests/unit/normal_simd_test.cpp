@@ -10,10 +10,10 @@
 
 #include "base/instruction_set.hpp"
 #include "kernels/kernels.hpp"
-#include "normal/contact_condition.hpp"
-#include "normal/penetration.hpp"
+#include "normal/elasticity/contact_condition.hpp"
+#include "normal/penetration/penetration.hpp"
 #include "normal/simd/tasks.hpp"
-#include "normal/strip_halfspace.hpp"
+#include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 
 namespace wrc {

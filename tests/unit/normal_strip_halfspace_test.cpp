@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "normal/hertz_theory.hpp"
-#include "normal/strip_halfspace.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 #include "patch/regularise.hpp"
 #include "patch/split.hpp"

@@ -12,7 +12,7 @@
 #include "geometry/gap_rows.hpp"
 #include "geometry_test_bodies.hpp"
 #include "kernels/kernels.hpp"
-#include "normal/strip_halfspace.hpp"
+#include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 #include "overlap_weighted_point.hpp"
 #include "patch/split.hpp"

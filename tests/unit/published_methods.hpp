@@ -2,8 +2,8 @@
 /// FaStrip-SDEC are fastsim() and fastrip() as they stand.
 #pragma once
 
-#include "tangential/fastrip.hpp"
-#include "tangential/fastsim.hpp"
+#include "tangential/methods/fastrip.hpp"
+#include "tangential/methods/fastsim.hpp"
 
 namespace wrc::test {
 

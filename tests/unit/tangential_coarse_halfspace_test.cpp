@@ -4,8 +4,8 @@
 
 #include "halfspace/tangential.hpp"
 #include "sdec_pressure.hpp"
-#include "tangential/coarse_halfspace.hpp"
-#include "tangential/coarse_rolling.hpp"
+#include "tangential/coarse_halfspace/coarse_halfspace.hpp"
+#include "tangential/coarse_halfspace/coarse_rolling.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "published_methods.hpp"
-#include "tangential/flexibility_form.hpp"
+#include "tangential/methods/flexibility_form.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

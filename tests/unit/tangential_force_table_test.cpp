@@ -15,7 +15,7 @@
 #include "halfspace/tangential.hpp"
 #include "patch/material.hpp"
 #include "sdec_pressure.hpp"
-#include "tangential/force_table_file.hpp"
+#include "tangential/force_table/force_table_file.hpp"
 #include "theory/sdec.hpp"
 #include "wrc/wrc.h"
 

@@ -1,7 +1,7 @@
 // The friction law: falling, zones, the coefficient of each strip.
 #include <gtest/gtest.h>
 
-#include "tangential/friction.hpp"
+#include "tangential/friction/friction.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "tangential/march.hpp"
-#include "tangential/stick_zone.hpp"
+#include "tangential/march/march.hpp"
+#include "tangential/march/stick_zone.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

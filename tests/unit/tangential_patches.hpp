@@ -8,7 +8,7 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
-#include "tangential/march.hpp"
+#include "tangential/march/march.hpp"
 #include "tangential/rolling_contact.hpp"
 
 namespace wrc::test {

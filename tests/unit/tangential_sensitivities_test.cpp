@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "published_methods.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

@@ -4,8 +4,8 @@
 
 #include "base/instruction_set.hpp"
 #include "kernels/kernels.hpp"
-#include "tangential/fastsim.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

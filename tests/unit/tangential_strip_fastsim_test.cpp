@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

@@ -1,7 +1,7 @@
 // Friction that differs from strip to strip, in the march and in strip FASTSIM; the ellipsoidal bound.
 #include <gtest/gtest.h>
 
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

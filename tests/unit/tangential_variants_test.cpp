@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "published_methods.hpp"
-#include "tangential/march.hpp"
+#include "tangential/march/march.hpp"
 #include "tangential_patches.hpp"
 
 namespace wrc {

@@ -21,7 +21,7 @@
 #include "patch/material.hpp"
 #include "rolling.hpp"
 #include "surface_case.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 #include "unit/published_methods.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "rolling.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the constants of src/tangential/strip_calibration.hpp to exact forces and prints the table.
+"""Fits the constants of src/tangential/methods/strip_calibration.hpp to exact forces and prints the table.
 
     fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ...
 

@@ -8,7 +8,7 @@
 
 #include "linear_theory/linear_theory.hpp"
 #include "patch/material.hpp"
-#include "tangential/strip_fastsim.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
 
 namespace {
 

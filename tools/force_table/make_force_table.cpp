@@ -1,4 +1,4 @@
-// Generates the force table (tangential/force_table.hpp) from the exact half-space solver:
+// Generates the force table (tangential/force_table/force_table.hpp) from the exact half-space solver:
 //     wrc_make_force_table FILE [threads]
 // Each shape, a pair (a/b, psi), is appended to FILE.progress when it is solved, and told on stderr; a run
 // that was interrupted goes on from there. Delete that file after a change of the axes or the solver. 33
@@ -20,7 +20,7 @@
 #include "linear_theory/linear_theory.hpp"
 #include "patch/material.hpp"
 #include "sdec_pressure.hpp"
-#include "tangential/force_table_file.hpp"
+#include "tangential/force_table/force_table_file.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc {

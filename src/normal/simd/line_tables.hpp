@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/pack.hpp"
-#include "normal/influence_tables.hpp"
+#include "normal/elasticity/influence_tables.hpp"
 #include "normal/simd/tasks.hpp"
 
 namespace wrc::simd {

@@ -22,7 +22,7 @@ struct SurfaceSources {
   const double *ny, *nz;         ///< directions
 };
 
-/// Tables of the influence function (normal/influence_tables.hpp).
+/// Tables of the influence function (normal/elasticity/influence_tables.hpp).
 struct SurfaceTables {
   StripTables line;
   const double* own_middle;

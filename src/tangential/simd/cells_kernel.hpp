@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/pack.hpp"
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc::simd {

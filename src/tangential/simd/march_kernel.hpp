@@ -13,12 +13,12 @@
 #pragma once
 
 #include "base/pack.hpp"
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
+#include "tangential/march/stick_zone.hpp"
 #include "tangential/simd/march_groups.hpp"
 #include "tangential/simd/strip_group.hpp"
 #include "tangential/simd/tasks.hpp"
 #include "tangential/simd/turning.hpp"
-#include "tangential/stick_zone.hpp"
 
 namespace wrc::simd {
 namespace {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "base/pack.hpp"
-#include "tangential/march_grid.hpp"
+#include "tangential/march/march_grid.hpp"
 #include "tangential/simd/march_groups.hpp"
 #include "tangential/simd/strip_fastsim_start.hpp"
 #include "tangential/simd/strip_group.hpp"

@@ -1,0 +1,64 @@
+#include "normal/methods/ekp.hpp"
+
+#include <cmath>
+
+#include "normal/check.hpp"
+#include "normal/elasticity/contact_condition.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal/penetration/load_search.hpp"
+#include "normal/penetration/overlap_regions.hpp"
+#include "normal/penetration/penetration.hpp"
+
+namespace wrc {
+namespace {
+
+PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const LateralCurvature& lateral,
+                                   double approach) {
+  const HertzShape shape = tabulated_hertz_shape(coefficient_x / lateral.coefficient);
+  if (kind == EkpScale::area) return {.at_centre = std::sqrt(shape.eps_x * shape.eps_y)};
+  const double b2 = shape.eps_y * approach / lateral.coefficient;  // Hertz's b squared
+  return {.at_centre = shape.eps_x, .bend = (shape.eps_y - shape.eps_x) / b2, .centre = lateral.middle};
+}
+
+}  // namespace
+
+Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
+                NormalSolution& solution) noexcept {
+  solution = {};
+  Fault fault = check_normal_problem(problem, strips);
+  if (fault.status != WRC_OK) return fault;
+
+  const GapRows& rows = problem.gap;
+  const GapMinimum lowest = minimum(rows);
+  const GapRow contact = interpolate(rows, lowest.y);
+  const double coefficient_x = 0.5 * contact.curvature;
+
+  const bool every_region = options.scale == EkpScale::ellipse;
+  const auto scale_at = [&](double approach) {
+    const LateralCurvature lateral = every_region ? curvature_of_all_regions(rows, lowest, approach)
+                                                  : lateral_curvature(rows, lowest, approach);
+    return penetration_scale(options.scale, coefficient_x, lateral, approach);
+  };
+  bool at_edge = false;
+  const auto force = [&](double approach, const PenetrationScale& scale, const Span& span) {
+    at_edge = span.at_edge;
+    if (every_region) {
+      const OverlapRegions regions = overlap_regions(rows, lowest, scale, approach, span, problem.strips / 2);
+      at_edge = regions.at_edge;
+      divide_regions(*problem.kernels, rows, lowest, scale, approach, regions, problem.strips, strips);
+    } else {
+      divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    }
+    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
+  };
+  fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
+                          solution);
+  if (fault.failed()) {
+    strips.count = 0;
+    return fault;
+  }
+  complete_solution(strips, lowest, at_edge, solution, fault);
+  return fault;
+}
+
+}  // namespace wrc

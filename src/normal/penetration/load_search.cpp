@@ -1,0 +1,96 @@
+#include "normal/penetration/load_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patch/material.hpp"
+
+namespace wrc {
+namespace {
+
+/// Cube root by Newton's rule from a power of two: the C library's bits are its own, and a first guess
+/// decides the path of the search.
+double cube_root(double x) {
+  if (!(x > 0.0)) return 0.0;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  double root = std::ldexp(1.0, exponent / 3);
+  for (int i = 0; i < 6; ++i) root = (2.0 * root + x / (root * root)) / 3.0;
+  return root;
+}
+
+}  // namespace
+
+double first_guess(const NormalProblem& problem, double coefficient_x) noexcept {
+  const double force = 0.75 * pi * problem.material.normal_compliance() * problem.normal_force;
+  return cube_root(force * force * 2.0 * coefficient_x);
+}
+
+bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noexcept {
+  double inside = 0.0, joining = 0.0;  // loads after the leap
+  const auto joins = [&](std::int32_t j) {
+    return strips.y[j] < before.span.y_from || strips.y[j] > before.span.y_to;
+  };
+  for (std::int32_t j = 0; j < strips.count; ++j)
+    (joins(j) ? joining : inside) += 0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j];
+  if (!(joining > 0.0 && inside > 0.0)) return false;
+  // With a share s of the joining strips' load, the contact condition sets the pressure to the factor
+  // 1 / (1 / f0 + s (1 - 1 / f0)) of that after the leap, f0 before it.
+  const double rest = inside / before.normal_force;  // 1 / f0
+  const double share = std::clamp((target * rest - inside) / (joining - target * (1.0 - rest)), 1e-9, 1.0);
+  if (!(share >= 0.0 && share <= 1.0)) return false;
+  const double factor = target / (inside + share * joining);
+  // Semi-elliptic pressure of the same p / l: load like l^2.
+  const double stretch = std::sqrt(share);
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    strips.peak[j] *= factor;
+    if (!joins(j)) continue;
+    strips.peak[j] *= stretch;
+    strips.half_length[j] *= stretch;
+  }
+  return true;
+}
+
+Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+  const bool load = problem.prescribed == Prescribed::load;
+  const double deepest = solution.approach, most = solution.normal_force;
+  // A leap just before the end is not to be continued, nor a load that falls.
+  const double chord = most / deepest;
+  solution.stiffness = std::clamp(solution.stiffness, chord, steepest_power * chord);
+  if (load) {
+    solution.normal_force = problem.normal_force;
+    solution.approach = deepest + (problem.normal_force - most) / solution.stiffness;
+  } else {
+    solution.approach = problem.approach;
+    solution.normal_force = most + solution.stiffness * (problem.approach - deepest);
+  }
+  const double share = solution.normal_force / most;
+  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
+  solution.peak_pressure *= share;
+  return {
+      .status = WRC_FLAG_BEYOND_GAP,
+      .field = load ? "load.normal_force" : "load.approach",
+      .value = load ? problem.normal_force : problem.approach,
+      .unit = load ? "N" : "m",
+      .low = 0.0,
+      .high = load ? most : deepest,
+      .cause = load ? "the gap given, or config.gap_limit, carries no more: continued with the last stiffness"
+                    : "the gap given, or config.gap_limit, ends there: continued with the last stiffness; "
+                      "did you pass mm?"};
+}
+
+void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
+                       Fault& fault) noexcept {
+  const StripTotals sum = totals(strips);
+  solution.peak_pressure = sum.peak_pressure;
+  solution.area = sum.area;
+  solution.y_contact = lowest.y;
+  if (at_edge)
+    keep_worst(fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
+                       .field = "gap",
+                       .value = lowest.y,
+                       .unit = "m",
+                       .cause = "give the gap over a wider range"});
+}
+
+}  // namespace wrc

@@ -1,0 +1,177 @@
+#include "normal/strip_halfspace/collocation_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "normal/penetration/penetration.hpp"
+
+namespace wrc {
+namespace {
+
+/// Integral of (level - height)+ over the rows, by trapezia cut where the height crosses the level [m^2]; and
+/// how fast it grows with the level, which is the width below it [m].
+struct Volume {
+  double area = 0.0;
+  double width = 0.0;
+};
+
+Volume volume_below(const GapRows& rows, double level) {
+  Volume volume;
+  for (std::int32_t j = 0; j + 1 < rows.count; ++j) {
+    const double left = level - rows.height[j];
+    const double right = level - rows.height[j + 1];
+    if (left <= 0.0 && right <= 0.0) continue;
+    const double dy = rows.y[j + 1] - rows.y[j];
+    const double share = left > 0.0 && right > 0.0 ? 1.0 : std::max(left, right) / std::abs(left - right);
+    volume.width += share * dy;
+    volume.area += 0.5 * share * dy * (std::max(left, 0.0) + std::max(right, 0.0));
+  }
+  return volume;
+}
+
+constexpr int samples = 100;        // over the extent of all stretches
+constexpr int curvature_reach = 4;  // samples to each side
+constexpr int most_stretches = most_regions;
+
+/// The weight cumulated along the stretches, as a broken line.
+struct WeightLine {
+  struct Point {
+    double y = 0.0, weight = 0.0;
+  };
+  std::array<Point, samples + 1 + 2 * most_stretches> points;
+  int count = 0;
+  std::array<int, most_stretches> first;  ///< first point of each stretch
+  int stretches = 0;
+
+  void open(double y) {
+    first[static_cast<std::size_t>(stretches++)] = count;
+    add(y, 0.0);
+  }
+  void add(double y, double weight_gained) {
+    const double before = count == 0 ? 0.0 : at(count - 1).weight;
+    points[static_cast<std::size_t>(count++)] = {y, before + weight_gained};
+  }
+  const Point& at(int i) const { return points[static_cast<std::size_t>(i)]; }
+  int first_of(int stretch) const {
+    return stretch == stretches ? count : first[static_cast<std::size_t>(stretch)];
+  }
+};
+
+}  // namespace
+
+double foundation_approach(const GapRows& rows, double lowest_height, double normal_compliance,
+                           double normal_force, double guess) noexcept {
+  // The volume grows like level^1.4 to 1.5, so Newton on its power 3/4 sees almost a straight line.
+  const double target = 2.0 * normal_compliance * normal_force;
+  const double target_root = std::sqrt(std::sqrt(target));
+  const double target_power = target_root * target_root * target_root;
+  double level = 0.6 * guess;
+  for (int i = 0; i < 30; ++i) {
+    const Volume volume = volume_below(rows, lowest_height + level);
+    if (!(volume.width > 0.0)) {  // between two rows
+      level *= 4.0;
+      continue;
+    }
+    const double step =
+        (volume.area - target_power * std::sqrt(std::sqrt(volume.area))) / (0.75 * volume.width);
+    level -= std::clamp(step, -4.0 * level, 0.9 * level);
+    if (std::abs(step) <= 1e-3 * level) break;
+  }
+  return level / 0.6;
+}
+
+void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
+                            CollocationGrid& grid) noexcept {
+  const double level = lowest.height + depth;
+  // Extent of everything below the level: around the minimum, where it may lie between two rows, and out to
+  // the last rows below.
+  const Span around = penetration_span(rows, lowest, PenetrationScale{.at_centre = 1.0}, depth);
+  double y_from = around.y_from, y_to = around.y_to;
+  grid.at_edge = around.at_edge || rows.height[0] < level || rows.height[rows.count - 1] < level;
+  const auto crossing = [&](std::int32_t inside, std::int32_t outside) {
+    const double share = (level - rows.height[inside]) / (rows.height[outside] - rows.height[inside]);
+    return rows.y[inside] + share * (rows.y[outside] - rows.y[inside]);
+  };
+  std::int32_t first = 0, last = rows.count - 1;
+  while (first < rows.count && rows.height[first] >= level) ++first;
+  while (last >= 0 && rows.height[last] >= level) --last;
+  if (first < rows.count) y_from = std::min(y_from, first == 0 ? rows.y[0] : crossing(first, first - 1));
+  if (last >= 0) y_to = std::max(y_to, last == rows.count - 1 ? rows.y[last] : crossing(last, last + 1));
+  const double step = (y_to - y_from) / samples;
+
+  std::array<double, samples + 1 + 2 * curvature_reach> height;
+  GapReader gap(rows);
+  for (int i = 0; i < static_cast<int>(height.size()); ++i)
+    height[static_cast<std::size_t>(i)] = gap.height(y_from + (i - curvature_reach) * step);
+  const double reach = curvature_reach * step;
+  const double floor_curvature = 2.0 * depth / ((y_to - y_from) * (y_to - y_from));
+  std::array<double, samples + 1> local;
+  for (int i = 0; i <= samples; ++i) {
+    const double* const h = height.data() + i;
+    const double second =
+        std::abs(h[0] - 2.0 * h[curvature_reach] + h[2 * curvature_reach]) / (reach * reach);
+    local[static_cast<std::size_t>(i)] = std::sqrt(second + floor_curvature);
+  }
+  // Averaged over the reach, so that neighbouring strips are of similar width.
+  const auto density = [&](int i) {
+    double sum = 0.0;
+    for (int k = i - curvature_reach; k <= i + curvature_reach; ++k)
+      sum += local[static_cast<std::size_t>(std::clamp(k, 0, samples))];
+    return sum;
+  };
+
+  WeightLine line;
+  double density_left = density(0);
+  bool inside = false;
+  for (int i = 0; i < samples; ++i) {
+    const double left = level - height[i + curvature_reach];
+    const double right = level - height[i + curvature_reach + 1];
+    const double density_right = density(i + 1);
+    const double y = y_from + i * step;
+    double start = 0.0;  // where in this step the stretch begins and ends
+    double end = 1.0;
+    if (!inside && (left > 0.0 || right > 0.0)) {
+      if (line.stretches == most_stretches) break;
+      if (left <= 0.0) start = left / (left - right);
+      line.open(y + start * step);
+      inside = true;
+    }
+    if (inside) {
+      if (right <= 0.0) end = left > 0.0 ? left / (left - right) : start;
+      line.add(y + end * step, (end - start) * step * 0.5 * (density_left + density_right));
+    }
+    if (right <= 0.0) inside = false;
+    density_left = density_right;
+  }
+
+  // Strips of equal weight within each stretch; their borders by inverting the line.
+  grid.count = 0;
+  if (line.count == 0) return;
+  const double total = line.at(line.count - 1).weight;
+  const auto strips_below = [&](double weight) {
+    return static_cast<std::int32_t>(std::floor(count * (weight / total) + 0.5));
+  };
+  for (int k = 0; k < line.stretches; ++k) {
+    int i = line.first_of(k);
+    const int last_point = line.first_of(k + 1) - 1;
+    const double weight_from = line.at(i).weight;
+    const double weight_to = line.at(last_point).weight;
+    const std::int32_t strips = strips_below(weight_to) - strips_below(weight_from);
+    double border = line.at(i).y;
+    for (std::int32_t j = 1; j <= strips; ++j) {
+      const double weight = weight_from + (weight_to - weight_from) * j / strips;
+      while (i + 1 < last_point && line.at(i + 1).weight < weight) ++i;
+      const WeightLine::Point a = line.at(i), b = line.at(i + 1);
+      const double next = j == strips ? line.at(last_point).y
+                                      : a.y + (b.y - a.y) * ((weight - a.weight) / (b.weight - a.weight));
+      grid.y[grid.count] = 0.5 * (border + next);
+      grid.width[grid.count] = next - border;
+      grid.region[grid.count] = k;
+      ++grid.count;
+      border = next;
+    }
+  }
+}
+
+}  // namespace wrc

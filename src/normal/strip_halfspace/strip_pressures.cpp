@@ -1,0 +1,150 @@
+#include "normal/strip_halfspace/strip_pressures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "kernels/kernels.hpp"
+#include "normal/simd/tasks.hpp"
+
+namespace wrc {
+namespace {
+
+/// A strip enters when the bodies would overlap by this part of the approach: rounding must not decide.
+constexpr double overlap_to_enter = 1e-4;
+
+double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.influence_stride; }
+
+/// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
+/// in each of the strips.
+void find_influence(const Kernels& kernels, const InfluenceTables& influence, const StripSystem& s,
+                    std::int32_t j) {
+  if (s.row_known[j] != 0) return;
+  s.row_known[j] = 1;
+  double* const row = influence_row(s, j);
+  const std::int32_t first = s.in_reach.first;
+  const simd::InfluenceTask task{
+      influence.tables(), s.in_reach.count,         s.grid.y + first, s.grid.width + first,
+      s.centre + first,   s.inverse_length + first, s.skewed};
+  kernels.influence_row(task, j - first, row + first);
+  row[j] = s.grid.width[j] * influence.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
+}
+
+/// The equations of the active strips: their influence on each other; the right-hand sides 1 / compliance,
+/// which the approach is a factor to, and height / compliance.
+simd::EliminationTask gather(const StripSystem& s, double compliance) {
+  const std::int32_t m = s.active_count, size = elimination_size(m);
+  const std::int64_t stride = simd::elimination_stride(size);
+  for (std::int32_t a = 0; a < size; ++a) {
+    double* const target = s.matrix + a * stride;
+    for (std::int64_t b = a < m ? m : 0; b < stride; ++b) target[b] = 0.0;
+    if (a >= m) {
+      target[a] = 1.0;
+      continue;
+    }
+    target[size] = 1.0 / compliance;
+    target[size + 1] = s.height[s.active[a]] / compliance;
+  }
+  // Column by column is slow; strips in contact come in runs.
+  for (std::int32_t first = 0, end = 0; first < m; first = end) {
+    end = run_end(s, first);
+    for (std::int32_t a = 0; a < m; ++a)
+      std::copy_n(influence_row(s, s.active[a]) + s.active[first], end - first,
+                  s.matrix + a * stride + first);
+  }
+  return {size, stride, s.matrix, s.by_approach, s.by_height};
+}
+
+/// The strips a sweep looks at: all, or those in contact and a few on both sides, in whole packs of the
+/// kernels.
+StripRange strips_in_reach(Search search, const StripSystem& s) {
+  if (search == Search::everywhere || s.active_count == 0) return {0, s.grid.count};
+  constexpr std::int32_t margin = 2;
+  const std::int32_t from = std::max(s.active[0] - margin, 0);
+  const std::int32_t to = std::min(s.active[s.active_count - 1] + 1 + margin, s.grid.count);
+  const auto packs = static_cast<std::int32_t>(simd::whole_packs(to - from));
+  const auto room = static_cast<std::int32_t>(simd::whole_packs(s.grid.count));
+  const std::int32_t first = std::min(from, room - packs);
+  return {first, std::min(packs, s.grid.count - first)};
+}
+
+/// Drops the strips that pull. True if there are any.
+bool release(StripSystem& s) {
+  std::int32_t kept = 0;
+  for (std::int32_t a = 0; a < s.active_count; ++a) {
+    double& peak = s.peak[s.active[a]];
+    if (peak > 0.0)
+      s.active[kept++] = s.active[a];
+    else
+      peak = 0.0;
+  }
+  const bool changed = kept < s.active_count;
+  s.active_count = kept;
+  return changed;
+}
+
+/// Takes in the strips where the bodies would overlap. True if there are any.
+bool admit(const NormalProblem& problem, const InfluenceTables& influence, Search search, double approach,
+           StripSystem& s) {
+  const double compliance = problem.material.normal_compliance();
+  constexpr std::int32_t beside = 1;  // strips from the nearest in contact that still count as beside it
+  std::int32_t a = 0, next_count = 0;
+  const std::int32_t m = s.active_count;
+  for (std::int32_t j = s.in_reach.first; j < s.in_reach.first + s.in_reach.count; ++j) {
+    bool in = a < m && s.active[a] == j;
+    const bool near = (a < m && s.active[a] - j <= beside) || (a > 0 && j - s.active[a - 1] <= beside);
+    if (in) {
+      ++a;
+    } else if (s.height[j] < approach && (near || search == Search::everywhere)) {
+      find_influence(*problem.kernels, influence, s, j);
+      const double* const row = influence_row(s, j);
+      double displacement = 0.0;
+      for (std::int32_t b = 0; b < m; ++b) displacement += row[s.active[b]] * s.peak[s.active[b]];
+      in = compliance * displacement < (1.0 - overlap_to_enter) * approach - s.height[j];
+    }
+    if (in) s.next_active[next_count++] = j;
+  }
+  if (next_count == m) return false;
+  std::swap(s.active, s.next_active);
+  s.active_count = next_count;
+  return true;
+}
+
+}  // namespace
+
+double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
+                       StripSystem& s, double& stiffness) noexcept {
+  const double compliance = problem.material.normal_compliance();
+  for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
+  std::fill_n(s.row_known, s.grid.count, 0);
+  s.in_reach = strips_in_reach(search, s);
+  for (std::int32_t a = 0; a < s.active_count; ++a)
+    find_influence(*problem.kernels, influence, s, s.active[a]);
+
+  double approach = problem.approach;
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds; ++round) {
+    const std::int32_t m = s.active_count;
+    problem.kernels->eliminate(gather(s, compliance));
+
+    double load_by_approach = 0.0, load_by_height = 0.0;
+    for (std::int32_t a = 0; a < m; ++a) {
+      const std::int32_t j = s.active[a];
+      const double section = 0.5 * pi * s.half_length[j] * s.grid.width[j];
+      load_by_approach += section * s.by_approach[a];
+      load_by_height += section * s.by_height[a];
+    }
+    if (problem.prescribed == Prescribed::load)
+      approach = (problem.normal_force + load_by_height) / load_by_approach;
+    stiffness = load_by_approach;
+
+    std::fill(s.peak, s.peak + s.grid.count, 0.0);
+    for (std::int32_t a = 0; a < m; ++a) s.peak[s.active[a]] = approach * s.by_approach[a] - s.by_height[a];
+    if (!release(s) && !admit(problem, influence, search, approach, s)) break;
+    if (s.active_count == 0) break;
+  }
+  return approach;
+}
+
+}  // namespace wrc

@@ -1,0 +1,84 @@
+#include "tangential/friction/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.hpp"
+#include "base/flush_subnormals.hpp"
+
+namespace wrc {
+namespace {
+
+/// Integral of a straight line through (y0, c0) and (y1, c1) over the part of [from, to] within [y0, y1].
+double integral_between(double y0, double c0, double y1, double c1, double from, double to) {
+  const double low = std::max(y0, from), high = std::min(y1, to);
+  if (high <= low) return 0.0;
+  const double middle = 0.5 * (low + high);
+  return (high - low) * (c0 + (c1 - c0) * (middle - y0) / (y1 - y0));
+}
+
+}  // namespace
+
+double friction_fall(const FrictionLaw& law, double sliding_speed) {
+  constexpr double endless = 690.0;  // e^-690 is nothing, and within what natural_exp takes
+  const double A = law.kinetic_ratio;
+  switch (law.fall) {
+    case FrictionLaw::Fall::none:
+      break;
+    case FrictionLaw::Fall::exponential:
+      return (1.0 - A) * natural_exp(-std::min(law.fall_rate * sliding_speed, endless)) + A;
+    case FrictionLaw::Fall::hyperbolic:
+      return A + (1.0 - A) / (1.0 + sliding_speed / law.half_speed);
+  }
+  return 1.0;
+}
+
+double mean_friction(const FrictionZones& zones, double from, double to) {
+  const double* y = zones.y;
+  const double* c = zones.coefficient;
+  const std::int64_t last = zones.count - 1;
+  double integral =
+      c[0] * std::max(0.0, std::min(to, y[0]) - from) + c[last] * std::max(0.0, to - std::max(from, y[last]));
+  for (std::int64_t k = 0; k < last; ++k)
+    integral += integral_between(y[k], c[k], y[k + 1], c[k + 1], from, to);
+  return integral / (to - from);
+}
+
+StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const FrictionFrame& frame,
+                       const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares) {
+  const double patch_x = creepage.longitudinal - creepage.spin * frame.origin;
+  const double patch_slip = std::sqrt(patch_x * patch_x + creepage.lateral * creepage.lateral);
+  double limit = 0.0, load = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double y = frame.origin + strips.y[j];
+    double mu = law.coefficient;
+    if (law.zones.count > 0) {
+      const double middle = frame.zone_origin + frame.zone_slope * y;
+      const double half = 0.5 * std::fabs(frame.zone_slope) * strips.width[j];
+      mu = mean_friction(law.zones, middle - half, middle + half);
+    }
+    double slip = patch_slip;
+    if (sliding == SlidingSpeed::of_strip) {
+      const double x = creepage.longitudinal - creepage.spin * y;
+      const double lateral = creepage.lateral + creepage.spin * strips.centre[j];
+      const double turn = creepage.spin * strips.half_length[j];
+      slip = std::sqrt(x * x + lateral * lateral + turn * turn / 3.0);
+    }
+    shares[j] =
+        flush_subnormals(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
+    const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
+    limit += shares[j] * carried;
+    load += carried;
+  }
+  const bool same_everywhere = law.zones.count == 0 && law.fall == FrictionLaw::Fall::none;
+  constexpr double least_friction = 1e-9;  // below, nothing to share out
+  if (same_everywhere || limit <= least_friction * load) {
+    std::fill_n(shares, strips.count, 1.0);
+    return same_everywhere ? law.coefficient : 0.0;
+  }
+  const double mean = limit / load;
+  for (std::int32_t j = 0; j < strips.count; ++j) shares[j] /= mean;
+  return {mean, shares};
+}
+
+}  // namespace wrc

@@ -1,0 +1,103 @@
+#include "tangential/methods/fastrip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patch/material.hpp"
+#include "tangential/march/march.hpp"
+#include "tangential/methods/fastrip_strip.hpp"
+#include "tangential/methods/flexibility_form.hpp"
+
+namespace wrc {
+namespace {
+
+StripGrowth growth_on_ellipse(const RollingContact& contact, Fault& fault) {
+  const KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
+  const Creepage& creep = contact.creepage;
+  const double G = contact.shear_modulus, c = std::sqrt(contact.a * contact.b);
+  const double spin = 3.0 * G * c * k.c23 / (2.0 * pi * contact.a) * creep.spin;
+  const double weight = 1.0 - contact.linear_theory->poisson();
+  return {2.0 * G * k.c11 / (pi * pi) * creep.longitudinal, spin / weight,
+          2.0 * G * k.c22 / (pi * pi) * creep.lateral, spin, weight};
+}
+
+StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
+  const double a = contact.a, b = contact.b;
+  const SdecCoefficients s = contact.linear_theory->at(a / b, contact.shape_number, fault);
+  const Creepage& creep = contact.creepage;
+  const double G = contact.shear_modulus, c = std::sqrt(a * b);
+  return {2.0 * G * s.c11 / (pi * pi) * creep.longitudinal,
+          3.0 * G * c * c * c * s.k13 / (4.0 * pi * a * b * b) * creep.spin,
+          2.0 * G * s.c22 / (pi * pi) * creep.lateral, 3.0 * G * c * s.c23 / (2.0 * pi * a) * creep.spin,
+          1.0};
+}
+
+/// FASTSIM's part: traction bound and flexibilities.
+struct Fastsim {
+  Flexibility separate;
+  double common = 0.0;  ///< where a strip slips as a whole
+  TractionBound bound = TractionBound::elliptic;
+  double load_factor = 1.0;
+};
+
+/// Its tractions, in the contact's workspace.
+SlipDirections directions_of(const Fastsim& fastsim, const RollingContact& contact) {
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
+  auto* const x = static_cast<double*>(contact.workspace);
+  double *const y = x + cells, *const common_x = y + cells, *const common_y = common_x + cells;
+  const StripFriction friction{contact.friction.mean * fastsim.load_factor, contact.friction.shares};
+  TangentialProblem problem{contact.region, contact.creepage, fastsim.separate, friction, fastsim.bound};
+  march(problem, *contact.grid, {x, y, nullptr, nullptr});
+  const double l = fastsim.common;
+  problem.flexibility = {l, l, l, l};
+  march(problem, *contact.grid, {common_x, common_y, nullptr, nullptr});
+  return {x, y, common_x, common_y};
+}
+
+TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
+                       const SlipDirections& directions, const TangentialFields& fields) {
+  constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
+  const Strips& strips = contact.region;
+  RolledStrip total;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double bound = contact.friction[j] * strips.peak[j];
+    const double steepness = std::max(bound, least_stress) / strips.half_length[j];
+    const StripSolution strip =
+        solve_strip(growth, steepness, strips.y[j], strips.centre[j], strips.half_length[j]);
+    const SlidingStrip sliding{strips.half_length[j], strips.width[j], strips.centre[j],
+                               strips.y[j],           bound,           contact.creepage};
+    total += roll_strip(sliding, strip, *contact.grid, directions, strips.count, j, fields);
+  }
+  const Creepage& c = contact.creepage;
+  const double balance =
+      std::max(0.0, -(total.fx * c.longitudinal + total.fy * c.lateral + total.mz * c.spin));
+  const double scale = total.power > 0.0 ? balance / total.power : 0.0;
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(strips.count) * contact.grid->cells;
+  for (double* slip : {fields.slip_x, fields.slip_y}) {
+    std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
+  }
+  return {total.fx, total.fy, total.mz, balance, total.adhesion_fraction()};
+}
+
+}  // namespace
+
+std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells) {
+  return static_cast<std::int64_t>(4 * sizeof(double)) * strips * cells;
+}
+
+TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
+  Fastsim fastsim;
+  fastsim.separate = linear_flexibility(contact, fault);
+  fastsim.common = common_flexibility(fastsim.separate, contact.a, contact.b, contact.elastic_shape_number(),
+                                      contact.creepage);
+  if (contact.model.on_ellipse) {
+    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
+    fastsim.bound = TractionBound::parabolic;
+    fastsim.load_factor = 1.0 + slender * slender * slender * slender;
+  }
+  const StripGrowth growth =
+      contact.model.of_sdec ? growth_on_sdec(contact, fault) : growth_on_ellipse(contact, fault);
+  return solve(contact, growth, directions_of(fastsim, contact), fields);
+}
+
+}  // namespace wrc

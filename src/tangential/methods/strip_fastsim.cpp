@@ -1,0 +1,239 @@
+#include "tangential/methods/strip_fastsim.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/dual.hpp"
+#include "kernels/kernels.hpp"
+#include "patch/material.hpp"
+#include "patch/regularise.hpp"
+#include "tangential/methods/strip_calibration.hpp"
+#include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/tasks.hpp"
+
+namespace wrc {
+namespace {
+
+/// With derivatives with respect to nu_x, nu_y, phi.
+using Number = Dual<simd::inputs>;
+
+constexpr double least_force2 = 1e-30;       // [N^2]: neither friction nor creepages
+constexpr double largest_slenderness = 0.6;  // of the patches the calibration was fitted to
+
+/// What the patch, its load and the creepages make of the model; T carries derivatives or not.
+template <class T>
+struct Model {
+  T nu_x, nu_y, phi;
+  T l11, l13, l22, l23;  ///< flexibilities of the stick zone [m/Pa]
+  T neutral_y;           ///< neutral line of spin in the stick zone [m]
+  double t11, t22;       ///< flexibilities of linear theory, for the turning of slip [m/Pa]
+  T turning;             ///< factor on them
+  T torsion;             ///< lateral elastic slip of a patch that spins [-]
+  double elastic;        ///< what the elastic slip differs by between x and y, (l_x - l_y) B [1/m]
+  double B;              ///< bound of the march [Pa/m^2]
+};
+
+/// The double ellipse that stands for the patch in linear theory, from the strips' pressure: see the header.
+struct Equivalent {
+  double a = 0.0, b = 0.0, shape_number = 0.0;
+  double y_stiff = 0.0;              ///< lateral centre of the strips' stiffness [m]
+  double pressure_per_length = 0.0;  ///< mean of peak / half length over the area [Pa/m]
+  double normal_force = 0.0;         ///< [N]
+};
+
+Equivalent equivalent(const RollingContact& c) {
+  const Strips& strips = c.region;
+  double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double p = strips.width[j] * strips.peak[j], l = strips.width[j] * strips.half_length[j];
+    pressure += p;
+    pressure_y += p * strips.y[j];
+    length += l;
+    length_y += l * strips.y[j];
+  }
+  const double load = normal_force(strips);
+  if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
+  Equivalent patch;
+  patch.a = 0.75 * load / pressure;
+  patch.b = 2.0 * length / (pi * patch.a);
+  patch.y_stiff = pressure_y / pressure;
+  const double centre = 0.5 * (patch.y_stiff + length_y / length) / patch.b;
+  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -largest_psi, largest_psi);
+  patch.pressure_per_length = pressure / length;
+  patch.normal_force = load;
+  return patch;
+}
+
+/// The terms of the calibration; x, e, s and the limit mu N as forces [N], Q the sum of their squares.
+template <class T>
+std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_number, const T& x,
+                                                         const T& e, const T& s, double limit, const T& Q) {
+  const double limit2 = limit * limit + least_force2;
+  const T inverse = 1.0 / Q;
+  const T longitudinal = x * x * inverse, lateral = e * e * inverse, spin = s * s * inverse;
+  const T pull = e * s * inverse, pull2 = pull * pull;
+  const T ratio = s * s / (limit2 + s * s), even = 4.0 * ratio * (1.0 - ratio), even2 = even * even;
+  return {T(1.0),
+          T(u),
+          longitudinal,
+          lateral,
+          spin,
+          pull,
+          pull2,
+          u * longitudinal,
+          u * lateral,
+          u * spin,
+          u * pull,
+          u * pull2,
+          even2 * even2 * (limit2 / (limit2 + x * x + e * e)),
+          shape_number * (x * s * inverse)};
+}
+
+/// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
+template <class T>
+T factor(const T& q) {
+  return q + root(1.0 + q * q);
+}
+
+template <class T>
+Model<T> model(const RollingContact& c, const StripCalibration& calibration, const T& nu_x, const T& nu_y,
+               const T& phi, Fault& fault) {
+  const Equivalent patch = equivalent(c);
+  const double a = patch.a, b = patch.b, psi = patch.shape_number, u = slenderness(a / b);
+  const SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
+  Fault reported;
+  const Flexibility flexibility = sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
+
+  // Forces of linear theory and what friction allows [N].
+  const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
+  const T longitudinal = stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi);
+  const T lateral = (stiffness * linear.c22) * nu_y, spin = (stiffness * size * linear.c23) * phi;
+  const double limit = c.friction.mean * patch.normal_force;
+  const T saturation2 =
+      limit * limit + longitudinal * longitudinal + lateral * lateral + spin * spin + least_force2;
+  const std::array<T, StripCalibration::terms> terms =
+      calibration_terms<T>(std::clamp(u, -largest_slenderness, largest_slenderness), psi, longitudinal,
+                           lateral, spin, limit, saturation2);
+  const auto fitted = [&](StripCalibration::Quantity quantity) {
+    T sum = 0.0;
+    for (int i = 0; i < StripCalibration::terms; ++i) sum += calibration.constants[quantity][i] * terms[i];
+    return sum;
+  };
+
+  // Linear forces of the tractions sqrt(v/u) / 2, sqrt(uv) relative to those of v, uv, integrated over an
+  // SDEC: 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part.
+  constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
+  // The centre of an SDEC's length is at 8 / (3 pi) psi b: what shifts the neutral line must stiffen spin.
+  constexpr double centre = 8.0 / (3.0 * pi);
+  const double neutral = neutral_line(u, c.linear_theory->poisson(), psi);
+  Model<T> m;
+  m.nu_x = nu_x;
+  m.nu_y = nu_y;
+  m.phi = phi;
+  m.t11 = flexibility.l11;
+  m.t22 = flexibility.l22;
+  m.l11 = flexibility.l11 * creepage_area * factor(fitted(StripCalibration::flexibility_x));
+  m.l22 = flexibility.l22 * creepage_area * factor(fitted(StripCalibration::flexibility_y));
+  m.l13 = flexibility.l13 * spin_area * (1.0 - neutral / centre) *
+          factor(fitted(StripCalibration::flexibility_spin_x));
+  m.l23 = flexibility.l23 * factor(fitted(StripCalibration::flexibility_spin_y));
+  m.neutral_y =
+      (patch.y_stiff - (centre - neutral) * psi * b) * (1.0 + fitted(StripCalibration::neutral_line));
+  m.turning = 1.4 * factor(fitted(StripCalibration::turning));
+  m.B = 4.0 / (3.0 * a) * patch.pressure_per_length * c.friction.mean;
+  m.elastic = m.B * creepage_area * (m.t11 - m.t22);
+  m.torsion = m.B * (m.t22 * a) * (spin / root(saturation2)) * fitted(StripCalibration::torsion);
+  return m;
+}
+
+simd::Coefficient coefficient(double value) { return {value, {}}; }
+simd::Coefficient coefficient(const Number& x) { return {x.value, {x.d[0], x.d[1], x.d[2]}}; }
+
+/// The model for the kernels; it points into the contact and the fields.
+template <class T>
+simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
+                               const TangentialFields& fields) {
+  simd::StripFastsimTask task{};
+  task.strips = contact.region.count;
+  task.cells = contact.grid->cells;
+  task.shape = &contact.grid->elliptic;
+  task.inverse_weight = contact.grid->inverse_weight;
+  task.fields = &fields;
+  task.region = &contact.region;
+  task.nu_x = contact.creepage.longitudinal;
+  task.nu_y = contact.creepage.lateral;
+  task.phi = contact.creepage.spin;
+  task.friction = contact.friction.mean;
+  task.shares = contact.friction.shares;
+  task.gx_constant = coefficient(m.nu_x / m.l11 + m.neutral_y * m.phi / m.l13);
+  task.gx_by_y = coefficient(m.phi / m.l13);
+  task.gy_constant = coefficient(m.nu_y / m.l22);
+  task.gy_by_x = coefficient(m.phi / m.l23);
+  task.l11 = value_of(m.l11);
+  task.l22 = value_of(m.l22);
+  task.t11 = m.t11;
+  task.t22 = m.t22;
+  task.turning = coefficient(m.turning);
+  task.torsion = coefficient(m.torsion);
+  task.B = m.B;
+  task.elastic = m.elastic;
+  return task;
+}
+
+/// Where derivatives are found: here, or where creepages are so small that the forces' differences drown in
+/// rounding, or none, as far from rest as makes 1e-8 of what friction allows. Forces are linear up to there.
+Creepage away_from_rest(const RollingContact& contact) {
+  constexpr double least = 1e-8;
+  const Creepage& c = contact.creepage;
+  const double ab = contact.a * contact.b;
+  const double level = contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
+  const double size =
+      std::sqrt(c.longitudinal * c.longitudinal + c.lateral * c.lateral + ab * c.spin * c.spin);
+  if (size >= least * level) return c;
+  if (!(size > 0.0)) return {least * level, 0.0, 0.0};
+  const double scale = least * level / size;
+  return {scale * c.longitudinal, scale * c.lateral, scale * c.spin};
+}
+
+}  // namespace
+
+double neutral_line(double u, double poisson, double shape_number) {
+  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
+         0.077 * shape_number * shape_number;
+}
+
+TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                               TangentialSensitivities* sensitivities) {
+  return calibrated_strip_fastsim(contact, fields, fault, sensitivities, fitted_calibration);
+}
+
+TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const TangentialFields& fields,
+                                          Fault& fault, TangentialSensitivities* sensitivities,
+                                          const StripCalibration& calibration) {
+  const Kernels& kernels = *contact.grid->kernels;
+  const auto forces = [&](simd::Sums& sums) {
+    const Creepage& c = contact.creepage;
+    const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
+    (fields.any() ? kernels.strip_fastsim_fields : kernels.strip_fastsim)(task_of(contact, m, fields), sums);
+  };
+  simd::Sums sums;
+  if (sensitivities) {
+    RollingContact moved = contact;
+    moved.creepage = away_from_rest(contact);
+    const Creepage& c = moved.creepage;
+    const Model<Number> m = model<Number>(moved, calibration, Number::input(c.longitudinal, 0),
+                                          Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
+    kernels.strip_fastsim_sensitivities(task_of(moved, m, fields), sums);
+    *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
+    const Creepage& asked = contact.creepage;
+    if (c.longitudinal != asked.longitudinal || c.lateral != asked.lateral || c.spin != asked.spin)
+      forces(sums);
+  } else {
+    forces(sums);
+  }
+  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
+          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
+}
+
+}  // namespace wrc
