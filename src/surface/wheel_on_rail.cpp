@@ -114,9 +114,9 @@ void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
   v[2] = s.velocity[2] + o[0] * y - o[1] * x;
 }
 
-void add(const Seen& s, double x, double y, double z, double fx, double fy, double fz, double mz_y,
-         double mz_z, double (&force)[3], double (&moment)[3]) {
-  (void)s;
+/// Adds a force at (x, y, z) and a moment there to force and moment about the origin.
+void add(double x, double y, double z, double fx, double fy, double fz, double mz_y, double mz_z,
+         double (&force)[3], double (&moment)[3]) {
   force[0] += fx;
   force[1] += fy;
   force[2] += fz;
@@ -179,29 +179,19 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, 
     for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
 }
 
-/// Solves at a height; the wrench is complete but for `height` and the sums over earlier sweeps. `found`: the
-/// overlaps at this height stand in w.overlaps already.
-Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
-               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
-  Fault fault;
-  const std::int32_t sweeps_before = out.sweeps;
-  out = {};
-  out.sweeps = sweeps_before;
-  out.height = height;
-  const Seen seen = see(model, in, height);
-  Overlaps& o = w.overlaps;
-  if (!found) find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
-  const SurfaceNormalResult normal =
-      solve_surface_normal(model.rail, o, *model.influence, *model.kernels,
-                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
-  out.sweeps += normal.sweeps;
-  if (!normal.converged)
-    fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
-
-  // strips in contact, damped
+/// The strips in contact, and their sums.
+struct Loaded {
   std::int32_t count = 0;
+  double load = 0.0;     ///< [N]
+  double sliding = 0.0;  ///< load times sliding velocity along the rail [N m/s]
+};
+
+/// Takes the strips that carry load from the overlaps and their pressure, with damping: into w's arrays,
+/// slips as velocities [m/s], [rad/s].
+Loaded take_loaded_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, Work& w) {
+  Loaded loaded;
+  const Overlaps& o = w.overlaps;
   const SurfacePressure& p = w.pressure;
-  double load = 0.0, sliding = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
     const std::int32_t j = o.strip[i];
@@ -212,7 +202,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     const double damped = std::max(0.0, 1.0 + 1.5 * in.damping * approach_velocity);
     const double peak = damped * p.strength[i] / l, N = 0.5 * pi * model.rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
-    const std::int32_t k = count++;
+    const std::int32_t k = loaded.count++;
     w.candidate[k] = i;
     w.place[k] = model.rail.s[j];
     w.width[k] = model.rail.width[j];
@@ -224,108 +214,155 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
     w.spin[k] = seen.angular_velocity[1] * o.ny[i] + seen.angular_velocity[2] * o.nz[i];
     w.friction[k] = in.friction;
     w.fx[k] = w.fy[k] = w.mz[k] = 0.0;
-    load += N;
-    sliding += N * v[0];
+    loaded.load += N;
+    loaded.sliding += N * v[0];
   }
-  if (count == 0) {
-    return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
-  }
+  return loaded;
+}
+
+/// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to
+/// [m/s].
+double roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, const Loaded& loaded,
+                   Work& w) {
   // the mean of the speeds at which wheel and rail material pass through the contact
-  const double rolling_speed = seen.velocity[0] - 0.5 * sliding / load;
+  const double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
   const RollingReference reference = rolling_reference(rolling_speed);
   const double speed = reference.divisor;
-  for (std::int32_t k = 0; k < count; ++k) {
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.slip_x[k] /= speed;
     w.slip_y[k] /= speed;
     w.spin[k] /= speed;
   }
-  if (in.friction > 0.0) {
-    if (in.law) find_friction(model, *in.law, speed, count, w);
-    const bool backwards = rolling_speed < 0.0;
-    roll(model, in, count, backwards, w, {w.fx, w.fy, w.mz});
-    if (reference.other_way > 0.0) {
-      roll(model, in, count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
-      const double other = reference.other_way;
-      for (std::int32_t k = 0; k < count; ++k) {
-        w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
-        w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
-        w.mz[k] += other * (w.other_mz[k] - w.mz[k]);
-      }
-    }
+  if (!(in.friction > 0.0)) return speed;
+  if (in.law) find_friction(model, *in.law, speed, loaded.count, w);
+  const bool backwards = rolling_speed < 0.0;
+  roll(model, in, loaded.count, backwards, w, {w.fx, w.fy, w.mz});
+  const double other = reference.other_way;
+  if (!(other > 0.0)) return speed;
+  roll(model, in, loaded.count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
+    w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
+    w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
+    w.mz[k] += other * (w.other_mz[k] - w.mz[k]);
   }
+  return speed;
+}
 
-  // sums, strip by strip, and region by region: strips side by side
+/// The region that strips are being added to: in rail axes, moments about the wheel's reference point, places
+/// and creepages times load, until it is closed.
+struct OpenRegion {
   SurfaceRegion* region = nullptr;
-  double region_n[2] = {}, region_weight = 0.0;
-  const auto close = [&] {
-    if (!region) return;
-    SurfaceRegion& r = *region;
-    for (double& c : r.point) c /= region_weight;
-    for (double& c : r.creepage) c /= region_weight;
-    r.normal_force = std::sqrt(region_n[0] * region_n[0] + region_n[1] * region_n[1]);
-    double direction[3] = {0.0, region_n[0], region_n[1]};
-    into_track(seen, direction);
-    r.angle = 2.0 * arctangent(-direction[1] / (direction[2] + r.normal_force + 1e-300));
-    out.normal_force += r.normal_force;
-    for (int c = 0; c < 3; ++c) {
-      out.force[c] += r.force[c];
-      out.moment[c] += r.moment[c];
-    }
-    // moments about the point
-    r.moment[0] -= r.point[1] * r.force[2] - r.point[2] * r.force[1];
-    r.moment[1] -= r.point[2] * r.force[0] - r.point[0] * r.force[2];
-    r.moment[2] -= r.point[0] * r.force[1] - r.point[1] * r.force[0];
-    into_track(seen, r.force);
-    into_track(seen, r.moment);
-    into_track(seen, r.point);
-    r.point[0] += in.wheel.position[0];
-    r.point[1] += in.wheel.position[1];
-    r.point[2] += height;
-    region = nullptr;
-  };
+  double normal[2] = {};  ///< resultant of the pressure, along y and z [N]
+  double load = 0.0;      ///< sum of the strips' normal forces [N]
+};
+
+/// Completes a region and adds it to the sums over all; nothing if none is open.
+void close(const WheelOnRail& in, const Seen& seen, OpenRegion& open, Wrench& out) {
+  if (!open.region) return;
+  SurfaceRegion& r = *open.region;
+  for (double& c : r.point) c /= open.load;
+  for (double& c : r.creepage) c /= open.load;
+  r.normal_force = std::sqrt(open.normal[0] * open.normal[0] + open.normal[1] * open.normal[1]);
+  double direction[3] = {0.0, open.normal[0], open.normal[1]};
+  into_track(seen, direction);
+  r.angle = 2.0 * arctangent(-direction[1] / (direction[2] + r.normal_force + 1e-300));
+  out.normal_force += r.normal_force;
+  for (int c = 0; c < 3; ++c) {
+    out.force[c] += r.force[c];
+    out.moment[c] += r.moment[c];
+  }
+  // moments about the point
+  r.moment[0] -= r.point[1] * r.force[2] - r.point[2] * r.force[1];
+  r.moment[1] -= r.point[2] * r.force[0] - r.point[0] * r.force[2];
+  r.moment[2] -= r.point[0] * r.force[1] - r.point[1] * r.force[0];
+  into_track(seen, r.force);
+  into_track(seen, r.moment);
+  into_track(seen, r.point);
+  r.point[0] += in.wheel.position[0];
+  r.point[1] += in.wheel.position[1];
+  r.point[2] += out.height;
+  open = {};
+}
+
+/// Adds the k-th strip in contact to the region it belongs to.
+void add_strip(const Work& w, std::int32_t k, double speed, OpenRegion& open, Wrench& out) {
+  SurfaceRegion& r = *open.region;
+  const Overlaps& o = w.overlaps;
+  const std::int32_t i = w.candidate[k];
+  r.count = o.strip[i] + 1 - r.first;
+  const double l = w.half_length[k], N = 0.5 * pi * w.width[k] * l * w.peak[k];
+  const double ny = o.ny[i], nz = o.nz[i], x = w.pressure.centre[i];
+  const double fy = w.fy[k] * nz - N * ny, fz = -w.fy[k] * ny - N * nz;
+  add(x, o.wy[i], o.wz[i], w.fx[k], fy, fz, w.mz[k] * ny, w.mz[k] * nz, r.force, r.moment);
+  open.normal[0] += N * ny;
+  open.normal[1] += N * nz;
+  open.load += N;
+  r.point[0] += N * x;
+  r.point[1] += N * o.wy[i];
+  r.point[2] += N * o.wz[i];
+  r.creepage[0] += N * w.slip_x[k];
+  r.creepage[1] += N * w.slip_y[k];
+  r.creepage[2] += N * w.spin[k];
+  const double area = 2.0 * l * w.width[k];
+  r.area += area;
+  out.area += area;
+  r.peak_pressure = std::max(r.peak_pressure, w.peak[k]);
+  out.peak_pressure = std::max(out.peak_pressure, w.peak[k]);
+  const double power = -speed * (w.fx[k] * w.slip_x[k] + w.fy[k] * w.slip_y[k] + w.mz[k] * w.spin[k]);
+  r.power += power;
+  out.power += power;
+}
+
+/// The wrench: sums over the strips in contact, region by region. A region is strips side by side; the last
+/// of those listed takes what follows.
+Fault sum_up(const WheelOnRail& in, const Seen& seen, std::int32_t count, double speed, const Work& w,
+             Wrench& out) {
+  Fault fault;
+  OpenRegion open;
   std::int32_t last_strip = -2;
   for (std::int32_t k = 0; k < count; ++k) {
-    const std::int32_t i = w.candidate[k], j = o.strip[i];
-    if (j != last_strip + 1) {
-      close();
+    const std::int32_t strip = w.overlaps.strip[w.candidate[k]];
+    if (strip != last_strip + 1) {
       if (out.regions < most_surface_regions) {
-        region = &out.region[out.regions++];
-        *region = {};
-        region->first = j;
-        region_n[0] = region_n[1] = region_weight = 0.0;
+        close(in, seen, open, out);
+        open.region = &out.region[out.regions++];
+        *open.region = {};
+        open.region->first = strip;
       } else {
-        region = &out.region[most_surface_regions - 1];  // beyond what is listed: counted with the last
         keep_worst(fault, {.status = WRC_FLAG_MORE_PATCHES});
       }
     }
-    last_strip = j;
-    SurfaceRegion& r = *region;
-    r.count = j + 1 - r.first;
-    const double l = w.half_length[k], N = 0.5 * pi * w.width[k] * l * w.peak[k];
-    const double ny = o.ny[i], nz = o.nz[i];
-    const double fy = w.fy[k] * nz - N * ny, fz = -w.fy[k] * ny - N * nz;
-    add(seen, p.centre[i], o.wy[i], o.wz[i], w.fx[k], fy, fz, w.mz[k] * ny, w.mz[k] * nz, r.force, r.moment);
-    region_n[0] += N * ny;
-    region_n[1] += N * nz;
-    region_weight += N;
-    r.point[0] += N * p.centre[i];
-    r.point[1] += N * o.wy[i];
-    r.point[2] += N * o.wz[i];
-    r.creepage[0] += N * w.slip_x[k];
-    r.creepage[1] += N * w.slip_y[k];
-    r.creepage[2] += N * w.spin[k];
-    const double area = 2.0 * l * w.width[k];
-    r.area += area;
-    out.area += area;
-    r.peak_pressure = std::max(r.peak_pressure, w.peak[k]);
-    out.peak_pressure = std::max(out.peak_pressure, w.peak[k]);
-    const double power = -speed * (w.fx[k] * w.slip_x[k] + w.fy[k] * w.slip_y[k] + w.mz[k] * w.spin[k]);
-    r.power += power;
-    out.power += power;
+    last_strip = strip;
+    add_strip(w, k, speed, open, out);
   }
-  close();
+  close(in, seen, open, out);
   into_track(seen, out.force);
   into_track(seen, out.moment);
+  return fault;
+}
+
+/// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
+/// the overlaps at this height stand in w.overlaps already.
+Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
+               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
+  const std::int32_t sweeps_before = out.sweeps;
+  out = {};
+  out.sweeps = sweeps_before;
+  out.height = height;
+  const Seen seen = see(model, in, height);
+  if (!found) find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, w.overlaps);
+  const SurfaceNormalResult normal =
+      solve_surface_normal(model.rail, w.overlaps, *model.influence, *model.kernels,
+                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
+  out.sweeps += normal.sweeps;
+  Fault fault;
+  if (!normal.converged)
+    fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+  const Loaded loaded = take_loaded_strips(model, in, seen, w);
+  if (loaded.count == 0)
+    return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
+  const double speed = roll_strips(model, in, seen, loaded, w);
+  keep_worst(fault, sum_up(in, seen, loaded.count, speed, w, out));
   return fault;
 }
 
@@ -363,6 +400,114 @@ void scale(double factor, Wrench& out) {
   }
 }
 
+/// The wrench at the height given. Beyond the deepest overlap that is solved the load goes on with the
+/// stiffness it had, in the directions it had.
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
+                         Wrench& out) {
+  constexpr double step = 2e-6;  // [m]
+  const double asked = in.wheel.position[2], border = height_at_border(model, in, w);
+  if (!(asked > border)) return solve_at(model, in, asked, asked == border, w, start, {}, out);
+  solve_at(model, in, border - step, false, w, start, {}, out);
+  const double before = out.normal_force;
+  Fault fault = solve_at(model, in, border, false, w, start, {}, out);
+  if (out.normal_force > 0.0) {
+    const double stiffness = larger(out.normal_force - before, 0.0) / step;
+    scale(1.0 + stiffness * (asked - border) / out.normal_force, out);
+  }
+  out.height = asked;
+  keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
+                     .field = "overlap",
+                     .value = deepest_overlap + asked - border,
+                     .unit = "m",
+                     .high = deepest_overlap,
+                     .cause = "did you pass millimetres?"});
+  return fault;
+}
+
+/// A height [m] at which the wheel just presses on the rail: lowered, or raised, from the one given until it
+/// touches.
+double touching_height(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
+  constexpr double margin = 50e-3, pressed = 60e-6;  // [m]
+  double height = in.wheel.position[2];
+  for (int n = 0; n < 12; ++n) {
+    const Seen seen = see(model, in, height);
+    const Overlaps& o = w.overlaps;
+    find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, margin, w.scratch, w.overlaps);
+    double fall = margin;
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
+      if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
+    }
+    height += fall;
+    if (std::abs(fall) < 1e-7) break;
+  }
+  return height + pressed;
+}
+
+/// Search of the height for a load: between one that carries too little and one that carries too much, by
+/// secants of the load's power 2/3, which is nearly straight.
+class HeightSearch {
+ public:
+  explicit HeightSearch(double load) : target_(straightened(load)) {}
+
+  /// Notes that `height` carries `load`.
+  void take(double height, double load) {
+    const double value = straightened(load) - target_;
+    (value < 0.0 ? low_ : high_) = {height, value, true};
+  }
+
+  /// Nothing is left between the heights.
+  bool exhausted() const { return low_.known && high_.known && std::abs(high_.height - low_.height) < 1e-16; }
+
+  /// Where to look after `height` in the search's step `step`, counted from 0.
+  double next(double height, std::int32_t step) const {
+    if (!(low_.known && high_.known)) {
+      // one side only: by the slope of a sphere, F ~ depth^(3/2), with twice the step
+      const double depth_step = 20e-6 * static_cast<double>(1 << std::min(step, 12));
+      return low_.known ? height + depth_step : height - depth_step;
+    }
+    const double low = low_.height, high = high_.height;
+    const double inside = 1e-3 * (high - low);
+    const double between =
+        step % 6 == 5 ? 0.5 * (low + high) : low - low_.value * (high - low) / (high_.value - low_.value);
+    return smaller(larger(between, smaller(low, high) + inside), larger(low, high) - inside);
+  }
+
+ private:
+  struct End {
+    double height = 0.0, value = 0.0;  ///< [m], of the straightened load less the target
+    bool known = false;
+  };
+
+  static double straightened(double load) {
+    return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0;
+  }
+
+  double target_;
+  End low_, high_;
+};
+
+/// The wrench at the height that carries the load given, searched from `height`, which becomes it.
+Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
+                       double& height, Wrench& out) {
+  const double asked = in.vertical_load;
+  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
+  HeightSearch search(asked);
+  Fault fault;
+  for (std::int32_t step = 0; step < most_load_steps; ++step) {
+    const Fault here = solve_at(model, in, height, false, w, start, options, out);
+    const double load = -out.force[2];
+    fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
+    if (std::abs(load - asked) <= load_tolerance * asked) return fault;
+    search.take(height, load);
+    if (search.exhausted()) break;
+    height = search.next(height, step);
+  }
+  keep_worst(fault,
+             {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
+  return fault;
+}
+
 }  // namespace
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes) {
@@ -375,103 +520,17 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
                           void* workspace, Wrench& out) noexcept {
   Work w;
   cut(workspace, model.wheel.curve.pieces, w);
-  SurfaceStart start{state.length_squared, state.shift, warm && state.set > 0.0};
+  warm = warm && state.set > 0.0;
+  SurfaceStart start{state.length_squared, state.shift, warm};
   out = {};
   Fault fault;
-  if (!in.load_prescribed) {
-    const double asked = in.wheel.position[2], border = height_at_border(model, in, w);
-    if (asked > border) {
-      // Beyond, the load goes on with the stiffness it had, in the directions it had.
-      constexpr double step = 2e-6;  // [m]
-      solve_at(model, in, border - step, false, w, start, {}, out);
-      const double before = out.normal_force;
-      fault = solve_at(model, in, border, false, w, start, {}, out);
-      if (out.normal_force > 0.0) {
-        const double stiffness = larger(out.normal_force - before, 0.0) / step;
-        scale(1.0 + stiffness * (asked - border) / out.normal_force, out);
-      }
-      out.height = asked;
-      keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
-                         .field = "overlap",
-                         .value = deepest_overlap + asked - border,
-                         .unit = "m",
-                         .high = deepest_overlap,
-                         .cause = "did you pass millimetres?"});
-    } else {
-      fault = solve_at(model, in, asked, asked == border, w, start, {}, out);
-    }
+  if (in.load_prescribed) {
+    if (!warm) state.height = touching_height(model, in, w);
+    fault = solve_given_load(model, in, w, start, state.height, out);
+  } else {
+    fault = solve_given_height(model, in, w, start, out);
     state.height = in.wheel.position[2];
-    state.set = start.set ? 1.0 : 0.0;
-    return fault;
   }
-
-  // The load: heights between one that carries too little and one that carries too much, by secants of the
-  // load's power 2/3, which is nearly straight.
-  const double asked = in.vertical_load;
-  const auto shape = [](double load) {
-    return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0;
-  };
-  const double target = shape(asked);
-  double low = -1.0, high = 1.0, low_value = 0.0,
-         high_value = 0.0;  // [m], of the height less the first guess
-  bool has_low = false, has_high = false;
-  double base = in.wheel.position[2];
-  double z = warm && state.set > 0.0 ? state.height : base;
-  if (!(warm && state.set > 0.0)) {
-    // the wheel is lowered, or raised, until it touches
-    constexpr double margin = 50e-3;
-    for (int n = 0; n < 12; ++n) {
-      const Seen seen = see(model, in, z);
-      Overlaps& o = w.overlaps;
-      find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, margin, w.scratch, o);
-      double fall = margin;
-      for (std::int32_t i = 0; i < o.count; ++i) {
-        const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
-        if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
-      }
-      z += fall;
-      if (std::abs(fall) < 1e-7) break;
-    }
-    z += 60e-6;
-  }
-  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
-  bool met = false;
-  for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    Fault here = solve_at(model, in, z, false, w, start, options, out);
-    const double load = -out.force[2];
-    fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
-    if (std::abs(load - asked) <= load_tolerance * asked) {
-      met = true;
-      break;
-    }
-    const double value = shape(load) - target;
-    if (value < 0.0) {
-      low = z;
-      low_value = value;
-      has_low = true;
-    } else {
-      high = z;
-      high_value = value;
-      has_high = true;
-    }
-    double next;
-    if (has_low && has_high) {
-      next = low - low_value * (high - low) / (high_value - low_value);
-      const double inside = 1e-3 * (high - low);
-      if (step % 6 == 5) next = 0.5 * (low + high);
-      next = smaller(larger(next, smaller(low, high) + inside), larger(low, high) - inside);
-      if (std::abs(high - low) < 1e-16) break;
-    } else {
-      // one side only: by the slope of a sphere, F ~ depth^(3/2), with twice the step
-      const double depth_step = 20e-6 * static_cast<double>(1 << std::min(step, 12));
-      next = has_low ? z + depth_step : z - depth_step;
-    }
-    z = next;
-  }
-  if (!met)
-    keep_worst(fault,
-               {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
-  state.height = z;
   state.set = start.set ? 1.0 : 0.0;
   return fault;
 }
