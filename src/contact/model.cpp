@@ -110,6 +110,67 @@ Fault named(Fault fault, const char* name) {
   return fault;
 }
 
+/// Sizes of what contacts carry for the methods and the surface.
+void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
+  if (const auto workspace = options.normal_method->workspace)
+    sizes.normal_workspace_bytes = workspace(options.sizes.strips);
+  if (const auto workspace = options.tangential_method->workspace)
+    sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
+  if (!has_surface(options)) return;
+  sizes.surface_state_bytes = surface_state_bytes();
+  sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel));
+}
+
+/// Reads the force table into `memory`, for the model's Poisson ratio.
+Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& table) {
+  auto* coefficients = static_cast<float*>(memory);
+  const Fault fault = read_force_table(options.force_table, options.force_table_axes, coefficients);
+  if (fault.failed()) return fault;
+  table.axes = options.force_table_axes;
+  table.coefficients = coefficients;
+  adapt_to_poisson(options.material.poisson, table);
+  return {};
+}
+
+/// Both bodies on both sides, and the surface if the model has one, from `arrays` on.
+Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, Model& model) {
+  ProfileMemory wheel_memory[2], rail_memory[2];
+  for (ProfileMemory& each : wheel_memory) each = cut(arrays, node_count(options.wheel));
+  for (ProfileMemory& each : rail_memory) each = cut(arrays, node_count(options.rail));
+  const ProfileMemory given_wheel_memory = cut(arrays, node_count(options.wheel));
+  const ProfileMemory given_rail_memory = cut(arrays, node_count(options.rail));
+  double* const scratch = arrays;
+  Profile wheel, rail;
+  Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_wheel_memory, wheel,
+                             model.wheel_deviation);
+  for (const Side side : {Side::right, Side::left}) {
+    const auto k = static_cast<int>(side);
+    if (!fault.failed())
+      fault = place_wheel(wheel, options.wheelset, side, wheel_memory[k], model.bodies[k].wheel);
+  }
+  if (fault.failed()) return named(fault, "config.wheel");
+  fault =
+      load_profile(options.rail, ProfileBody::rail, scratch, given_rail_memory, rail, model.rail_deviation);
+  for (const Side side : {Side::right, Side::left}) {
+    const auto k = static_cast<int>(side);
+    if (!fault.failed()) fault = place_rail(rail, options.track, side, rail_memory[k], model.bodies[k].rail);
+  }
+  if (fault.failed()) return named(fault, "config.rail");
+  if (!has_surface(options)) return {};
+  return make_surface_model({.wheel = wheel,
+                             .rail = rail,
+                             .rail_inclination = options.track.rail_inclination,
+                             .rail_origin_y = model.bodies[0].rail.origin_y,
+                             .rail_origin_z = model.bodies[0].rail.origin_z,
+                             .nominal_radius = options.wheelset.nominal_radius,
+                             .material = options.material,
+                             .influence = model.influence,
+                             .kernels = model.kernels,
+                             .ellipse = &model.linear_theory.ellipse(),
+                             .grid = &model.march_grid},
+                            surface, model.surface);
+}
+
 }  // namespace
 
 std::size_t model_bytes(const ModelOptions& options) {
@@ -126,14 +187,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.wheel = {};
   model->options.rail = {};
   model->options.force_table = nullptr;
-  if (const auto workspace = options.normal_method->workspace)
-    model->options.sizes.normal_workspace_bytes = workspace(options.sizes.strips);
-  if (const auto workspace = options.tangential_method->workspace)
-    model->options.sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
-  if (has_surface(options)) {
-    model->options.sizes.surface_state_bytes = surface_state_bytes();
-    model->options.sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel));
-  }
+  take_sizes(options, model->options.sizes);
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
   model->kernels = &kernels_for(options.instruction_set);
@@ -148,12 +202,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   void* const surface = behind;
   behind += surface_bytes(options);
   if (table_bytes(options) > 0) {
-    auto* coefficients = reinterpret_cast<float*>(behind);
-    const Fault fault = read_force_table(options.force_table, options.force_table_axes, coefficients);
+    const Fault fault = take_force_table(options, behind, model->force_table);
     if (fault.failed()) return fault;
-    model->force_table.axes = options.force_table_axes;
-    model->force_table.coefficients = coefficients;
-    adapt_to_poisson(options.material.poisson, model->force_table);
   }
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
@@ -161,44 +211,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
-    ProfileMemory wheel_memory[2], rail_memory[2];
-    for (ProfileMemory& each : wheel_memory) each = cut(arrays, node_count(options.wheel));
-    for (ProfileMemory& each : rail_memory) each = cut(arrays, node_count(options.rail));
-    const ProfileMemory given_wheel_memory = cut(arrays, node_count(options.wheel));
-    const ProfileMemory given_rail_memory = cut(arrays, node_count(options.rail));
-    double* const scratch = arrays;
-    Profile given_wheel, given_rail;
-    Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_wheel_memory, given_wheel,
-                               model->wheel_deviation);
-    for (const Side side : {Side::right, Side::left}) {
-      const auto k = static_cast<int>(side);
-      if (!fault.failed())
-        fault = place_wheel(given_wheel, options.wheelset, side, wheel_memory[k], model->bodies[k].wheel);
-    }
-    if (fault.failed()) return named(fault, "config.wheel");
-    fault = load_profile(options.rail, ProfileBody::rail, scratch, given_rail_memory, given_rail,
-                         model->rail_deviation);
-    for (const Side side : {Side::right, Side::left}) {
-      const auto k = static_cast<int>(side);
-      if (!fault.failed())
-        fault = place_rail(given_rail, options.track, side, rail_memory[k], model->bodies[k].rail);
-    }
-    if (fault.failed()) return named(fault, "config.rail");
-    if (has_surface(options)) {
-      fault = make_surface_model({.wheel = given_wheel,
-                                  .rail = given_rail,
-                                  .rail_inclination = options.track.rail_inclination,
-                                  .rail_origin_y = model->bodies[0].rail.origin_y,
-                                  .rail_origin_z = model->bodies[0].rail.origin_z,
-                                  .nominal_radius = options.wheelset.nominal_radius,
-                                  .material = options.material,
-                                  .influence = model->influence,
-                                  .kernels = model->kernels,
-                                  .ellipse = &model->linear_theory.ellipse(),
-                                  .grid = &model->march_grid},
-                                 surface, model->surface);
-      if (fault.failed()) return fault;
-    }
+    const Fault fault = take_bodies(options, arrays, surface, *model);
+    if (fault.failed()) return fault;
   }
   made = model;
   return {};
