@@ -104,12 +104,6 @@ std::size_t surface_bytes(const ModelOptions& options) {
   return has_surface(options) ? surface_model_bytes(node_count(options.wheel), node_count(options.rail)) : 0;
 }
 
-/// A fault of a profile, under the name the caller knows it by.
-Fault named(Fault fault, const char* name) {
-  if (fault.failed() && fault.field == nullptr) fault.field = name;
-  return fault;
-}
-
 /// Sizes of what contacts carry for the methods and the surface.
 void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (const auto workspace = options.normal_method->workspace)
@@ -132,30 +126,39 @@ Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& ta
   return {};
 }
 
+/// Reads a profile and places it on both sides by `place` (profile, side, memory). Takes its memory from
+/// `arrays`; what lies behind is scratch.
+template <class Place>
+Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, Profile& given,
+                double& deviation, Place&& place) {
+  ProfileMemory placed[2];
+  for (ProfileMemory& each : placed) each = cut(arrays, node_count(source));
+  const ProfileMemory own = cut(arrays, node_count(source));
+  Fault fault = load_profile(source, body, arrays, own, given, deviation);
+  for (const Side side : {Side::right, Side::left}) {
+    if (!fault.failed()) fault = place(given, side, placed[static_cast<int>(side)]);
+  }
+  // Under the name the caller knows the profile by.
+  if (fault.failed() && fault.field == nullptr)
+    fault.field = body == ProfileBody::wheel ? "config.wheel" : "config.rail";
+  return fault;
+}
+
 /// Both bodies on both sides, and the surface if the model has one, from `arrays` on.
 Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, Model& model) {
-  ProfileMemory wheel_memory[2], rail_memory[2];
-  for (ProfileMemory& each : wheel_memory) each = cut(arrays, node_count(options.wheel));
-  for (ProfileMemory& each : rail_memory) each = cut(arrays, node_count(options.rail));
-  const ProfileMemory given_wheel_memory = cut(arrays, node_count(options.wheel));
-  const ProfileMemory given_rail_memory = cut(arrays, node_count(options.rail));
-  double* const scratch = arrays;
   Profile wheel, rail;
-  Fault fault = load_profile(options.wheel, ProfileBody::wheel, scratch, given_wheel_memory, wheel,
-                             model.wheel_deviation);
-  for (const Side side : {Side::right, Side::left}) {
-    const auto k = static_cast<int>(side);
-    if (!fault.failed())
-      fault = place_wheel(wheel, options.wheelset, side, wheel_memory[k], model.bodies[k].wheel);
-  }
-  if (fault.failed()) return named(fault, "config.wheel");
-  fault =
-      load_profile(options.rail, ProfileBody::rail, scratch, given_rail_memory, rail, model.rail_deviation);
-  for (const Side side : {Side::right, Side::left}) {
-    const auto k = static_cast<int>(side);
-    if (!fault.failed()) fault = place_rail(rail, options.track, side, rail_memory[k], model.bodies[k].rail);
-  }
-  if (fault.failed()) return named(fault, "config.rail");
+  Fault fault = take_body(options.wheel, ProfileBody::wheel, arrays, wheel, model.wheel_deviation,
+                          [&](const Profile& profile, Side side, const ProfileMemory& memory) {
+                            Wheel& placed = model.bodies[static_cast<int>(side)].wheel;
+                            return place_wheel(profile, options.wheelset, side, memory, placed);
+                          });
+  if (fault.failed()) return fault;
+  fault = take_body(options.rail, ProfileBody::rail, arrays, rail, model.rail_deviation,
+                    [&](const Profile& profile, Side side, const ProfileMemory& memory) {
+                      Rail& placed = model.bodies[static_cast<int>(side)].rail;
+                      return place_rail(profile, options.track, side, memory, placed);
+                    });
+  if (fault.failed()) return fault;
   if (!has_surface(options)) return {};
   return make_surface_model({.wheel = wheel,
                              .rail = rail,

@@ -3,26 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+
+#include "base/natural_spline.hpp"
 
 namespace wrc::halfspace {
-namespace {
-
-// Second derivatives of the natural cubic spline through (s, f): Thomas's elimination.
-std::vector<double> second_derivatives(const std::vector<double>& s, const std::vector<double>& f) {
-  const std::size_t n = s.size();
-  std::vector<double> m(n, 0.0), above(n, 0.0);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    const double before = s[k] - s[k - 1], after = s[k + 1] - s[k];
-    const double right = 6.0 * ((f[k + 1] - f[k]) / after - (f[k] - f[k - 1]) / before);
-    const double pivot = 2.0 * (before + after) - before * above[k - 1];
-    above[k] = after / pivot;
-    m[k] = (right - before * m[k - 1]) / pivot;
-  }
-  for (std::size_t k = n - 1; k-- > 1;) m[k] -= above[k] * m[k + 1];
-  return m;
-}
-
-}  // namespace
 
 SectionCurve::SectionCurve(const std::vector<double>& y, const std::vector<double>& z, double least_spacing) {
   for (std::size_t k = 0; k < y.size(); ++k) {
@@ -33,8 +18,12 @@ SectionCurve::SectionCurve(const std::vector<double>& y, const std::vector<doubl
     y_.push_back(y[k]);
     z_.push_back(z[k]);
   }
-  y2_ = second_derivatives(s_, y_);
-  z2_ = second_derivatives(s_, z_);
+  if (s_.empty()) return;
+  const auto n = static_cast<std::int32_t>(s_.size());
+  std::vector<double> scratch(s_.size());
+  for (std::vector<double>* second : {&y2_, &z2_}) second->assign(s_.size(), 0.0);
+  second_derivatives(n, s_.data(), y_.data(), y2_.data(), scratch.data());
+  second_derivatives(n, s_.data(), z_.data(), z2_.data(), scratch.data());
 }
 
 SectionCurve::Point SectionCurve::at(double s) const {

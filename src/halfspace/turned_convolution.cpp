@@ -44,6 +44,18 @@ void TurnedConvolution::convolve_parts(const Field& x, const Field& y) {
   }
 }
 
+void TurnedConvolution::sum_cosines(Field& out) const {
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = cosine_[j] * by_cosine_[k] + sine_[j] * by_sine_[k];
+  }
+}
+
+void TurnedConvolution::sum_sines(Field& out) const {
+  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = sine_[j] * by_cosine_[k] - cosine_[j] * by_sine_[k];
+  }
+}
+
 void TurnedConvolution::normal(const Field& p, Field& out) {
   if (cosine_.empty()) {
     std::fill(unused_.begin(), unused_.end(), 0.0);
@@ -51,18 +63,14 @@ void TurnedConvolution::normal(const Field& p, Field& out) {
     return;
   }
   convolve_parts(p);
-  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = cosine_sum(j, k);
-  }
+  sum_cosines(out);
 }
 
 void TurnedConvolution::normal_crossed(const Field& p, Field& out) {
   std::fill(out.begin(), out.end(), 0.0);
   if (cosine_.empty()) return;
   convolve_parts(p);
-  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = sine_sum(j, k);
-  }
+  sum_sines(out);
 }
 
 void TurnedConvolution::tangential(Field& x, Field& y) {
@@ -72,18 +80,14 @@ void TurnedConvolution::tangential(Field& x, Field& y) {
   }
   convolve_parts(x, y);
   planar_.apply(x.data(), y.data(), x.data(), unused_.data());
-  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-    for (std::size_t i = 0; i < nx_; ++i, ++k) y[k] = cosine_sum(j, k);
-  }
+  sum_cosines(y);
 }
 
 void TurnedConvolution::tangential_crossed(const Field& x, const Field& y, Field& out) {
   std::fill(out.begin(), out.end(), 0.0);
   if (cosine_.empty()) return;
   convolve_parts(x, y);
-  for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = sine_sum(j, k);
-  }
+  sum_sines(out);
 }
 
 }  // namespace wrc::halfspace

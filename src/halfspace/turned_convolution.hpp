@@ -42,12 +42,9 @@ class TurnedConvolution {
   // Convolutions of a field times the rows' cosines, and sines.
   void convolve_parts(const Field& p);
   void convolve_parts(const Field& x, const Field& y);
-  double cosine_sum(std::size_t row, std::size_t cell) const {
-    return cosine_[row] * by_cosine_[cell] + sine_[row] * by_sine_[cell];
-  }
-  double sine_sum(std::size_t row, std::size_t cell) const {
-    return sine_[row] * by_cosine_[cell] - cosine_[row] * by_sine_[cell];
-  }
+  // Of these, turned back: sums over all rows j of cos(a_i - a_j), and of sin(a_i - a_j).
+  void sum_cosines(Field& out) const;
+  void sum_sines(Field& out) const;
 
   std::size_t nx_ = 0, ny_ = 0;
   Convolution planar_;

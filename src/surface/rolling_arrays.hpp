@@ -5,6 +5,7 @@
 #include <array>
 
 #include "surface/surface_rolling.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 
@@ -31,6 +32,36 @@ inline constexpr double least_strip_length = 1e-9;  ///< [m]: shorter strips car
 inline double strip_level(const SurfaceRollingInput& in, std::int32_t j) {
   constexpr double least_pressure = 1.0;  // [Pa]
   return std::max(in.peak[j], least_pressure) / std::max(in.half_length[j], least_strip_length);
+}
+
+/// A kernel's task, as far as the tasks of both kernels are alike: the strips, their bounds and growths, and
+/// where the results go.
+template <class Task>
+Task surface_task(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
+                  const SurfaceRollingForces& forces) {
+  Task task{};
+  task.strips = in.count;
+  task.cells = in.grid->cells;
+  task.shape = &in.grid->elliptic;
+  task.fields = &fields;
+  task.width = in.width;
+  task.half_length = in.half_length;
+  task.bound = a.bound;
+  task.growth_x = a.growth_x;
+  task.growth_y = a.growth_y;
+  task.fx = forces.fx;
+  task.fy = forces.fy;
+  task.mz = forces.mz;
+  return task;
+}
+
+/// Runs a kernel and takes what it sums up.
+template <class Task>
+void run(void (*kernel)(const Task&, simd::Sums&), const Task& task, SurfaceRollingForces& forces) {
+  simd::Sums sums;
+  kernel(task, sums);
+  forces.power_per_speed = sums.power_per_speed;
+  forces.adhesion_fraction = sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0;
 }
 
 /// Methods other than strip FASTSIM, from loads, coefficients and slips of the arrays.

@@ -13,7 +13,6 @@
 #include "surface/rolling_arrays.hpp"
 #include "tangential/methods/fastrip_strip.hpp"
 #include "tangential/methods/flexibility_form.hpp"
-#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -44,27 +43,13 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
     a.turn_x[j] = L.l11 * bound / l;
     a.turn_y[j] = L.l22 * bound / l;
   }
-  simd::SurfaceMarchTask task{};
-  task.strips = in.count;
-  task.cells = in.grid->cells;
+  auto task = surface_task<simd::SurfaceMarchTask>(in, a, fields, forces);
   task.parabolic = false;
-  task.shape = &in.grid->elliptic;
-  task.fields = &fields;
-  task.width = in.width;
-  task.half_length = in.half_length;
-  task.bound = a.bound;
-  task.growth_x = a.growth_x;
-  task.growth_y = a.growth_y;
   task.rate = a.curvature;
   task.soft_x = a.turn_x;
   task.soft_y = a.turn_y;
-  task.fx = forces.fx;
-  task.fy = forces.fy;
-  task.mz = forces.mz;
-  simd::Sums sums;
-  (fields.any() ? in.grid->kernels->surface_march_fields : in.grid->kernels->surface_march)(task, sums);
-  forces.power_per_speed = sums.power_per_speed;
-  forces.adhesion_fraction = sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0;
+  const Kernels& kernels = *in.grid->kernels;
+  run(fields.any() ? kernels.surface_march_fields : kernels.surface_march, task, forces);
 }
 
 }  // namespace

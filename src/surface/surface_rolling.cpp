@@ -8,7 +8,6 @@
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
 #include "tangential/methods/strip_fastsim.hpp"
-#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -182,17 +181,8 @@ void tell(const SurfaceRollingInput& in, const RollingArrays& a) {
 void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
                            const TangentialFields& fields, SurfaceRollingForces& forces) {
   tell(in, a);
-  simd::SurfaceStripsTask task{};
-  task.strips = in.count;
-  task.cells = in.grid->cells;
-  task.shape = &in.grid->elliptic;
+  auto task = surface_task<simd::SurfaceStripsTask>(in, a, fields, forces);
   task.inverse_weight = in.grid->inverse_weight;
-  task.fields = &fields;
-  task.width = in.width;
-  task.half_length = in.half_length;
-  task.bound = a.bound;
-  task.growth_x = a.growth_x;
-  task.growth_y = a.growth_y;
   task.curvature = a.curvature;
   task.slip_x = a.slip_x;
   task.slip_y = a.slip_y;
@@ -202,15 +192,10 @@ void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a
   task.turn_y = a.turn_y;
   task.edge_x = a.edge_x;
   task.edge_y = a.edge_y;
-  task.fx = forces.fx;
-  task.fy = forces.fy;
-  task.mz = forces.mz;
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;
-  simd::Sums sums;
-  (fields.any() ? in.grid->kernels->surface_strips_fields : in.grid->kernels->surface_strips)(task, sums);
-  forces.power_per_speed = sums.power_per_speed;
-  forces.adhesion_fraction = sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0;
+  const Kernels& kernels = *in.grid->kernels;
+  run(fields.any() ? kernels.surface_strips_fields : kernels.surface_strips, task, forces);
 }
 
 }  // namespace

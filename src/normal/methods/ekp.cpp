@@ -25,7 +25,7 @@ PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const La
 Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
                 NormalSolution& solution) noexcept {
   solution = {};
-  Fault fault = check_normal_problem(problem, strips);
+  const Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
 
   const GapRows& rows = problem.gap;
@@ -51,14 +51,7 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
     }
     return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
-  fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
-                          solution);
-  if (fault.failed()) {
-    strips.count = 0;
-    return fault;
-  }
-  complete_solution(strips, lowest, at_edge, solution, fault);
-  return fault;
+  return solve_by_search(problem, lowest, coefficient_x, scale_at, force, at_edge, strips, solution);
 }
 
 }  // namespace wrc

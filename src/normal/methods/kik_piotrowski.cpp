@@ -31,7 +31,7 @@ void correct_shape(Strips& strips, double y_contact) {
 Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options, Strips& strips,
                            NormalSolution& solution) noexcept {
   solution = {};
-  Fault fault = check_normal_problem(problem, strips);
+  const Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
   if (!(options.penetration_scale > 0.0 && options.penetration_scale <= 1.0))
     return {.status = WRC_ERROR_RANGE,
@@ -59,14 +59,8 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
     if (options.shape_correction) correct_shape(strips, lowest.y);
     return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
   };
-  fault = search_approach(problem, lowest, first_guess(problem, 0.5 * contact.curvature), scale_at, force,
-                          strips, solution);
-  if (fault.failed()) {
-    strips.count = 0;
-    return fault;
-  }
-  complete_solution(strips, lowest, at_edge, solution, fault);
-  return fault;
+  return solve_by_search(problem, lowest, 0.5 * contact.curvature, scale_at, force, at_edge, strips,
+                         solution);
 }
 
 }  // namespace wrc

@@ -40,7 +40,7 @@ class LocalCurvature {
 Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Strips& strips,
                         NormalSolution& solution) noexcept {
   solution = {};
-  Fault fault = check_normal_problem(problem, strips);
+  const Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
 
   const GapRows& rows = problem.gap;
@@ -73,14 +73,8 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
     }
     return load;
   };
-  fault = search_approach(problem, lowest, first_guess(problem, 0.5 * interpolate(rows, lowest.y).curvature),
-                          scale_at, force, strips, solution);
-  if (fault.failed()) {
-    strips.count = 0;
-    return fault;
-  }
-  complete_solution(strips, lowest, at_edge, solution, fault);
-  return fault;
+  return solve_by_search(problem, lowest, 0.5 * interpolate(rows, lowest.y).curvature, scale_at, force,
+                         at_edge, strips, solution);
 }
 
 }  // namespace wrc

@@ -336,4 +336,20 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
   return problem.prescribed == Prescribed::approach ? search.at_approach() : search.for_load(start);
 }
 
+/// A method as a whole whose `force` fills the strips: the search, started from the sphere of curvature
+/// 2 coefficient_x [1/m], and what follows from the strips. `at_edge`: `force` came to the end of the rows.
+template <class ScaleAt, class Force>
+Fault solve_by_search(const NormalProblem& problem, const GapMinimum& lowest, double coefficient_x,
+                      ScaleAt&& scale_at, Force&& force, const bool& at_edge, Strips& strips,
+                      NormalSolution& solution) noexcept {
+  Fault fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
+                                solution);
+  if (fault.failed()) {
+    strips.count = 0;
+    return fault;
+  }
+  complete_solution(strips, lowest, at_edge, solution, fault);
+  return fault;
+}
+
 }  // namespace wrc
