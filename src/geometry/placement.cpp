@@ -42,35 +42,6 @@ Fault find_gauge_face(const Profile& profile, const ProfileTop& top, double dept
   return {};
 }
 
-Fault check_range(const char* field, double value, const char* unit, double low, double high) {
-  if (value >= low && value <= high) return {};
-  return {.status = std::isfinite(value) ? WRC_ERROR_RANGE : WRC_ERROR_NOT_FINITE,
-          .field = field,
-          .value = value,
-          .unit = unit,
-          .low = low,
-          .high = high,
-          .cause = value > high ? "did you pass millimetres?" : nullptr};
-}
-
-Fault check(const TrackDimensions& track) {
-  Fault fault;
-  keep_worst(fault, check_range("track.gauge", track.gauge, "m", 0.3, 2.5));
-  keep_worst(fault, check_range("track.gauge_depth", track.gauge_depth, "m", 0.005, 0.040));
-  keep_worst(fault, check_range("track.rail_inclination", track.rail_inclination, "", -0.2, 0.2));
-  return fault;
-}
-
-Fault check(const WheelsetDimensions& wheelset) {
-  Fault fault;
-  keep_worst(fault,
-             check_range("wheelset.flange_back_distance", wheelset.flange_back_distance, "m", 0.3, 2.5));
-  keep_worst(fault,
-             check_range("wheelset.flange_back_to_origin", wheelset.flange_back_to_origin, "m", 0.0, 0.2));
-  keep_worst(fault, check_range("wheelset.nominal_radius", wheelset.nominal_radius, "m", 0.1, 1.5));
-  return fault;
-}
-
 }  // namespace
 
 Fault place(const Profile& profile, const Placement& placement, const ProfileMemory& memory,
@@ -138,7 +109,6 @@ void mirror(const ProfileMemory& memory, const Profile& profile) {
 
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail) {
-  if (const Fault fault = check(track); fault.failed()) return fault;
   Profile canted;
   Fault fault = place(profile, Placement{.inclination = track.rail_inclination}, memory, canted);
   if (fault.failed()) return fault;
@@ -162,7 +132,6 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
 
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel) {
-  if (const Fault fault = check(wheelset); fault.failed()) return fault;
   const double origin = 0.5 * wheelset.flange_back_distance + wheelset.flange_back_to_origin;
   Profile placed;
   const Fault fault = place(profile, Placement{.y = origin}, memory, placed);

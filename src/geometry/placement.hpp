@@ -66,8 +66,7 @@ struct Wheel {
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 
-/// Tape circle at half the flange-back distance plus flange_back_to_origin. WRC_ERROR_RANGE for dimensions no
-/// wheelset has.
+/// Tape circle at half the flange-back distance plus flange_back_to_origin.
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel);
 

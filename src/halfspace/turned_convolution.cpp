@@ -20,13 +20,15 @@ TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material,
   }
 }
 
-void TurnedConvolution::convolve_parts(const Field& p) {
+void TurnedConvolution::scale_rows(const Field& factor, const Field& p, Field& out) const {
   for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-    for (std::size_t i = 0; i < nx_; ++i, ++k) {
-      by_cosine_[k] = cosine_[j] * p[k];
-      by_sine_[k] = sine_[j] * p[k];
-    }
+    for (std::size_t i = 0; i < nx_; ++i, ++k) out[k] = factor[j] * p[k];
   }
+}
+
+void TurnedConvolution::convolve_parts(const Field& p) {
+  scale_rows(cosine_, p, by_cosine_);
+  scale_rows(sine_, p, by_sine_);
   planar_.apply(by_cosine_.data(), by_sine_.data(), by_cosine_.data(), by_sine_.data());
 }
 
@@ -34,12 +36,8 @@ void TurnedConvolution::convolve_parts(const Field& x, const Field& y) {
   for (const bool cosines : {true, false}) {
     const Field& factor = cosines ? cosine_ : sine_;
     Field& part = cosines ? by_cosine_ : by_sine_;
-    for (std::size_t j = 0, k = 0; j < ny_; ++j) {
-      for (std::size_t i = 0; i < nx_; ++i, ++k) {
-        unused_[k] = factor[j] * x[k];
-        part[k] = factor[j] * y[k];
-      }
-    }
+    scale_rows(factor, x, unused_);
+    scale_rows(factor, y, part);
     planar_.apply(unused_.data(), part.data(), unused_.data(), part.data());
   }
 }

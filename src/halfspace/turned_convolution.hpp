@@ -39,6 +39,8 @@ class TurnedConvolution {
   void tangential_crossed(const Field& x, const Field& y, Field& out);
 
  private:
+  // out <- p with each row times its factor.
+  void scale_rows(const Field& factor, const Field& p, Field& out) const;
   // Convolutions of a field times the rows' cosines, and sines.
   void convolve_parts(const Field& p);
   void convolve_parts(const Field& x, const Field& y);

@@ -214,20 +214,6 @@ TEST(ContactSearch, APoseThatIsNoNumberHasNoContact) {
   }
 }
 
-TEST(Placement, DimensionsInMillimetresAreRefused) {
-  const ReferenceBodies bodies;
-  ProfileStore store;
-  Rail rail;
-  Wheel wheel;
-  const Fault track = place_rail(bodies.rail.profile, {.gauge = 1435.0}, Side::right, store.memory(), rail);
-  EXPECT_EQ(track.status, WRC_ERROR_RANGE);
-  EXPECT_STREQ(track.field, "track.gauge");
-  const Fault wheelset =
-      place_wheel(bodies.wheel.profile, {.nominal_radius = 460.0}, Side::right, store.memory(), wheel);
-  EXPECT_EQ(wheelset.status, WRC_ERROR_RANGE);
-  EXPECT_STREQ(wheelset.cause, "did you pass millimetres?");
-}
-
 TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
   ProfileStore upright, placed;
   Profile profile;
