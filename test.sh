@@ -2,8 +2,8 @@
 # The tests, under 15 minutes on two cores. Debian packages that are missing are named and installed, as in run.sh; not
 # with WRC_NO_INSTALL=1.
 #   ./test.sh          the release build with all its tests, the bits from clang, the C interface under wine, the bits on
-#                      aarch64 under qemu; address, undefined and thread sanitizer; instruction counts; format, clang-tidy
-#                      over what changed lately, manual, main job
+#                      aarch64 under qemu; address, undefined and thread sanitizer; instruction counts; format, code
+#                      written twice, clang-tidy over what changed lately, manual, main job
 #   ./test.sh quick    the release build and its tests only
 #   ./test.sh all      besides: all tests of the clang and mingw builds, the golden hashes from every compiler and
 #                      optimisation, kernel symbols at every optimisation, clang-tidy over everything, run.sh's own build
@@ -21,7 +21,7 @@ esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
   clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
-  valgrind
+  valgrind similarity-tester
 
 # suite PRESET [TESTS TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that match TESTS.
 suite() {
@@ -82,6 +82,7 @@ if [ "${1:-}" != quick ]; then
   part golden count_check "golden hashes of other builds" golden
   part counts count_check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
   part format count_check "clang-format" formatted
+  part duplicates count_check "code written twice" tests/duplicates.sh
   part tidy count_check "clang-tidy" tidy
   part manual count_check "manual" documented
   part run count_check "main job" main_job
