@@ -1,11 +1,9 @@
 /// Contact geometry and creepages against the 40 end-to-end cases of the reference program
-/// (wheelrail_cases.csv: S1002 on the benchmark UIC60). The directory that holds reference/ is given by the
-/// environment variable WRC_SHARED; without it the test is skipped.
+/// (tests/data/wheelrail_cases.csv: S1002 on the benchmark UIC60).
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -43,10 +41,8 @@ std::vector<Case> read_cases(const std::string& path) {
 }
 
 TEST(GeometryReference, ContactPointPenetrationAndCreepages) {
-  const char* shared = std::getenv("WRC_SHARED");
-  if (shared == nullptr) GTEST_SKIP() << "WRC_SHARED is not set";
-  const std::vector<Case> cases = read_cases(std::string(shared) + "/reference/wheelrail_cases.csv");
-  if (cases.empty()) GTEST_SKIP() << "no wheelrail_cases.csv in " << shared << "/reference";
+  const std::vector<Case> cases = read_cases(WRC_DATA "/wheelrail_cases.csv");
+  ASSERT_EQ(cases.size(), 40u);
 
   const ReferenceBodies bodies;
   double worst_y = 0.0, worst_angle = 0.0, worst_overlap = 0.0, worst_x = 0.0, worst_lateral = 0.0,

@@ -1,6 +1,5 @@
-/// Every normal method against the exact half-space theory on the eight cases of normal_rows.csv (S1002 on
-/// the benchmark UIC60). The directory that holds reference/ is given by the environment variable WRC_SHARED;
-/// without it the test is skipped. Nothing in the methods is fitted to these rows.
+/// Every normal method against the exact half-space theory on the eight cases of tests/data/normal_rows.csv
+/// (S1002 on the benchmark UIC60). Nothing in the methods is fitted to these rows.
 ///
 /// The gap is taken with the wheel lowered by a typical approach. Lowering a wheel vertically also slides it
 /// along an inclined contact plane, by approach * tan(angle): 14 um at the flange root, which tilts the gap
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -85,10 +83,8 @@ double line_load_error(const Strips& strips, const ReferenceCase& reference, dou
 }
 
 TEST(NormalReference, RowsOfTheExactTheory) {
-  const char* shared = std::getenv("WRC_SHARED");
-  if (shared == nullptr) GTEST_SKIP() << "WRC_SHARED is not set";
-  const std::vector<ReferenceCase> cases = read_cases(std::string(shared) + "/reference/normal_rows.csv");
-  if (cases.empty()) GTEST_SKIP() << "no normal_rows.csv in " << shared << "/reference";
+  const std::vector<ReferenceCase> cases = read_cases(WRC_DATA "/normal_rows.csv");
+  ASSERT_EQ(cases.size(), 8u);
 
   constexpr std::int32_t count = 60;
   const auto influence = std::make_unique<InfluenceTables>();

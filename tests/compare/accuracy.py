@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""The default configuration against the reference rows in tests/data, and whether it is as accurate as docs/accuracy.md
+says: errors as wrc_compare counts them may reach the limits below, about a tenth above what was found.
+
+    accuracy.py WRC_COMPARE DATA_FOLDER"""
+import json
+import subprocess
+import sys
+
+# kind, file, variant where not the kind's own choice, {measure: (rows, median, 95th percentile)}; relative errors, point [mm]
+CASES = [
+    ("sdec", "sdec_cases.csv", "strip_fastsim", {"force": (150, 0.006, 0.018), "power_balance": (138, 0.011, 0.036)}),
+    ("normal", "normal_rows.csv", "strip_halfspace",
+     {"approach": (8, 0.0011, 0.0033), "peak_pressure": (8, 0.0095, 0.0175), "area": (8, 0.0081, 0.015),
+      "line_load": (8, 0.011, 0.021)}),
+    ("wheelrail", "wheelrail_cases.csv", "strip_halfspace + strip_fastsim",
+     {"force": (40, 0.006, 0.0173), "power_balance": (40, 0.0029, 0.0164), "peak_pressure": (40, 0.001, 0.0093),
+      "approach": (40, 0.0008, 0.0013)}),
+    ("wheelset", "wheelset_cases.csv", None,
+     {"force": (80, 0.0046, 0.0346), "moment": (80, 0.0038, 0.0278), "normal_force": (80, 0.0019, 0.0189),
+      "peak_pressure": (80, 0.0015, 0.03), "point": (90, 0.075, 0.23)}),
+    ("wheelset", "worn_cases.csv", None,
+     {"force": (40, 0.0044, 0.036), "moment": (40, 0.0045, 0.0235), "normal_force": (40, 0.0033, 0.0121),
+      "force_noisy": (4, 0.005, 0.0065)}),
+    ("conformal", "conformal_cases.csv", None,
+     {"force": (15, 0.0062, 0.0125), "peak_pressure": (15, 0.0099, 0.021), "force_steep": (10, 0.0037, 0.0095)}),
+    ("loop", "loop_cases.csv", None, {"loop": (12, 0.00063, 0.0029)}),
+]
+
+
+def checked(command, folder, kind, name, variant, limits):
+    """Prints the errors of one file; how many are above their limits."""
+    arguments = [command, kind, f"{folder}/{name}", "--json"] + (["--only", variant] if variant else [])
+    said = json.loads(subprocess.run(arguments, check=True, capture_output=True, text=True).stdout.split("\n")[-2])
+    if said["failed"]:
+        print(f"{name}: failed rows {said['failed']}")
+        return 1
+    found = said["variants"][said["default"]]
+    wrong = 0
+    for measure, (rows, median, p95) in limits.items():
+        error = found[measure]
+        good = error["n"] >= rows and error["median"] <= median and error["p95"] <= p95
+        wrong += not good
+        print(f"{name:20} {measure:14} {error['n']:4.0f} rows  median {error['median']:.2e} of {median:.2e}"
+              f"  95 % {error['p95']:.2e} of {p95:.2e}{'' if good else '   TOO MUCH'}")
+    return wrong
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    wrong = sum(checked(*sys.argv[1:], *case) for case in CASES)
+    print(f"{wrong} above their limits")
+    return wrong > 0
+
+
+sys.exit(main())
