@@ -29,6 +29,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(8)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(16)
+  integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(5)
   integer(c_size_t), bind(C) :: layout_wrc_grid(9)
   integer(c_size_t), bind(C) :: layout_wrc_materials(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
@@ -70,6 +71,7 @@ program layout_test
   call test_wrc_wheel_input()
   call test_wrc_wrench()
   call test_wrc_region()
+  call test_wrc_wrench_sensitivities()
   call test_wrc_grid()
   call test_wrc_materials()
   call test_wrc_exact_normal_problem()
@@ -78,7 +80,7 @@ program layout_test
   call test_wrc_exact_rolling_solution()
   call test_wrc_exact_wrench_options()
   call test_wrc_exact_check_result()
-  print '(i0,a)', 35, ' types compared'
+  print '(i0,a)', 36, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -741,6 +743,19 @@ contains
       distance(c_loc(a), c_loc(a%power)), layout_wrc_region(15))
     call same('wrc_region', 'creepage', &
       distance(c_loc(a), c_loc(a%creepage)), layout_wrc_region(16))
+  end subroutine
+  subroutine test_wrc_wrench_sensitivities()
+    type(wrc_wrench_sensitivities), target :: a
+    call wrc_init(a)
+    call same('wrc_wrench_sensitivities', 'size', c_sizeof(a), layout_wrc_wrench_sensitivities(1))
+    call same('wrc_wrench_sensitivities', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench_sensitivities(2))
+    call same('wrc_wrench_sensitivities', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wrench_sensitivities(3))
+    call same('wrc_wrench_sensitivities', 'wrench', &
+      distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_sensitivities(4))
+    call same('wrc_wrench_sensitivities', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(5))
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a

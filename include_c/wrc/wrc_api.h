@@ -101,6 +101,9 @@ struct wrc_api {
   const char* (*version_text)(uint32_t); /**< wrc_version_text() */
   const char* (*build_info)(void); /**< wrc_build_info() */
   int32_t (*config_use)(wrc_config*, const char*, char*, uint64_t); /**< wrc_config_use() */
+  int32_t (*wrench_sensitivities_init)(wrc_wrench_sensitivities*); /**< wrc_wrench_sensitivities_init() */
+  int32_t (*contact_wrench_sensitivities)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*, wrc_wrench_sensitivities*);
+    /**< wrc_contact_wrench_sensitivities() */
 };
 
 #endif /* WRC_API_H */

@@ -181,6 +181,39 @@ typedef struct wrc_region {
   double creepage[3];   /**< means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail */
 } wrc_region;
 
+/** What a wrench depends on: the columns of wrc_wrench_sensitivities. */
+enum wrc_wrench_input {
+  WRC_BY_Y = 0,                   /**< wheel.y [m] */
+  WRC_BY_Z = 1,                   /**< wheel.z [m], where the height is prescribed */
+  WRC_BY_ROLL = 2,                /**< wheel.roll; with `rotation` that of its axle [rad] */
+  WRC_BY_YAW = 3,                 /**< wheel.yaw; with `rotation` that of its axle [rad] */
+  WRC_BY_VELOCITY_X = 4,          /**< wheel.velocity[0] [m/s] */
+  WRC_BY_VELOCITY_Y = 5,          /**< wheel.velocity[1] [m/s] */
+  WRC_BY_VELOCITY_Z = 6,          /**< wheel.velocity[2] [m/s] */
+  WRC_BY_ANGULAR_VELOCITY_X = 7,  /**< wheel.angular_velocity[0], in the axes it is given in [rad/s] */
+  WRC_BY_ANGULAR_VELOCITY_Y = 8,  /**< wheel.angular_velocity[1] [rad/s] */
+  WRC_BY_ANGULAR_VELOCITY_Z = 9,  /**< wheel.angular_velocity[2] [rad/s] */
+  WRC_BY_RAIL_Y = 10,             /**< rail.y [m] */
+  WRC_BY_RAIL_Z = 11,             /**< rail.z [m] */
+  WRC_BY_RAIL_ROLL = 12,          /**< rail.roll [rad] */
+  WRC_BY_RAIL_Y_VELOCITY = 13,    /**< rail.y_velocity [m/s] */
+  WRC_BY_RAIL_Z_VELOCITY = 14,    /**< rail.z_velocity [m/s] */
+  WRC_BY_RAIL_ROLL_VELOCITY = 15, /**< rail.roll_velocity [rad/s] */
+  WRC_BY_VERTICAL_LOAD = 16       /**< vertical_load [N], where it is prescribed */
+};
+
+#define WRC_WRENCH_INPUTS 17 /**< columns of wrc_wrench_sensitivities */
+
+/** Derivatives of the wrench on the wheel about its reference point, at the pose and motion given. What is prescribed is
+ * held: with WRC_PRESCRIBE_VERTICAL_LOAD the height follows all other inputs, and the column of z is zero; otherwise that
+ * of the load. */
+typedef struct wrc_wrench_sensitivities {
+  uint32_t struct_size; /**< sizeof this struct, 960 or more */
+  uint32_t reserved;    /**< 0 */
+  double wrench[6][17]; /**< rows force x, y, z [N], moment x, y, z [N m], track axes; columns enum wrc_wrench_input */
+  double z[17];         /**< of wrc_wrench.z; columns the same */
+} wrc_wrench_sensitivities;
+
 /** @name Defaults
  * As those of wrc.h.
  * @rt hard @thread free
@@ -190,6 +223,7 @@ WRC_API int32_t wrc_rail_state_init(wrc_rail_state* rail);    /**< Defaults of a
 WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults of a wheel's input. */
 WRC_API int32_t wrc_wrench_init(wrc_wrench* wrench);          /**< Defaults of a wrench. */
 WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a region. */
+WRC_API int32_t wrc_wrench_sensitivities_init(wrc_wrench_sensitivities* sensitivities); /**< Defaults of derivatives. */
 /** @} */
 
 /** The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the results of the
@@ -203,6 +237,20 @@ WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a
  * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
+
+/** wrc_contact_wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the equations of
+ * its solution, not by differences. For implicit integrators; it takes about twice as long as the wrench alone. Theory
+ * manual, section 9.
+ * @param contact as for wrc_contact_wrench()
+ * @param input as for wrc_contact_wrench()
+ * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
+ * @param[out] sensitivities the derivatives; NULL: not wanted
+ * @return as wrc_contact_wrench(). Derivatives are zero without contact; with WRC_FLAG_BEYOND_GAP they are those where the
+ * overlap is 2 mm deep; zero and WRC_FLAG_MORE_PATCHES with more than 160 strips in contact. WRC_ERROR_UNSUPPORTED with
+ * friction, so far.
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
+                                             wrc_wrench_sensitivities* sensitivities);
 
 /** One region of the last wrc_contact_wrench().
  * @param contact the contact

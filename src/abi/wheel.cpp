@@ -97,6 +97,9 @@ Fault read_wheel(const wrc_wheel_state* theirs, bool height_read, HostedWheel& h
     rotation_of_axle({-sine_yaw, cosine_roll * cosine_yaw, sine_roll * cosine_yaw}, hosted.rotation);
     for (int i = 0; i < 3; ++i) std::copy_n(hosted.rotation[i], 3, given[i]);
   }
+  hosted.axes_turn = ours.angular_axes != WRC_AXES_TRACK;
+  if (hosted.axes_turn)
+    for (int i = 0; i < 3; ++i) std::copy_n(given[i], 3, hosted.axes[i]);
   hosted.of_wheelset = ours.reference == WRC_REFERENCE_WHEELSET;
   hosted.y = flush_subnormals(ours.y);
   hosted.z = height_read ? flush_subnormals(ours.z) : 0.0;
@@ -197,6 +200,14 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
   return ours;
 }
 
+wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
+  static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
+  wrc_wrench_sensitivities ours = empty<wrc_wrench_sensitivities>();
+  std::copy_n(&slopes.wrench[0][0], 6 * hosted_inputs, &ours.wrench[0][0]);
+  std::copy_n(slopes.z, hosted_inputs, ours.z);
+  return ours;
+}
+
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
   return call(handle, clear(wrench), [&](Contact& contact) {
     contact.wheel_solved = 0;
@@ -217,6 +228,22 @@ extern "C" {
 
 int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
   return abi::wheel_step(handle, input, wrench);
+}
+
+int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_input* input,
+                                         wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) {
+  return abi::call(handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}),
+                   [&](wrc::Contact& contact) {
+                     contact.wheel_solved = 0;
+                     wrc::HostedWheel hosted;
+                     wrc::HostedSlopes slopes;
+                     wrc::Fault outcome = abi::read_hosted(input, hosted);
+                     if (!outcome.failed()) outcome = wrc::solve_wheel(contact, hosted, &slopes);
+                     if (outcome.failed()) return outcome;
+                     abi::write(abi::wrench_of(contact.wheel), wrench);
+                     abi::write(abi::sensitivities_of(slopes), sensitivities);
+                     return outcome;
+                   });
 }
 
 int32_t wrc_contact_region(wrc_contact* handle, int32_t index, wrc_region* region) {

@@ -58,6 +58,11 @@ struct Dual {
   friend Dual operator+(double a, const Dual& b) { return b.chain(a + b.value, 1.0); }
   friend Dual operator-(double a, const Dual& b) { return b.chain(a - b.value, -1.0); }
   friend Dual operator*(double a, const Dual& b) { return b.chain(a * b.value, a); }
+  friend Dual operator+(const Dual& a, double b) { return a.chain(a.value + b, 1.0); }
+  friend Dual operator-(const Dual& a, double b) { return a.chain(a.value - b, 1.0); }
+  friend Dual operator*(const Dual& a, double b) { return a.chain(a.value * b, b); }
+  friend Dual operator/(const Dual& a, double b) { return a.chain(a.value / b, 1.0 / b); }
+  friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
 };
 
 /// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero
@@ -71,6 +76,18 @@ template <std::size_t n>
 Dual<n> root(const Dual<n>& a) {
   const double r = std::sqrt(a.value);
   return a.chain(r, r > 0.0 ? 0.5 / r : 0.0);
+}
+template <std::size_t n>
+Dual<n> magnitude(const Dual<n>& a) {
+  return a.value < 0.0 ? -a : a;
+}
+template <std::size_t n>
+Dual<n> larger(const Dual<n>& a, const Dual<n>& b) {
+  return a.value > b.value ? a : b;
+}
+template <std::size_t n>
+Dual<n> smaller(const Dual<n>& a, const Dual<n>& b) {
+  return a.value < b.value ? a : b;
 }
 
 }  // namespace wrc

@@ -95,6 +95,9 @@ struct HostedWheel {
   double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
   double velocity[3] = {};                                    ///< of the reference point [m/s]
   double angular_velocity[3] = {};                            ///< [rad/s]
+  /// Its components as the host gives them: along the columns of `axes`, which turn with the body or not.
+  double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  bool axes_turn = false;
   RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
@@ -114,6 +117,30 @@ struct HostedWrench {
   double rail_moment[3] = {};
   double steepest_angle = 0.0;  ///< of a strip in contact [rad]
   RegionPlace place[most_surface_regions];
+};
+
+/// What a wrench is differentiated by, as enum wrc_wrench_input. Roll and yaw are those of the axle.
+enum HostedInput : std::int32_t {
+  by_y,
+  by_z,
+  by_roll,
+  by_yaw,
+  by_velocity,
+  by_angular_velocity = by_velocity + 3,
+  by_rail_y = by_angular_velocity + 3,
+  by_rail_z,
+  by_rail_roll,
+  by_rail_velocity_y,
+  by_rail_velocity_z,
+  by_rail_velocity_roll,
+  by_load,
+  hosted_inputs
+};
+
+/// Derivatives of a wrench: rows force x, y, z, moment x, y, z, on the wheel about its reference point.
+struct HostedSlopes {
+  double wrench[6][hosted_inputs] = {};
+  double z[hosted_inputs] = {};  ///< of the displacement z, given or found
 };
 
 /// The furthest stage whose result the contact holds.
@@ -254,8 +281,14 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
 /// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
 void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result);
 
+/// Takes derivatives by what the rail sees to those by what the host gives (wheel_slopes.cpp). The height in
+/// `placed.problem` is that of the solution.
+void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
+               const SeenWrench& found, HostedSlopes& slopes);
+
 /// A wheel on a rail, from the pose to the wrench in one; the stages above are not touched (wheel.cpp).
-Fault solve_wheel(Contact& contact, const HostedWheel& hosted);
+/// `slopes`: nullptr, not wanted.
+Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes = nullptr);
 
 /// The friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);

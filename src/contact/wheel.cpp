@@ -142,8 +142,9 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& resu
   for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
 }
 
-Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
+Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes) {
   contact.wheel_solved = 0;
+  if (slopes) *slopes = {};
   contact.wheel = {};
   const Model& model = *contact.model;
   PlacedWheel placed;
@@ -157,12 +158,19 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
             "wrc_contact_wrench needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
   }
 
+  if (slopes && !hosted.frictionless) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.friction",
+            .cause = "derivatives are those without friction so far: give NULL"};
+  }
+
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostedWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
+  SeenWrench found;
   fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
-                              array(contact, Array::surface_workspace), wrench);
+                              array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr);
   if (fault.failed() || (hosted.load_prescribed && wrench.regions == 0)) {
     result = {};
     if (fault.failed()) return fault;
@@ -176,6 +184,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted) {
   result.steepest_angle = steepest(*model.surface, wrench, problem.rail.roll);
   for (std::int32_t i = 0; i < wrench.regions; ++i)
     result.place[i] = place_of(model, problem, wrench.region[i].point);
+  if (slopes) hand_back(model, hosted, placed, found, *slopes);
   hand_back(model, placed, result);
   if (!hosted.load_prescribed) wrench.height = hosted.z;
   contact.wheel_solved = 1;

@@ -29,6 +29,7 @@ struct Sums;
 struct SurfaceTables;
 struct SurfaceSources;
 struct SurfacePoint;
+struct SurfaceSlopes;
 struct OutlineTask;
 struct CellTask;
 struct CellExtremes;
@@ -81,6 +82,11 @@ struct Kernels {
   /// Sum of the same, seen from the edge of a strip.
   double (*surface_edge_displacement)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                                       const simd::SurfacePoint& point);
+  /// The rows of both, source by source, with their derivatives.
+  void (*surface_influence_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                                   const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
+  void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                              const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const simd::OutlineTask& task);
   /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.

@@ -10,6 +10,7 @@
 #include "normal/simd/influence_kernel.hpp"
 #include "normal/simd/penetration_kernel.hpp"
 #include "surface/simd/influence_kernel.hpp"
+#include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
 #include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
@@ -40,6 +41,8 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
       .surface_influence_row = surface_influence_row,
       .surface_edge_displacement = surface_edge_displacement,
+      .surface_influence_slopes = sloped::surface_influence_slopes,
+      .surface_edge_slopes = sloped::surface_edge_slopes,
       .outline = outline_kernel,
       .follow_rays = follow_rays_kernel,
       .assess_cells = assess_cells_kernel,

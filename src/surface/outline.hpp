@@ -7,9 +7,18 @@
 namespace wrc {
 
 /// e = R^T x_track over sqrt(e1^2 + e3^2).
-struct OutlineAttitude {
-  double e1, e2, e3;
+template <class Number>
+struct OutlineAttitudeOf {
+  Number e1, e2, e3;
 };
+using OutlineAttitude = OutlineAttitudeOf<double>;
+
+template <class Number>
+OutlineAttitudeOf<Number> attitude_of(const RelativePoseOf<Number>& pose) {
+  const Number e1 = pose.rotation[0][0], e2 = pose.rotation[0][1], e3 = pose.rotation[0][2];
+  const Number inverse = Number(1.0) / root(e1 * e1 + e3 * e3);
+  return {e1 * inverse, e2 * inverse, e3 * inverse};
+}
 
 /// Steep faces of a yawed wheel have no outline: sin(theta + alpha) would pass one. Faces that turn back have
 /// none.
@@ -23,9 +32,9 @@ struct OutlinePlace {
 };
 
 /// The outline at the profile's point (y, radius) with the slope dr/dy.
-template <class Number>
-OutlinePlace<Number> outline_place(const RelativePose& pose, const OutlineAttitude& a, const Number& y,
-                                   const Number& radius, const Number& slope) {
+template <class Number, class OfPose>
+OutlinePlace<Number> outline_place(const RelativePoseOf<OfPose>& pose, const OutlineAttitudeOf<OfPose>& a,
+                                   const Number& y, const Number& radius, const Number& slope) {
   const auto& R = pose.rotation;
   OutlinePlace<Number> o;
   o.sine = smaller(larger(a.e2 * slope, Number(-steepest_sine)), Number(steepest_sine));

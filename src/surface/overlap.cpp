@@ -9,12 +9,6 @@
 namespace wrc {
 namespace {
 
-OutlineAttitude attitude_of(const RelativePose& pose) {
-  const double e1 = pose.rotation[0][0], e2 = pose.rotation[0][1], e3 = pose.rotation[0][2];
-  const double inverse = 1.0 / std::sqrt(e1 * e1 + e3 * e3);
-  return {e1 * inverse, e2 * inverse, e3 * inverse};
-}
-
 /// A slope no pose sees.
 constexpr double unseen = 1e300;
 

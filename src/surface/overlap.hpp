@@ -34,10 +34,12 @@ std::int64_t wheel_knot_doubles(std::int32_t pieces);
 void find_knots(double* memory, WheelCurve& wheel);
 
 /// A wheel as seen from a rail: rail axes, origin of the rail's profile; x from the wheel's reference point.
-struct RelativePose {
-  double rotation[3][3];  ///< rail = rotation * wheel axes
-  double y, z;            ///< of the wheel's reference point [m]
+template <class Number>
+struct RelativePoseOf {
+  Number rotation[3][3];  ///< rail = rotation * wheel axes
+  Number y, z;            ///< of the wheel's reference point [m]
 };
+using RelativePose = RelativePoseOf<double>;
 
 /// Strips that may be in contact, by increasing arc length, each in its own frame.
 struct Overlaps {
@@ -58,6 +60,7 @@ struct OverlapScratch {
   double* overlap;      ///< first estimate for each strip of the rail [m]
   std::int32_t* piece;  ///< of the wheel's curve, for each strip
   double* part;         ///< of the piece
+  double* along;        ///< where on the piece the ray of each strip that is followed ends [m]
   std::int32_t* strip;  ///< strips whose rays are followed, in whole packs
 };
 

@@ -14,6 +14,7 @@
 #include "surface/surface_normal.hpp"
 #include "surface/surface_rolling.hpp"
 #include "surface/wheel_on_rail.hpp"
+#include "surface/wrench_slopes.hpp"
 #include "tangential/march/march_grid.hpp"
 
 namespace wrc {
@@ -66,8 +67,10 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
+/// `slopes`, if given: the wrench with its derivatives; at the border where the overlap is deeper than what
+/// is solved.
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& wrench) noexcept;
+                          void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr) noexcept;
 
 /// Angle of a strip about x, from track z to its normal, with the rail undisplaced [rad].
 double strip_angle(const SurfaceModel& model, std::int32_t strip);

@@ -6,21 +6,13 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
+#include "surface/surface_means.hpp"
 
 namespace wrc {
 namespace {
 
-/// Half lengths below this part of a strip's width count as it: a strip that enters has a place and no
-/// length.
-constexpr double least_half_length = 0.02;
-
-/// Levels are smoothed by (1 - t^2)^3, t the distance over this length [m] or over so many widths, whichever
-/// is more.
-constexpr double smoothing_length = 0.75e-3, smoothing_widths = 1.9;
-
 constexpr std::int32_t history = 5;        ///< earlier sweeps the acceleration looks at
 constexpr std::int32_t most_rounds = 20;   ///< of strips entering and leaving within a sweep
-constexpr double longest_shift = 10e-3;    ///< [m]
 constexpr double coarse_tolerance = 1e-2;  ///< of the start on pairs of strips
 constexpr std::int32_t fewest_pairs = 12;
 
@@ -185,7 +177,8 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     const double leading = at(w.centre[a] + l);
     const double trailing = skewed ? at(w.centre[a] - l) : leading;
     const double drop = s.depth[i] - 0.5 * (leading + trailing);
-    const double ratio = smaller(larger(drop / (0.5 * s.curvature[i] * L), 0.2), 5.0);
+    const double ratio =
+        smaller(larger(drop / (0.5 * s.curvature[i] * L), least_edge_ratio), most_edge_ratio);
     w.wanted_level[a] = w.strength[a] / (L * ratio);
     w.wanted_shift[a] = (trailing - leading) / (2.0 * l * s.curvature[i]);
   }
@@ -201,14 +194,13 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   for (std::int32_t i = 0, a = 0; i < s.count; ++i) {
     const bool in = a < kept && w.active[a] == i;
     if (!in && !skewed) continue;
-    const double reach = larger(smoothing_length, smoothing_widths * s.width[i]);
+    const double reach = smoothing_reach(s.width[i]);
     while (from < kept && s.place[i] - w.place[from] >= reach) ++from;
     double weights = 0.0, level = 0.0, shift = 0.0;
     for (std::int32_t b = from; b < kept; ++b) {
       const double t = (w.place[b] - s.place[i]) / reach;
       if (t >= 1.0) break;
-      const double near = 1.0 - t * t;
-      const double weight = near * near * near * s.width[w.active[b]] * w.strength[b];
+      const double weight = smoothing_weight(t) * s.width[w.active[b]] * w.strength[b];
       weights += weight;
       level += weight * w.wanted_level[b];
       shift += weight * w.wanted_shift[b];

@@ -6,10 +6,14 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
+#include "surface/normal_slopes.hpp"
 #include "surface/surface_model.hpp"
+#include "surface/wheel_work.hpp"
 
 namespace wrc {
 namespace {
+
+using Work = WheelWork;
 
 constexpr std::int32_t most = most_overlapping_strips;
 
@@ -19,18 +23,6 @@ constexpr std::int32_t most_load_steps = 30;
 
 /// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
 constexpr double deepest_overlap = 2e-3;
-
-struct Work {
-  Overlaps overlaps;
-  OverlapScratch scratch;
-  SurfacePressure pressure;
-  double* normal;   ///< scratch of the normal problem
-  double* rolling;  ///< scratch of rolling
-  // over the strips in contact
-  double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
-      *other_fx, *other_fy, *other_mz;
-  std::int32_t* candidate;  ///< of a strip in contact
-};
 
 /// Cuts the workspace; returns the bytes it takes.
 std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
@@ -53,10 +45,13 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
   w.scratch.strip = integers(most);
   w.scratch.overlap = doubles(most_strips_of_a_rail);
   w.scratch.part = doubles(most_strips_of_a_rail);
+  w.scratch.along = doubles(most_strips_of_a_rail);
   w.scratch.piece = integers(most_strips_of_a_rail);
   SurfacePressure& p = w.pressure;
   for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = doubles(most);
-  w.normal = doubles(surface_normal_doubles(most));
+  w.normal =
+      doubles(std::max(surface_normal_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
+  w.slopes = w.normal;  // which is done with by then
   w.rolling = doubles(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   for (double** a : {&w.place, &w.width, &w.half_length, &w.peak, &w.curvature, &w.slip_x, &w.slip_y, &w.spin,
                      &w.friction, &w.fx, &w.fy, &w.mz, &w.other_fx, &w.other_fy, &w.other_mz})
@@ -64,14 +59,6 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
   w.candidate = integers(most);
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
 }
-
-/// The wheel as the rail sees it: rail axes, origin of its profile.
-struct Seen {
-  RelativePose pose;
-  double velocity[3];          ///< of the wheel's reference point less that of rail material there
-  double angular_velocity[3];  ///< of the wheel less that of the rail
-  double cosine, sine;         ///< of the rail's roll
-};
 
 /// (x, y, z) of track axes turned into rail axes.
 void into_rail(double cosine, double sine, const double (&v)[3], double (&turned)[3]) {
@@ -349,7 +336,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   out = {};
   out.sweeps = sweeps_before;
   out.height = height;
-  const Seen seen = see(model, in, height);
+  const Seen seen = w.seen = see(model, in, height);
   if (!found) find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, w.overlaps);
   const SurfaceNormalResult normal =
       solve_surface_normal(model.rail, w.overlaps, *model.influence, *model.kernels,
@@ -517,7 +504,7 @@ std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes) {
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& out) noexcept {
+                          void* workspace, Wrench& out, SeenWrench* slopes) noexcept {
   Work w;
   cut(workspace, model.wheel.curve.pieces, w);
   warm = warm && state.set > 0.0;
@@ -532,6 +519,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     state.height = in.wheel.position[2];
   }
   state.set = start.set ? 1.0 : 0.0;
+  if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, *slopes));
   return fault;
 }
 

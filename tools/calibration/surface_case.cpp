@@ -85,9 +85,10 @@ class Pair {
     for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz}) *a = take(most);
     const auto knots = static_cast<std::size_t>(most_curve_pieces(s1002_nodes) + 64);
     OverlapScratch scratch{take(knots), take(knots), take(knots), take(most_strips_of_a_rail),
-                           nullptr,     nullptr,     nullptr};
+                           nullptr,     nullptr,     nullptr,     nullptr};
     scratch.piece = take_n(most_strips_of_a_rail);
     scratch.part = take(most_strips_of_a_rail);
+    scratch.along = take(most_strips_of_a_rail);
     scratch.strip = take_n(most_strips_of_a_rail + 64);
     find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, o);
     SurfacePressure p;

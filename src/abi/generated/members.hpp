@@ -172,6 +172,28 @@ inline constexpr Enumerator wrc_wheel_prescribed_values[] = {
 inline constexpr Enumeration wrc_wheel_prescribed{wrc_wheel_prescribed_values, 2,
     "see enum wrc_wheel_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
 
+inline constexpr Enumerator wrc_wrench_input_values[] = {
+    {"WRC_BY_Y", WRC_BY_Y},
+    {"WRC_BY_Z", WRC_BY_Z},
+    {"WRC_BY_ROLL", WRC_BY_ROLL},
+    {"WRC_BY_YAW", WRC_BY_YAW},
+    {"WRC_BY_VELOCITY_X", WRC_BY_VELOCITY_X},
+    {"WRC_BY_VELOCITY_Y", WRC_BY_VELOCITY_Y},
+    {"WRC_BY_VELOCITY_Z", WRC_BY_VELOCITY_Z},
+    {"WRC_BY_ANGULAR_VELOCITY_X", WRC_BY_ANGULAR_VELOCITY_X},
+    {"WRC_BY_ANGULAR_VELOCITY_Y", WRC_BY_ANGULAR_VELOCITY_Y},
+    {"WRC_BY_ANGULAR_VELOCITY_Z", WRC_BY_ANGULAR_VELOCITY_Z},
+    {"WRC_BY_RAIL_Y", WRC_BY_RAIL_Y},
+    {"WRC_BY_RAIL_Z", WRC_BY_RAIL_Z},
+    {"WRC_BY_RAIL_ROLL", WRC_BY_RAIL_ROLL},
+    {"WRC_BY_RAIL_Y_VELOCITY", WRC_BY_RAIL_Y_VELOCITY},
+    {"WRC_BY_RAIL_Z_VELOCITY", WRC_BY_RAIL_Z_VELOCITY},
+    {"WRC_BY_RAIL_ROLL_VELOCITY", WRC_BY_RAIL_ROLL_VELOCITY},
+    {"WRC_BY_VERTICAL_LOAD", WRC_BY_VERTICAL_LOAD},
+};
+inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 17,
+    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_VELOCITY (15), _VERTICAL_LOAD (16)"};
+
 inline constexpr Enumerator wrc_adhesion_values[] = {
     {"WRC_ADHESION_COULOMB", WRC_ADHESION_COULOMB},
     {"WRC_ADHESION_FULL", WRC_ADHESION_FULL},
@@ -907,6 +929,25 @@ struct Description<wrc_region> {
   };
 };
 static_assert(sizeof(wrc_region) == 176, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wrench_sensitivities> {
+  static constexpr const char* name = "wrc_wrench_sensitivities";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 960;
+  static constexpr wrc_wrench_sensitivities defaults = [] {
+    wrc_wrench_sensitivities value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wrench_sensitivities, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_wrench_sensitivities, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "wrench", .offset = offsetof(wrc_wrench_sensitivities, wrench), .type = Type::real, .elements = 102, .rule = Rule::none},
+      {.name = "z", .offset = offsetof(wrc_wrench_sensitivities, z), .type = Type::real, .elements = 17, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_wrench_sensitivities) == 960, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {

@@ -124,6 +124,8 @@ inline void follow_rays_kernel(const OutlineTask& task, Overlaps& overlaps) {
     const Mask faces = (cosine > 0.2) & (curvature > 0.01);
     const Pack depth = select(faces, overlap * cosine / (half * half), -1.0);
     const std::int32_t count = overlaps.count - first < lanes ? overlaps.count - first : lanes;
+    store_pack(part, u);
+    for (std::int32_t i = 0; i < count; ++i) scratch.along[scratch.strip[first + i]] = part[i];
     store(depth, overlaps.depth + first, count);
     store(o.place.x, overlaps.centre + first, count);
     store(curvature, overlaps.curvature + first, count);

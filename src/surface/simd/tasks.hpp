@@ -33,6 +33,12 @@ struct SurfacePoint {
   double place, x, ny, nz;
 };
 
+/// What each source does to a point of another direction: without the cosine between them, and its
+/// derivatives by the source's half length, factor included, and by the point's x. Whole packs.
+struct SurfaceSlopes {
+  double *value, *by_length, *by_x;
+};
+
 /// A wheel's outline, and the strips whose rays it may cross.
 struct OutlineTask {
   const RailStrips* rail;

@@ -177,6 +177,26 @@ int32_t wheel_step(Wheel& wheel) {
   return wheel_status(wheel, std::min(status, of_batch));
 }
 
+int32_t wheel_sensitivities(Wheel& wheel) {
+  wrc_wheel_state state = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+  wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
+  state.y = wheel.pose.lateral;
+  state.yaw = wheel.pose.yaw;
+  state.velocity[0] = 40.0;
+  state.angular_velocity[1] = -87.0;
+  input.wheel = &state;
+  if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = wheel.load.normal_force;
+  } else {
+    state.z = wheel.load.approach;
+    input.damping = 0.1;
+  }
+  return wheel_status(wheel, wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found));
+}
+
 int32_t wheel_step_flat(Wheel& wheel) {
   double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
   in[1] = wheel.pose.lateral;
@@ -288,6 +308,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_tangential, double ellipse", tangential_patch},
       {"wrc_contact_wrench, _batch", wheel_step},
       {"wrc_contact_wrench_flat", wheel_step_flat},
+      {"wrc_contact_wrench_sensitivities", wheel_sensitivities},
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
       {"wrc_contact_step, denormal pose", denormal_input},

@@ -1,0 +1,146 @@
+/// Derivatives of a wheel on a rail: what the host's place and motion change of what the rail sees of the
+/// wheel, and of the wrench's axes and reference point, in numbers that carry it.
+#include "base/dual.hpp"
+#include "base/elementary.hpp"
+#include "contact/contact.hpp"
+
+namespace wrc {
+namespace {
+
+using Number = Dual<by_load>;  // all inputs but the load, which follows at the end
+
+/// a + b x c
+void add_cross(Number* a, const Number* b, const Number* c) {
+  a[0] += b[1] * c[2] - b[2] * c[1];
+  a[1] += b[2] * c[0] - b[0] * c[2];
+  a[2] += b[0] * c[1] - b[1] * c[0];
+}
+
+/// Change of a vector with an angle about an axis.
+void turn(Number* v, std::size_t input, const double (&axis)[3]) {
+  const double at[3] = {v[0].value, v[1].value, v[2].value};
+  v[0].d[input] += axis[1] * at[2] - axis[2] * at[1];
+  v[1].d[input] += axis[2] * at[0] - axis[0] * at[2];
+  v[2].d[input] += axis[0] * at[1] - axis[1] * at[0];
+}
+
+/// A vector turned about x from track into rail axes.
+void into_rail(const Number& cosine, const Number& sine, const Number (&v)[3], Number (&turned)[3]) {
+  turned[0] = v[0];
+  turned[1] = cosine * v[1] + sine * v[2];
+  turned[2] = cosine * v[2] - sine * v[1];
+}
+
+/// The host's numbers as src/surface has them: right-hand bodies.
+struct Moving {
+  Number arm[3];  ///< of the host, not mirrored
+  Number position[3], axle[3], velocity[3], turning[3];
+  Number rail_y, rail_z, rail_roll, rail_velocity_y, rail_velocity_z, rail_velocity_roll;
+};
+
+Moving moving(const HostedWheel& hosted, const PlacedWheel& placed) {
+  Moving m;
+  const auto input = [](double value, std::size_t k) { return Number::input(value, k); };
+  const auto& R = hosted.rotation;
+  const double roll_axis[3] = {1.0, 0.0, 0.0}, yaw_axis[3] = {R[0][2], R[1][2], R[2][2]};
+  for (int i = 0; i < 3; ++i) {
+    m.axle[i] = R[i][1];
+    m.arm[i] = placed.arm[i];
+    m.turning[i] = hosted.angular_velocity[i];
+    for (std::size_t k = 0; k < 3; ++k) m.turning[i].d[by_angular_velocity + k] = hosted.axes[i][k];
+    m.velocity[i] = input(hosted.velocity[i], by_velocity + static_cast<std::size_t>(i));
+  }
+  for (Number* const v : {m.axle, m.arm}) {
+    turn(v, by_roll, roll_axis);
+    turn(v, by_yaw, yaw_axis);
+  }
+  if (hosted.axes_turn) {
+    turn(m.turning, by_roll, roll_axis);
+    turn(m.turning, by_yaw, yaw_axis);
+  }
+  add_cross(m.velocity, m.turning, m.arm);
+  const double outward = placed.left ? -1.0 : 1.0;
+  m.position[1] = m.arm[1] + input(placed.reference[1], by_y);
+  m.position[2] = m.arm[2] + input(placed.problem.wheel.position[2] - placed.arm[2], by_z);
+  m.rail_y = input(hosted.rail.y, by_rail_y);
+  m.rail_z = input(hosted.rail.z, by_rail_z);
+  m.rail_roll = input(hosted.rail.roll, by_rail_roll);
+  m.rail_velocity_y = input(hosted.rail.velocity_y, by_rail_velocity_y);
+  m.rail_velocity_z = input(hosted.rail.velocity_z, by_rail_velocity_z);
+  m.rail_velocity_roll = input(hosted.rail.velocity_roll, by_rail_velocity_roll);
+  for (Number* const n : {&m.position[1], &m.velocity[1], &m.turning[0], &m.turning[2], &m.axle[0],
+                          &m.axle[2], &m.rail_y, &m.rail_roll, &m.rail_velocity_y, &m.rail_velocity_roll})
+    *n = outward * *n;
+  return m;
+}
+
+/// What the rail sees, by SeenInput: only the derivatives are of interest.
+void see(const SurfaceModel& surface, const Moving& m, const Number& cosine, const Number& sine,
+         Number (&seen)[seen_inputs]) {
+  const Number dy = m.position[1] - surface.rail_origin_y - m.rail_y;
+  const Number dz = m.position[2] - surface.rail_origin_z - m.rail_z;
+  seen[place_y] = cosine * dy + sine * dz;
+  seen[place_z] = cosine * dz - sine * dy;
+  Number axle[3];
+  into_rail(cosine, sine, m.axle, axle);
+  // the turning that has no part about rail y and moves the axle like that
+  seen[turn_x] = axle[2].chain(0.0, 1.0 / axle[1].value);
+  seen[turn_z] = axle[0].chain(0.0, -1.0 / axle[1].value);
+  Number turned[3];
+  into_rail(cosine, sine,
+            {m.velocity[0], m.velocity[1] - m.rail_velocity_y + m.rail_velocity_roll * dz,
+             m.velocity[2] - m.rail_velocity_z - m.rail_velocity_roll * dy},
+            turned);
+  for (int i = 0; i < 3; ++i) seen[seen_velocity + i] = turned[i];
+  into_rail(cosine, sine, {m.turning[0] - m.rail_velocity_roll, m.turning[1], m.turning[2]}, turned);
+  for (int i = 0; i < 3; ++i) seen[seen_turning + i] = turned[i];
+}
+
+}  // namespace
+
+void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
+               const SeenWrench& found, HostedSlopes& slopes) {
+  const Moving m = moving(hosted, placed);
+  const SineCosine roll = sine_cosine(m.rail_roll.value);
+  const Number cosine = m.rail_roll.chain(roll.cosine, -roll.sine);
+  const Number sine = m.rail_roll.chain(roll.sine, roll.cosine);
+  Number seen[seen_inputs];
+  see(*model.surface, m, cosine, sine, seen);
+
+  Number wrench[2][3];  // force, moment
+  for (int part = 0; part < 2; ++part) {
+    for (int i = 0; i < 3; ++i) {
+      const SeenDual& in_rail = part == 0 ? found.force[i] : found.moment[i];
+      Number& n = wrench[part][i];
+      n = in_rail.value;
+      for (std::size_t j = 0; j < seen_inputs; ++j)
+        for (std::size_t k = 0; k < by_load; ++k) n.d[k] += in_rail.d[j] * seen[j].d[k];
+    }
+    const Number y = wrench[part][1], z = wrench[part][2];
+    wrench[part][1] = cosine * y - sine * z;
+    wrench[part][2] = sine * y + cosine * z;
+  }
+  if (placed.left)
+    for (Number* const n : {&wrench[0][1], &wrench[1][0], &wrench[1][2]}) *n = -*n;
+  add_cross(wrench[1], m.arm, wrench[0]);
+
+  slopes = {};
+  for (std::size_t row = 0; row < 6; ++row)
+    for (std::size_t k = 0; k < by_load; ++k) slopes.wrench[row][k] = wrench[row / 3][row % 3].d[k];
+  slopes.z[by_z] = 1.0;
+  if (!placed.problem.load_prescribed) return;
+  // The height follows: the vertical force stays what the load is.
+  constexpr std::size_t vertical = 2;
+  const double stiffness = -slopes.wrench[vertical][by_z];
+  const double per_stiffness = stiffness != 0.0 ? 1.0 / stiffness : 0.0;
+  for (std::size_t k = 0; k < by_load; ++k) slopes.z[k] = slopes.wrench[vertical][k] * per_stiffness;
+  slopes.z[by_z] = 0.0;
+  slopes.z[by_load] = per_stiffness;
+  for (auto& row : slopes.wrench) {
+    const double by_height = row[by_z];
+    row[by_z] = 0.0;
+    for (std::size_t k = 0; k < hosted_inputs; ++k) row[k] += by_height * slopes.z[k];
+  }
+}
+
+}  // namespace wrc

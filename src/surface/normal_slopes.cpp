@@ -1,0 +1,269 @@
+#include "surface/normal_slopes.hpp"
+
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "surface/simd/tasks.hpp"
+#include "surface/surface_means.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr std::int32_t inputs = place_inputs;
+/// No strip has more others within its reach on one side.
+constexpr std::int32_t most_within_reach = 16;
+
+struct Size {
+  std::int32_t rows;    ///< three for each strip, a multiple of four
+  std::int64_t stride;  ///< with the right-hand sides behind
+};
+
+Size size_of(std::int32_t strips) {
+  const std::int32_t rows = (3 * strips + 3) / 4 * 4;
+  return {rows, (rows + inputs + 7) / 8 * 8};
+}
+
+struct Scratch {
+  double *matrix, *r, *s, *x;
+  double *earlier_level, *earlier_shift;  ///< rows before they were smoothed
+  double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;
+  double *l, *growth, *level, *wanted_level, *wanted_shift, *shift;  ///< growth: of l with L
+  simd::SurfaceSlopes seen;
+};
+
+std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
+  double* at = memory;
+  const auto take = [&at](std::int64_t n) {
+    double* const here = at;
+    at += n;
+    return here;
+  };
+  const Size size = size_of(most);
+  const std::int64_t padded = simd::whole_packs(most);
+  w.matrix = take(size.rows * size.stride);
+  w.r = take(size.stride);
+  w.s = take(size.stride);
+  w.x = take(static_cast<std::int64_t>(size.rows) * inputs);
+  w.earlier_level = take(most_within_reach * size.stride);
+  w.earlier_shift = take(most_within_reach * size.stride);
+  for (double** a :
+       {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l, &w.growth,
+        &w.level, &w.wanted_level, &w.wanted_shift, &w.shift, &w.seen.value, &w.seen.by_length, &w.seen.by_x})
+    *a = take(padded);
+  return at - memory;
+}
+
+/// A point's displacement: its row over the unknowns, added with a factor, and what turning adds to it.
+struct Displacement {
+  double value = 0.0;
+  double by_x = 0.0;           ///< by the point's own x
+  double turned[inputs] = {};  ///< by the directions
+};
+
+Displacement add_row(const PressedStrips& s, const Scratch& w, std::int32_t a, double part, double* row) {
+  Displacement u;
+  const std::int32_t n = s.count;
+  const double ny = w.ny[a], nz = w.nz[a];
+  double sum_y = 0.0, sum_z = 0.0;
+  double *const by_q = row, *const by_L = row + n, *const by_c = row + 2 * n;
+  for (std::int32_t b = 0; b < n; ++b) {
+    const double q = s.strength[b], cosine = ny * w.ny[b] + nz * w.nz[b];
+    const double g = w.seen.value[b], qg = q * g, by_x = q * cosine * w.seen.by_x[b];
+    by_q[b] += part * (g * cosine);
+    by_L[b] += part * (q * cosine * w.seen.by_length[b] * w.growth[b]);
+    by_c[b] -= part * by_x;
+    u.value += qg * cosine;
+    u.by_x += by_x;
+    sum_y += qg * w.ny[b];
+    sum_z += qg * w.nz[b];
+    const OverlapSlopes& o = s.overlap[b];
+    for (std::int32_t k = 0; k < inputs; ++k)
+      u.turned[k] +=
+          qg * (ny * o.ny.d[static_cast<std::size_t>(k)] + nz * o.nz.d[static_cast<std::size_t>(k)]);
+  }
+  const OverlapSlopes& o = s.overlap[a];
+  for (std::int32_t k = 0; k < inputs; ++k)
+    u.turned[k] += sum_y * o.ny.d[static_cast<std::size_t>(k)] + sum_z * o.nz.d[static_cast<std::size_t>(k)];
+  by_c[a] += part * u.by_x;
+  return u;
+}
+
+/// The rows of contact, and those of levels and shifts before the means over neighbours are taken.
+void fill(const InfluenceTables& influence, const Kernels& kernels, const PressedStrips& s, const Size& size,
+          Scratch& w) {
+  const std::int32_t n = s.count;
+  const simd::SurfaceTables tables{influence.tables(), influence.mean_under.data()};
+  const simd::SurfaceSources sources{n,        w.place, w.centre, w.inverse_length, w.half_width,
+                                     w.factor, w.ny,    w.nz};
+  for (std::int32_t a = 0; a < n; ++a) {
+    double* const contact = w.matrix + a * size.stride;
+    double* const level = w.matrix + (n + a) * size.stride;
+    double* const shift = w.matrix + (2 * n + a) * size.stride;
+    for (double* row : {contact, level, shift}) std::fill_n(row, size.stride, 0.0);
+    const OverlapSlopes& o = s.overlap[a];
+    const double q = s.strength[a], l = w.l[a], kappa = o.curvature.value, depth = o.depth.value;
+    const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x, w.ny[a], w.nz[a]}; };
+
+    kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
+    const Displacement middle = add_row(s, w, a, 1.0, contact);
+
+    // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
+    kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
+    const Displacement leading = add_row(s, w, a, 1.0, level);
+    level[n + a] += leading.by_x * w.growth[a];
+    kernels.surface_edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
+    const Displacement trailing = add_row(s, w, a, 1.0, shift);
+    shift[n + a] -= trailing.by_x * w.growth[a];
+
+    const double drop = depth - 0.5 * (leading.value + trailing.value);
+    const double ratio = drop / (0.5 * kappa * l * l);
+    const double kept = smaller(larger(ratio, least_edge_ratio), most_edge_ratio);
+    const bool free = kept == ratio;
+    w.wanted_level[a] = q / (l * l * kept);
+    w.wanted_shift[a] = (trailing.value - leading.value) / (2.0 * l * kappa);
+    const double by_drop = free ? w.wanted_level[a] / drop : 0.0;
+    const double by_edges = 1.0 / (2.0 * l * kappa);
+    for (std::int64_t c = 0; c < size.rows; ++c) {
+      const double at_leading = level[c], at_trailing = shift[c];
+      level[c] = 0.5 * by_drop * (at_leading + at_trailing);
+      shift[c] = by_edges * (at_trailing - at_leading);
+    }
+    level[a] += 1.0 / (l * l * kept);
+    if (!free) level[n + a] -= 2.0 * w.wanted_level[a] / l * w.growth[a];
+    shift[n + a] -= w.wanted_shift[a] / l * w.growth[a];
+    // right-hand sides: what of the changes is known
+    for (std::int32_t k = 0; k < inputs; ++k) {
+      const auto d = static_cast<std::size_t>(k);
+      const double bent = o.curvature.d[d] / kappa;
+      const double edges = 0.5 * (leading.turned[k] + trailing.turned[k]);
+      contact[size.rows + k] = o.depth.d[d] - middle.turned[k];
+      level[size.rows + k] = -(free ? w.wanted_level[a] * bent - by_drop * (o.depth.d[d] - edges) : 0.0);
+      shift[size.rows + k] =
+          -(by_edges * (trailing.turned[k] - leading.turned[k]) - w.wanted_shift[a] * bent);
+    }
+  }
+}
+
+/// Takes the means over neighbours, and makes of them the equations of L and c.
+void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
+  const std::int32_t n = s.count;
+  const std::int64_t stride = size.stride;
+  std::int32_t from = 0;
+  for (std::int32_t a = 0; a < n; ++a) {
+    const double reach = smoothing_reach(s.width[a]);
+    while (from < a && (w.place[a] - w.place[from] >= reach || a - from >= most_within_reach)) ++from;
+    double* const level_row = w.matrix + (n + a) * stride;
+    double* const shift_row = w.matrix + (2 * n + a) * stride;
+    const std::int64_t slot = a % most_within_reach * stride;
+    std::copy_n(level_row, stride, w.earlier_level + slot);
+    std::copy_n(shift_row, stride, w.earlier_shift + slot);
+    std::fill_n(level_row, stride, 0.0);
+    std::fill_n(shift_row, stride, 0.0);
+    double weights = 0.0, level = 0.0, shift = 0.0;
+    std::int32_t end = from;
+    for (; end < n; ++end) {
+      const double near = smoothing_weight((w.place[end] - w.place[a]) / reach);
+      if (w.place[end] - w.place[a] >= reach) break;
+      const double weight = near * s.width[end] * s.strength[end];
+      weights += weight;
+      level += weight * w.wanted_level[end];
+      shift += weight * w.wanted_shift[end];
+    }
+    const bool lone = !(weights > 0.0);
+    const double per = lone ? 0.0 : 1.0 / weights;
+    level = lone ? w.wanted_level[a] : level * per;
+    shift = lone ? w.wanted_shift[a] : shift * per;
+    const double L = w.l[a] * w.l[a];
+    const bool follows = magnitude(shift) < longest_shift;
+    for (std::int32_t b = from; b < end; ++b) {
+      const double near = smoothing_weight((w.place[b] - w.place[a]) / reach) * s.width[b];
+      const double share = lone ? (a == b ? 1.0 : 0.0) : near * s.strength[b] * per;
+      const double* const of_level =
+          b <= a ? w.earlier_level + b % most_within_reach * stride : w.matrix + (n + b) * stride;
+      const double* const of_shift =
+          b <= a ? w.earlier_shift + b % most_within_reach * stride : w.matrix + (2 * n + b) * stride;
+      for (std::int64_t c = 0; c < stride; ++c) level_row[c] += share * of_level[c];
+      level_row[b] += near * per * (w.wanted_level[b] - level);
+      if (!follows) continue;
+      for (std::int64_t c = 0; c < stride; ++c) shift_row[c] -= share * of_shift[c];
+      shift_row[b] -= near * per * (w.wanted_shift[b] - shift);
+    }
+    // L level - q = 0, over the level
+    const double per_level = L / level;
+    for (std::int64_t c = 0; c < stride; ++c) level_row[c] *= per_level;
+    level_row[n + a] += 1.0;
+    level_row[a] -= 1.0 / level;
+    shift_row[2 * n + a] += 1.0;
+    for (std::int32_t k = 0; k < inputs; ++k)
+      shift_row[size.rows + k] += s.overlap[a].centre.d[static_cast<std::size_t>(k)];
+  }
+}
+
+/// Back substitution for all right-hand sides.
+void substitute(const Size& size, Scratch& w) {
+  for (std::int32_t i = size.rows - 1; i >= 0; --i) {
+    const double* const row = w.matrix + i * size.stride;
+    double sum[inputs];
+    for (std::int32_t k = 0; k < inputs; ++k) sum[k] = row[size.rows + k];
+    for (std::int32_t c = i + 1; c < size.rows; ++c) {
+      const double* const x = w.x + static_cast<std::int64_t>(c) * inputs;
+      for (std::int32_t k = 0; k < inputs; ++k) sum[k] -= row[c] * x[k];
+    }
+    double* const x = w.x + static_cast<std::int64_t>(i) * inputs;
+    for (std::int32_t k = 0; k < inputs; ++k) x[k] = sum[k] * row[i];
+  }
+}
+
+}  // namespace
+
+std::int64_t normal_slopes_doubles(std::int32_t most) {
+  Scratch w;
+  double nothing = 0.0;
+  return cut(&nothing, most, w);
+}
+
+void differentiate_pressures(const InfluenceTables& influence, const Kernels& kernels, double compliance,
+                             double* memory, const PressedStrips& s) noexcept {
+  const std::int32_t n = s.count;
+  if (n == 0) return;
+  Scratch w;
+  cut(memory, n, w);
+  const Size size = size_of(n);
+  const std::int64_t end = simd::whole_packs(n);
+  for (std::int64_t a = 0; a < end; ++a) {
+    const bool pads = a >= n;
+    const double width = pads ? 0.0 : s.width[a];
+    const double least = least_half_length * width, L = pads ? 1.0 : s.length_squared[a];
+    const double l = root(larger(L, least * least)), inverse = pads ? 0.0 : 1.0 / l;
+    w.l[a] = l;
+    w.growth[a] = L > least * least ? 0.5 / l : 0.0;
+    w.place[a] = pads ? 0.0 : s.place[a];
+    w.centre[a] = pads ? 0.0 : s.centre[a];
+    w.inverse_length[a] = inverse;
+    w.half_width[a] = 0.5 * width * inverse;
+    w.factor[a] = compliance * width * inverse;
+    w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
+    w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
+  }
+  fill(influence, kernels, s, size, w);
+  smooth(s, size, w);
+  for (std::int32_t a = 3 * n; a < size.rows; ++a) {
+    std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
+    w.matrix[a * size.stride + a] = 1.0;
+  }
+  kernels.eliminate({size.rows, size.stride, w.matrix, w.r, w.s});
+  substitute(size, w);
+  const auto changed = [&](std::int32_t row, double value) {
+    PlaceDual number = value;
+    for (std::size_t k = 0; k < place_inputs; ++k)
+      number.d[k] = w.x[static_cast<std::int64_t>(row) * inputs + static_cast<std::int64_t>(k)];
+    return number;
+  };
+  for (std::int32_t a = 0; a < n; ++a) {
+    s.changed_strength[a] = changed(a, s.strength[a]);
+    s.changed_length_squared[a] = changed(n + a, s.length_squared[a]);
+    s.changed_centre[a] = changed(2 * n + a, s.centre[a]);
+  }
+}
+
+}  // namespace wrc

@@ -1,0 +1,165 @@
+/// What strips of semi-elliptic pressure do to a point of the curved surface, and how that changes with their
+/// half lengths and with the point's place along x. The formulas are those of influence_kernel.hpp, whose
+/// tables are read with the slope of the interval they are read in: that of the number itself.
+#pragma once
+
+#include "normal/simd/line_tables.hpp"
+#include "surface/simd/tasks.hpp"
+
+namespace wrc::simd {
+namespace {
+
+namespace sloped {
+
+/// A number and its derivatives by the source's half length and by the point's x.
+struct Sloped {
+  Pack v, l, x;
+
+  Sloped() = default;
+  Sloped(Pack value, Pack by_length, Pack by_x) : v(value), l(by_length), x(by_x) {}
+  Sloped(double constant) : v(constant), l(0.0), x(0.0) {}  // NOLINT: constants mix freely
+
+  friend Sloped operator+(const Sloped& a, const Sloped& b) { return {a.v + b.v, a.l + b.l, a.x + b.x}; }
+  friend Sloped operator-(const Sloped& a, const Sloped& b) { return {a.v - b.v, a.l - b.l, a.x - b.x}; }
+  friend Sloped operator*(const Sloped& a, const Sloped& b) {
+    return {a.v * b.v, a.l * b.v + a.v * b.l, a.x * b.v + a.v * b.x};
+  }
+  friend Sloped operator*(double a, const Sloped& b) { return {a * b.v, a * b.l, a * b.x}; }
+  friend Sloped operator/(const Sloped& a, const Sloped& b) {
+    const Pack inverse = 1.0 / b.v, q = a.v * inverse;
+    return {q, (a.l - q * b.l) * inverse, (a.x - q * b.x) * inverse};
+  }
+};
+inline Sloped root(const Sloped& a) {
+  const Pack r = root(a.v);
+  const Mask positive = r > 0.0;
+  const Pack slope = select(positive, 0.5 / select(positive, r, 1.0), 0.0);
+  return {r, slope * a.l, slope * a.x};
+}
+inline Sloped select(Mask m, const Sloped& yes, const Sloped& no) {
+  return {select(m, yes.v, no.v), select(m, yes.l, no.l), select(m, yes.x, no.x)};
+}
+inline Sloped larger(const Sloped& a, const Sloped& b) { return select(a.v > b.v, a, b); }
+inline Sloped smaller(const Sloped& a, const Sloped& b) { return select(a.v < b.v, a, b); }
+
+/// f(a) from its value and f'(a).
+inline Sloped chained(const Sloped& a, Pack value, Pack slope) { return {value, slope * a.l, slope * a.x}; }
+
+/// By how much the fraction of locate() grows with x: 0 beyond the axis.
+template <int lowest_exponent, int octaves, int bits_per_octave>
+Pack fraction_slope(Pack x) {
+  constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
+  constexpr double low = axis.node(0), high = axis.node(axis.intervals());
+  constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
+  const Mask inside = (x >= low) & (x < high);
+  const Pack octave = pack_of(bits_of(select(inside, x, low)) & exponent);
+  return select(inside, static_cast<double>(1 << bits_per_octave) / octave, 0.0);
+}
+
+/// read() of line_tables.hpp.
+inline Sloped read_sloped(const double* table, const Sloped& tau) {
+  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
+  const Neighbours value = pick(table, indices(place.interval));
+  const Pack rise = value.behind - value.at;
+  return chained(tau, value.at + place.fraction * rise,
+                 rise * fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v));
+}
+
+/// line_potential_at() of the same.
+inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& tau, const Sloped& xi) {
+  const Sloped tau2 = tau * tau;
+  const Sloped to_trailing = root((xi + 1.0) * (xi + 1.0) + tau2);
+  const Sloped to_leading = root((xi - 1.0) * (xi - 1.0) + tau2);
+  const Sloped one_minus_eta = 1.0 - 0.5 * (to_trailing - to_leading);  // xi >= 0
+  const Sloped chi = 0.5 * (to_trailing + to_leading) - 1.0;
+  constexpr OctaveAxis axis = InfluenceTables::chi_axis;
+  const Places row = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(chi.v);
+  const Sloped f = chained(chi, row.fraction,
+                           fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(chi.v));
+  constexpr std::int32_t columns = InfluenceTables::eta_intervals;
+  const Sloped v = static_cast<double>(columns) * root(larger(one_minus_eta, 0.0));
+  const Pack nearest = nearest_integer(v.v);
+  const Pack column = smaller(select(nearest > v.v, nearest - 1.0, nearest), columns - 1.0);
+  const Sloped g{v.v - column, v.l, v.x};
+  const Indices i = indices(row.interval * (columns + 1.0) + column);
+  const Neighbours low = pick(tables.anywhere, i), high = pick(tables.anywhere + columns + 1, i);
+  const Pack low_rise = low.behind - low.at, high_rise = high.behind - high.at;
+  const Pack at_low = low.at + g.v * low_rise, at_high = high.at + g.v * high_rise;
+  const Pack by_f = at_high - at_low, by_g = low_rise + row.fraction * (high_rise - low_rise);
+  return {at_low + row.fraction * by_f, by_f * f.l + by_g * g.l, by_f * f.x + by_g * g.x};
+}
+
+/// A pack of sources as a point sees them.
+struct SeenSources {
+  Sloped tau, xi, half_width, factor;
+  Mask own;
+};
+
+inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t first,
+                                const SurfacePoint& point) {
+  const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
+  const auto over_length = [&](Pack a) { return Sloped{a * inverse, zero - a * inverse * inverse, zero}; };
+  SeenSources s;
+  s.tau = over_length(magnitude(load_pack(sources.place + first) - Pack(point.place)));
+  const Pack offset = Pack(point.x) - load_pack(sources.centre + first);
+  s.xi = over_length(magnitude(offset));
+  s.xi.x = select(offset < zero, zero - inverse, inverse);
+  const Pack half = load_pack(sources.half_width + first), factor = load_pack(sources.factor + first);
+  s.half_width = {half, zero - half * inverse, zero};
+  s.factor = {factor, zero - factor * inverse, zero};
+  s.own = s.tau.v <= 0.0;
+  return s;
+}
+
+inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlopes& to) {
+  store_pack(to.value + first, a.v);
+  store_pack(to.by_length + first, a.l);
+  store_pack(to.by_x + first, a.x);
+}
+
+/// Kernels::surface_influence_slopes.
+inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
+                                     const SurfacePoint& point, const SurfaceSlopes& slopes) {
+  constexpr double near = 17.0;  // as in surface_influence_row
+  for (std::int32_t first = 0; first < sources.count; first += lanes) {
+    const SeenSources s = seen_sources(sources, first, point);
+    const Sloped tau = select(s.own, 1.0, s.tau), tau2 = tau * tau;
+    const Sloped middle = read_sloped(tables.line.on_middle_plane, tau);
+    const Sloped to_end = root(1.0 + tau2);
+    const Sloped inverse_cube = 1.0 / (tau2 * to_end);
+    const Sloped xi2 = s.xi * s.xi;
+    const Sloped inverse_to_end = inverse_cube * tau2;
+    const Sloped border = 0.06 + 0.02 * tau2;
+    const Sloped beyond = smaller(larger((xi2 - border) / border, 0.0), 1.0);
+    const Sloped close = middle * (1.0 - 0.5 * (xi2 * (inverse_to_end * inverse_to_end)));
+    Sloped seen = close;
+    if (any(beyond.v > 0.0)) seen = close + beyond * (line_potential_sloped(tables.line, tau, s.xi) - close);
+    const Mask is_near = s.tau.v < near * s.half_width.v;
+    if (any(is_near)) {
+      const Sloped square = s.half_width * s.half_width;
+      const Sloped t2 = square * (inverse_cube * to_end);
+      const Sloped correction =
+          2.0 * (square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + (1.0 / 42.0) * t2)));
+      seen = select(is_near & !s.own, seen + correction, seen);
+      if (any(s.own)) seen = select(s.own, read_sloped(tables.own_middle, s.half_width), seen);
+    }
+    store_sloped(s.factor * seen, first, slopes);
+  }
+}
+
+/// Kernels::surface_edge_slopes.
+inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
+                                const SurfacePoint& point, const SurfaceSlopes& slopes) {
+  for (std::int32_t first = 0; first < sources.count; first += lanes) {
+    const SeenSources s = seen_sources(sources, first, point);
+    Sloped seen = line_potential_sloped(tables.line, s.tau, s.xi);
+    if (any(s.own)) seen = select(s.own, read_sloped(tables.line.edge_under, s.half_width), seen);
+    store_sloped(s.factor * seen, first, slopes);
+  }
+}
+
+}  // namespace sloped
+
+}  // namespace
+}  // namespace wrc::simd

@@ -1,0 +1,33 @@
+/// A solve of wheel_on_rail.cpp on its way: its working memory, and the wheel as the rail sees it.
+#pragma once
+
+#include <cstdint>
+
+#include "surface/overlap.hpp"
+#include "surface/surface_normal.hpp"
+
+namespace wrc {
+
+/// The wheel as the rail sees it: rail axes, origin of its profile.
+struct Seen {
+  RelativePose pose;
+  double velocity[3];          ///< of the wheel's reference point less that of rail material there
+  double angular_velocity[3];  ///< of the wheel less that of the rail
+  double cosine, sine;         ///< of the rail's roll
+};
+
+struct WheelWork {
+  Overlaps overlaps;
+  OverlapScratch scratch;
+  SurfacePressure pressure;
+  Seen seen;        ///< of the last solve
+  double* normal;   ///< scratch of the normal problem
+  double* rolling;  ///< scratch of rolling
+  double* slopes;   ///< of derivatives
+  // over the strips in contact
+  double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
+      *other_fx, *other_fy, *other_mz;
+  std::int32_t* candidate;  ///< of a strip in contact
+};
+
+}  // namespace wrc

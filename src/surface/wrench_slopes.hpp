@@ -1,0 +1,40 @@
+/// The wrench of a wheel on a rail with its derivatives: the formulas of wheel_on_rail.cpp in numbers that
+/// carry them, at the solution the normal problem has come to.
+#pragma once
+
+#include <cstdint>
+
+#include "base/dual.hpp"
+#include "base/fault.hpp"
+#include "surface/overlap_slopes.hpp"
+
+namespace wrc {
+
+struct SurfaceModel;
+struct WheelOnRail;
+struct WheelWork;
+
+/// What a wrench in rail axes depends on: the wheel's place and attitude as the rail sees it, and its
+/// velocities less those of rail material, along and about rail axes [m/s], [rad/s].
+enum SeenInput : std::int32_t {
+  seen_velocity = place_inputs,
+  seen_turning = seen_velocity + 3,
+  seen_inputs = seen_turning + 3
+};
+
+using SeenDual = Dual<seen_inputs>;
+
+/// On the wheel, about its reference point, rail axes.
+struct SeenWrench {
+  SeenDual force[3], moment[3];
+};
+
+/// Doubles of working memory.
+std::int64_t wrench_slopes_doubles(std::int32_t most_strips);
+
+/// Differentiates what stands in `work` after a solve. WRC_FLAG_MORE_PATCHES, and no derivatives, with more
+/// strips in contact than there is room for.
+Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
+                           SeenWrench& wrench) noexcept;
+
+}  // namespace wrc

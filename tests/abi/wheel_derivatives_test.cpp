@@ -1,0 +1,194 @@
+/// Derivatives of the wrench of a wheel on a rail, against central differences.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "reference_contact.hpp"
+
+namespace {
+
+/// Pressures are solved until a sweep moves a millionth of the area, and tables have intervals: differences
+/// see that, most of them 1e-5 of the largest of a row. tools/wrench_derivatives prints how many see more.
+constexpr double differences_see = 1e-3;
+
+constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
+
+/// S1002 on the benchmark UIC60 with a little of everything.
+class WheelDerivatives : public testing::TestWithParam<int32_t> {
+ protected:
+  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+  wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  WheelDerivatives() {
+    wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init), rail_profile = wheel_profile;
+    wheel_profile.kind = WRC_PROFILE_S1002;
+    rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    wrc_config config = made<wrc_config>(wrc_config_init);
+    config.wheel = &wheel_profile;
+    config.rail = &rail_profile;
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    EXPECT_EQ(wrc_contact_create(model, GetParam(), nullptr, &contact), WRC_OK);
+    wheel.roll = -0.7e-3;
+    wheel.yaw = 3e-3;
+    wheel.velocity[0] = 20.0;
+    wheel.velocity[1] = 0.03;
+    wheel.velocity[2] = 0.02;
+    wheel.angular_velocity[0] = 0.01;
+    wheel.angular_velocity[1] = -20.0 / 0.46 * 1.001;
+    wheel.angular_velocity[2] = 0.02;
+    rail.y = 0.4e-3;
+    rail.z = 0.3e-3;
+    rail.roll = 2e-3;
+    rail.y_velocity = 0.01;
+    rail.z_velocity = -0.01;
+    rail.roll_velocity = 0.02;
+    input.wheel = &wheel;
+    input.rail = &rail;
+  }
+  ~WheelDerivatives() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  double* number(int column) {
+    double* const numbers[columns] = {&wheel.y,
+                                      &wheel.z,
+                                      &wheel.roll,
+                                      &wheel.yaw,
+                                      &wheel.velocity[0],
+                                      &wheel.velocity[1],
+                                      &wheel.velocity[2],
+                                      &wheel.angular_velocity[0],
+                                      &wheel.angular_velocity[1],
+                                      &wheel.angular_velocity[2],
+                                      &rail.y,
+                                      &rail.z,
+                                      &rail.roll,
+                                      &rail.y_velocity,
+                                      &rail.z_velocity,
+                                      &rail.roll_velocity};
+    return numbers[column];
+  }
+  static bool is_place(int column) { return column < 4 || (column >= 10 && column < 13); }
+
+  /// At the lateral position, pressed by a load: the height is found, then given.
+  void press(double y, double load) {
+    wheel.y = y;
+    const wrc_friction* const given = input.friction;
+    input.friction = nullptr;
+    input.damping = 0.0;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = load;
+    ASSERT_EQ(wrc_contact_wrench(contact, &input, &wrench), WRC_OK);
+    wheel.z = wrench.z;
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    input.friction = given;
+  }
+
+  /// Errors of a column over the largest entries of their rows among columns of places, or of velocities.
+  void expect_differences(double tolerance) {
+    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+    double differences[rows][columns];
+    for (int k = 0; k < columns; ++k) {
+      if (k == WRC_BY_Z && input.prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) continue;
+      const double value = *number(k), h = is_place(k) ? 1e-9 : 1e-7;
+      wrc_wrench ends[2] = {wrench, wrench};
+      for (int end = 0; end < 2; ++end) {
+        *number(k) = value + (end == 0 ? -h : h);
+        ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), WRC_OK);
+      }
+      *number(k) = value;
+      const double width = (value + h) - (value - h);
+      for (int r = 0; r < rows; ++r) {
+        const auto of = [&](const wrc_wrench& w) { return r < 3 ? w.force[r] : w.moment[r - 3]; };
+        differences[r][k] = (of(ends[1]) - of(ends[0])) / width;
+      }
+    }
+    for (int r = 0; r < rows; ++r)
+      for (int k = 0; k < columns; ++k) {
+        double largest = 1e-6;  // [N/m], ...: a row of zeros
+        for (int c = 0; c < columns; ++c)
+          if (is_place(c) == is_place(k)) largest = std::max(largest, std::fabs(differences[r][c]));
+        EXPECT_NEAR(found.wrench[r][k], differences[r][k], tolerance * largest)
+            << "row " << r << " column " << k;
+      }
+  }
+};
+
+TEST_P(WheelDerivatives, PressureFollowsThePose) {
+  for (const double y : {-4e-3, 0.0, 5e-3, 6.5e-3}) {
+    SCOPED_TRACE(y);
+    const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+    press(outward * y, 60e3);
+    input.damping = 0.1;
+    expect_differences(differences_see);
+  }
+}
+
+TEST_P(WheelDerivatives, AxesAndReferenceOfTheHost) {
+  wheel.reference = WRC_REFERENCE_WHEEL;
+  wheel.angular_axes = WRC_AXES_BODY;
+  press(2e-3, 80e3);
+  input.damping = 0.1;
+  expect_differences(differences_see);
+}
+
+TEST_P(WheelDerivatives, OnlyByTheAxleOfARotation) {
+  press(1e-3, 80e3);
+  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  const wrc_wrench_sensitivities by_angles = found;
+  const double cr = std::cos(wheel.roll), sr = std::sin(wheel.roll), cy = std::cos(wheel.yaw),
+               sy = std::sin(wheel.yaw);
+  const double rotation[9] = {cy, -sy, 0.0, cr * sy, cr * cy, -sr, sr * sy, sr * cy, cr};
+  wheel.rotation = rotation;
+  wheel.roll = wheel.yaw = 0.0;
+  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  for (int r = 0; r < rows; ++r)
+    for (int k = 0; k < columns; ++k)
+      EXPECT_NEAR(found.wrench[r][k], by_angles.wrench[r][k],
+                  1e-5 * std::fabs(by_angles.wrench[2][WRC_BY_Z]));
+}
+
+TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
+  press(1e-3, 80e3);
+  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  EXPECT_EQ(found.z[WRC_BY_Z], 1.0);
+  EXPECT_EQ(found.wrench[2][WRC_BY_VERTICAL_LOAD], 0.0);
+  const double stiffness = -found.wrench[2][WRC_BY_Z];
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  EXPECT_NEAR(found.z[WRC_BY_VERTICAL_LOAD], 1.0 / stiffness, 1e-3 / stiffness);
+  EXPECT_NEAR(found.wrench[2][WRC_BY_VERTICAL_LOAD], -1.0, 1e-12);
+  EXPECT_NEAR(found.z[WRC_BY_RAIL_Z], 1.0, 1e-9);
+  for (int r = 0; r < rows; ++r) EXPECT_EQ(found.wrench[r][WRC_BY_Z], 0.0);
+  for (int k = 0; k < columns; ++k) EXPECT_NEAR(found.wrench[2][k], 0.0, 1e-9 * stiffness);
+}
+
+TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
+  press(1e-3, 80e3);
+  wrc_wrench alone = made<wrc_wrench>(wrc_wrench_init);
+  ASSERT_EQ(wrc_contact_wrench(contact, &input, &alone), WRC_OK);
+  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, nullptr), WRC_OK);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(wrench.force[i], alone.force[i]);
+    EXPECT_EQ(wrench.moment[i], alone.moment[i]);
+  }
+  wheel.z = -0.05;
+  EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found), WRC_FLAG_NO_CONTACT);
+  for (const auto& row : found.wrench)
+    for (const double entry : row) EXPECT_EQ(entry, 0.0);
+  input.friction = &friction;
+  EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found), WRC_ERROR_UNSUPPORTED);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, WheelDerivatives, testing::Values(WRC_SIDE_RIGHT, WRC_SIDE_LEFT));
+
+}  // namespace

@@ -1,0 +1,255 @@
+/// wrench_derivatives - wrc_contact_wrench_sensitivities() against central differences of
+/// wrc_contact_wrench() on random poses, and what it takes beside a step.
+///
+///   wrench_derivatives [POSES [SEED]] [--frictionless] [--list ERROR]
+///
+/// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
+/// displaced, turned and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, creepages up to saturation. An
+/// error is over the largest entry of its row among the columns of the same unit (lengths, angles,
+/// velocities, angular velocities): that is less than the largest of the whole row. An entry whose
+/// differences to the two sides are not the same stands at a kink: a strip enters, a cell goes from stick to
+/// slip, a table's interval ends.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "made.hpp"
+
+namespace {
+
+constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
+constexpr const char* row_names[rows] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+constexpr const char* column_names[columns] = {
+    "y",  "z",  "roll",   "yaw",    "vx",        "vy",      "vz",      "wx",
+    "wy", "wz", "rail y", "rail z", "rail roll", "rail vy", "rail vz", "rail wx"};
+
+enum Unit { length, angle, velocity, angular_velocity, units };
+constexpr Unit unit_of[columns] = {
+    length,           length,           angle,  angle,  velocity, velocity, velocity, angular_velocity,
+    angular_velocity, angular_velocity, length, length, angle,    velocity, velocity, angular_velocity};
+
+struct Case {
+  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
+  bool with_friction = true;
+
+  const wrc_wheel_input* given() {
+    input.wheel = &wheel;
+    input.rail = &rail;
+    input.friction = with_friction ? &friction : nullptr;
+    return &input;
+  }
+  double* number(int column) {
+    double* const numbers[columns] = {&wheel.y,
+                                      &wheel.z,
+                                      &wheel.roll,
+                                      &wheel.yaw,
+                                      &wheel.velocity[0],
+                                      &wheel.velocity[1],
+                                      &wheel.velocity[2],
+                                      &wheel.angular_velocity[0],
+                                      &wheel.angular_velocity[1],
+                                      &wheel.angular_velocity[2],
+                                      &rail.y,
+                                      &rail.z,
+                                      &rail.roll,
+                                      &rail.y_velocity,
+                                      &rail.z_velocity,
+                                      &rail.roll_velocity};
+    return numbers[column];
+  }
+};
+
+double seconds() {
+  using clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(clock::now().time_since_epoch()).count();
+}
+
+struct Errors {
+  std::vector<double> all;
+  long kinks = 0;
+  double at(double share) {
+    if (all.empty()) return 0.0;
+    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(all.size() - 1));
+    std::nth_element(all.begin(), all.begin() + k, all.end());
+    return all[static_cast<std::size_t>(k)];
+  }
+  double within(double limit) const {
+    const auto good = std::count_if(all.begin(), all.end(), [&](double e) { return e <= limit; });
+    return 100.0 * static_cast<double>(good) / static_cast<double>(std::max<std::size_t>(1, all.size()));
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  long poses = 1000;
+  unsigned seed = 1;
+  double listed = 1e300;
+  bool frictionless = false;
+  int numbers = 0;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--frictionless") == 0) {
+      frictionless = true;
+    } else if (std::strcmp(argv[i], "--list") == 0 && i + 1 < argc) {
+      listed = std::atof(argv[++i]);
+    } else if (numbers++ == 0) {
+      poses = std::atol(argv[i]);
+    } else {
+      seed = static_cast<unsigned>(std::atol(argv[i]));
+    }
+  }
+  wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init), rail_profile = wheel_profile;
+  wheel_profile.kind = WRC_PROFILE_S1002;
+  rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  wrc_config config = made<wrc_config>(wrc_config_init);
+  config.wheel = &wheel_profile;
+  config.rail = &rail_profile;
+  wrc_model* model = nullptr;
+  wrc_contact* contacts[2] = {nullptr, nullptr};
+  if (wrc_model_create(&config, nullptr, &model) != WRC_OK) return 1;
+  for (int32_t side = 0; side < 2; ++side)
+    if (wrc_contact_create(model, side, nullptr, &contacts[side]) != WRC_OK) return 1;
+
+  std::mt19937_64 random(seed);
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  Errors literal, of_unit, by_entry[rows][columns];
+  double step_time = 0.0, both_time = 0.0;
+  long done = 0, skipped = 0;
+  std::vector<double> ratios;
+  while (done < poses) {
+    Case c;
+    wrc_contact* const contact = contacts[random() % 2];
+    c.wheel.reference = random() % 2 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
+    c.wheel.angular_axes = random() % 2 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+    c.wheel.y = between(-8e-3, 8e-3);
+    c.wheel.roll = between(-10e-3, 10e-3);
+    c.wheel.yaw = between(-15e-3, 15e-3);
+    c.rail.y = between(-1e-3, 1e-3);
+    c.rail.z = between(-1e-3, 1e-3);
+    c.rail.roll = between(-5e-3, 5e-3);
+    const double speed = between(1.0, 80.0), slip = std::pow(10.0, between(-4.0, -2.0));
+    c.wheel.velocity[0] = speed;
+    c.wheel.velocity[1] = between(-slip, slip) * speed;
+    c.wheel.velocity[2] = between(-0.1, 0.1);
+    c.wheel.angular_velocity[0] = between(-0.1, 0.1);
+    c.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + between(-slip, slip));
+    c.wheel.angular_velocity[2] = between(-0.1, 0.1);
+    c.rail.y_velocity = between(-0.01, 0.01);
+    c.rail.z_velocity = between(-0.01, 0.01);
+    c.rail.roll_velocity = between(-0.01, 0.01);
+    c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
+    c.friction.coefficient = between(0.1, 0.6);
+    c.with_friction = !frictionless;
+    // the height for a load, as if without friction: that always has an equilibrium
+    wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+    Case loaded = c;
+    loaded.with_friction = false;
+    loaded.input.damping = 0.0;
+    loaded.input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    loaded.input.vertical_load = std::exp(between(std::log(5e3), std::log(150e3)));
+    if (wrc_contact_wrench(contact, loaded.given(), &wrench) != WRC_OK) {
+      ++skipped;
+      continue;
+    }
+    c.wheel.z = wrench.z;
+    wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
+    int32_t status = wrc_contact_wrench(contact, c.given(), &wrench);
+    const double t0 = seconds();
+    status = wrc_contact_wrench(contact, c.given(), &wrench);
+    const double t1 = seconds();
+    const int32_t with = wrc_contact_wrench_sensitivities(contact, c.given(), &wrench, &found);
+    const double t2 = seconds();
+    if (status != WRC_OK || with != WRC_OK) {
+      ++skipped;
+      continue;
+    }
+    step_time += t1 - t0;
+    both_time += t2 - t1;
+    ratios.push_back((t2 - t1) / (t1 - t0));
+    double difference[rows][columns];
+    bool kink[rows][columns];
+    for (int column = 0; column < columns; ++column) {
+      double* const number = c.number(column);
+      const double value = *number;
+      const double h = unit_of[column] == length     ? 1e-9
+                       : unit_of[column] == angle    ? 1e-9
+                       : unit_of[column] == velocity ? 1e-8 * speed
+                                                     : 2e-8 * speed;
+      double ends[3][rows];
+      for (int end = 0; end < 3; ++end) {
+        *number = value + (end - 1) * h;
+        wrc_contact_wrench(contact, c.given(), &wrench);
+        for (int r = 0; r < 3; ++r) {
+          ends[end][r] = wrench.force[r];
+          ends[end][r + 3] = wrench.moment[r];
+        }
+      }
+      const double high = value + h, low = value - h;
+      *number = value;
+      for (int r = 0; r < rows; ++r) {
+        difference[r][column] = (ends[2][r] - ends[0][r]) / (high - low);
+        kink[r][column] = std::fabs(ends[2][r] - 2.0 * ends[1][r] + ends[0][r]) / h >
+                          1e-3 * std::fabs(difference[r][column]) + 1e-9 * std::fabs(ends[1][r]) / h;
+      }
+    }
+    ++done;
+    for (int r = 0; r < rows; ++r) {
+      double largest = 0.0, largest_of[units] = {};
+      for (int column = 0; column < columns; ++column) {
+        const double size = std::fabs(difference[r][column]);
+        largest = std::max(largest, size);
+        largest_of[unit_of[column]] = std::max(largest_of[unit_of[column]], size);
+      }
+      for (int column = 0; column < columns; ++column) {
+        const double error = std::fabs(found.wrench[r][column] - difference[r][column]);
+        const auto over = [&](double size) { return size > 0.0 ? error / size : error > 0.0 ? 1.0 : 0.0; };
+        const double relative = over(largest_of[unit_of[column]]);
+        for (Errors* const e : {&literal, &of_unit, &by_entry[r][column]}) {
+          if (kink[r][column])
+            ++e->kinks;
+          else
+            e->all.push_back(e == &literal ? over(largest) : relative);
+        }
+        if (relative > listed && !kink[r][column])
+          std::printf("pose %ld y %.4f mm yaw %.4f z %.6f: d%s/d%s %.9g by differences %.9g\n", done,
+                      1e3 * c.wheel.y, c.wheel.yaw, c.wheel.z, row_names[r], column_names[column],
+                      found.wrench[r][column], difference[r][column]);
+      }
+    }
+  }
+  std::printf("%ld poses, %ld others without contact or flagged\n", done, skipped);
+  for (Errors* const e : {&literal, &of_unit}) {
+    std::printf(
+        "%-34s 50 %% %.1e  95 %% %.1e  99 %% %.1e  largest %.1e  within 1e-5 %.2f %%, within 1e-3 %.2f %%, "
+        "at kinks %ld of %ld\n",
+        e == &literal ? "over the largest of the row:" : "over the largest of the same unit:", e->at(0.5),
+        e->at(0.95), e->at(0.99), e->at(1.0), e->within(1e-5), e->within(1e-3), e->kinks,
+        e->kinks + static_cast<long>(e->all.size()));
+  }
+  std::printf("95 %% of the errors, entry by entry (same unit)\n%10s", "");
+  for (const char* name : row_names) std::printf(" %8s", name);
+  std::printf("\n");
+  for (int column = 0; column < columns; ++column) {
+    std::printf("%10s", column_names[column]);
+    for (auto& row : by_entry) std::printf(" %8.1e", row[column].at(0.95));
+    std::printf("\n");
+  }
+  std::sort(ratios.begin(), ratios.end());
+  std::printf(
+      "time: step %.1f us, step with derivatives %.1f us; ratio of sums %.2f, median %.2f, 99 %% %.2f\n",
+      1e6 * step_time / static_cast<double>(done), 1e6 * both_time / static_cast<double>(done),
+      both_time / step_time, ratios[ratios.size() / 2], ratios[ratios.size() * 99 / 100]);
+  for (wrc_contact* contact : contacts) wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+  return 0;
+}
