@@ -6,8 +6,8 @@
 ///     normal_report jumps [--limits SHARE]     the same: what is left of its changes as the step shrinks
 ///
 ///     normal_report flange [CELLS]             first touch leaping to the flange, against the exact solver
-///                                              on CELLS x 2 CELLS cells [160]: of the true surfaces, of the
-///                                              rows
+///                                              on CELLS x 2 CELLS cells [160]: of the true surfaces, of
+///                                              the rows
 ///
 ///     normal_report trips                      load -> approach -> load of the methods that search the
 ///                                              approach: what leaps, and what does not come back

@@ -243,8 +243,8 @@ Strips all_strips(Contact& contact);
 Strips patch_strips(Contact& contact, const Patch& patch);
 Strips region_strips(Contact& contact, const Patch& patch);
 
-/// The block of a cell array that belongs to one patch: element (cell i, strip j) at i * patch.region_count +
-/// j.
+/// The block of a cell array that belongs to one patch: element (cell i, strip j) at
+/// i * patch.region_count + j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
 
 /// Does the tangential method give tractions and slip of every cell?

@@ -32,8 +32,8 @@ double fatigue_index(const ShakedownPoint& point);
 /// By Melan's theorem only tau_xz cannot be cancelled by residual stresses, so p0 / k = p0 / max |tau_xz|,
 /// with tau_xz from the closed-form stresses under a sliding line contact. For mu >= 0.367 its maximum is the
 /// traction at the surface, p0 / k = 1 / mu, the curve FI = 0; below, it lies in the depth and is fitted by
-/// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %. A circular contact starts higher, at about 4.7 for mu =
-/// 0 (literature value, unconfirmed here).
+/// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %. A circular contact starts higher, at about 4.7 for
+/// mu = 0 (literature value, unconfirmed here).
 double shakedown_limit(double friction);
 
 }  // namespace wrc

@@ -18,8 +18,8 @@ struct TGammaWearLaw {
   double slope_severe = 1.19, offset_severe = 154.0;  ///< [mm^3/(km N)], [mm^3/km]
 };
 
-/// Area lost per distance rolled [m^2/m]; t_gamma [N], wheel_diameter [m]. The published law jumps from 25 /
-/// D to 84 / D at t2: that is how it is printed.
+/// Area lost per distance rolled [m^2/m]; t_gamma [N], wheel_diameter [m]. The published law jumps from
+/// 25 / D to 84 / D at t2: that is how it is printed.
 double worn_area_rate(const TGammaWearLaw& law, double t_gamma, double wheel_diameter);
 
 /// Wear rate per contact area from T-gamma / A (University of Sheffield; R8T wheel on UIC60 900A rail,
@@ -34,8 +34,8 @@ struct SheffieldWearLaw {
 };
 
 /// Depth lost per distance rolled [m/m]; t_gamma_density = frictional power density / rolling speed [N/m^2].
-/// Continuous: the plateau is slope_mild x1 and the last branch rises from it. (A printed form 61.9 x -
-/// 4778.7 is zero at x2, where the plateau is 55: a misprint this does not follow.)
+/// Continuous: the plateau is slope_mild x1 and the last branch rises from it. (A printed form
+/// 61.9 x - 4778.7 is zero at x2, where the plateau is 55: a misprint this does not follow.)
 double wear_depth_rate(const SheffieldWearLaw& law, double t_gamma_density);
 
 /// Archard's law with the wear map of Jendel (Wear 253 (2002) 89; values unconfirmed): volume = k N s / H,

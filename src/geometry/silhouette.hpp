@@ -11,12 +11,11 @@
 /// profile; with yaw psi the contact locus leaves it by x ~ -r r' psi.
 ///
 /// Two consequences used downstream, both exact:
-///   - the tangent of the projected outline is perpendicular to the projected normal: dz/dy = -N_y / N_z, N =
-///   R n;
+///   - the tangent of the projected outline is perpendicular to the projected normal: dz/dy = -N_y / N_z,
+///     N = R n;
 ///   - the separation at fixed contact-frame y is least on the outline, and its curvature there is the
-///   wheel's
-///     normal curvature in direction x divided by the cosine between the surface normal and the contact
-///     normal (Meusnier), see longitudinal_curvature().
+///     wheel's normal curvature in direction x divided by the cosine between the surface normal and the
+///     contact normal (Meusnier), see longitudinal_curvature().
 #pragma once
 
 #include <cstdint>

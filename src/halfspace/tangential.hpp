@@ -29,15 +29,12 @@ namespace wrc::halfspace {
 /// knows the displacements one cell apart, with p constant per cell. The matrix is the same for both.
 enum class Collocation {
   /// w at x_i + dx/4, p at x_i - dx/4. The difference quotient belongs to x_i + dx/2, and a piecewise
-  /// constant
-  /// solution of this singular equation represents the exact one best a quarter of a cell behind that of its
-  /// nominal place and meets the equation best a quarter ahead: the quarter-chord, three-quarter-chord rule
-  /// of the
-  /// vortex lattice (our leading edge is the airfoil's trailing edge).
+  /// constant solution of this singular equation represents the exact one best a quarter of a cell behind
+  /// that of its nominal place and meets the equation best a quarter ahead: the quarter-chord,
+  /// three-quarter-chord rule of the vortex lattice (our leading edge is the airfoil's trailing edge).
   quarter_point,
   /// w at x_i + dx/6, p at x_i: reproduces the reference program CONTACT 25.2 on its own grid to 1e-5 of mu
-  /// N. The
-  /// offset dx/6 was found by that comparison.
+  /// N. The offset dx/6 was found by that comparison.
   reference_program
 };
 

@@ -3,9 +3,8 @@
 /// Criteria of Piotrowski, Liu and Bruni (2017), and the source paper's variant that keeps the width:
 ///   (1)  pi a b = area of the patch
 ///   (2)  a / b = length / width,     or   (2b)  2 b = width
-///   (3)  the joint lies at the initial contact point: psi = y_mid / b, y_mid the middle of the patch's width
-///   seen
-///        from there.
+///   (3)  the joint lies at the initial contact point: psi = y_mid / b, y_mid the middle of the patch's
+///        width seen from there.
 #pragma once
 
 #include "base/fault.hpp"

@@ -2,8 +2,8 @@
 ///
 /// The rail is a cylinder along x, so only the outline of the wheel seen along x matters: with the wheel's
 /// surface of revolution p(sigma, theta) = (r sin(theta), Y, r cos(theta)) over its profile (Y, r)(sigma),
-/// the points whose normal (Y' sin(theta), -r', Y' cos(theta)) is perpendicular to x, in closed form with e =
-/// R^T x_track:
+/// the points whose normal (Y' sin(theta), -r', Y' cos(theta)) is perpendicular to x, in closed form with
+/// e = R^T x_track:
 ///     e1 sin(theta) + e3 cos(theta) = e2 r' / Y'.
 /// The ray of strip j meets the outline W(sigma) where (W - P_j) . t_j = 0. Its overlap is (W - P_j) . n_j,
 /// turned to the mean of the rail's and the wheel's normal; along x it falls like kappa/2 (x - W_x)^2.

@@ -1,7 +1,7 @@
 // FASTSIM and FaStrip of strips with slips and coefficients of their own.
 //
-// A strip of FASTSIM that sticks carries 2 l^2 / L11 per slip and width where linear theory has 2 G C11 l /
-// pi; so its flexibilities are
+// A strip of FASTSIM that sticks carries 2 l^2 / L11 per slip and width where linear theory has
+// 2 G C11 l / pi; so its flexibilities are
 //     L11 = pi l / (G C11),  L22 = pi l / (G C22),  L23 = 8 l / (9 G C23'),   C23' = C23 sqrt(b/a),
 // with which every strip, not only the patch, has the forces of linear theory.
 

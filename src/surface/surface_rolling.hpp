@@ -18,12 +18,10 @@
 ///    for all means; smooth in all loads and lengths, also through a neck that opens. Strips that enter have
 ///    no weight. How far the means reach hardly matters (beta^2 from 0.1 to 10): strips are local.
 ///  - Elastic slip that a strip has from the tractions beside it: lateral slip of contact that spins
-///  (torsion),
-///    and to either side of the middle slip across the tractions (twist).
-///  - Calibration (surface_calibration.hpp): smooth functions of slenderness and saturation, fitted to poses
-///  of
-///    a wheel on a rail from tread to flange, with all of the flange's spin, solved exactly on the curved
-///    surface (halfspace/tangential.hpp).
+///    (torsion), and to either side of the middle slip across the tractions (twist).
+///  - Calibration (surface_calibration.hpp): smooth functions of slenderness and saturation, fitted to
+///    poses of a wheel on a rail from tread to flange, with all of the flange's spin, solved exactly on the
+///    curved surface (halfspace/tangential.hpp).
 ///
 /// Nothing in here depends on which strips exist but through their loads.
 #pragma once

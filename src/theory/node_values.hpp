@@ -31,8 +31,8 @@ constexpr double at_poisson(const std::array<double, 3>& value, double poisson) 
 }
 
 /// Reciprocal of one of C11s, C22s, C23s. Reciprocals, because 1/C11 and 1/C22 are nearly linear in the
-/// Poisson ratio (for C11 of a narrow patch exactly so): the parabola is good to 0.03 %. That through (1 +
-/// nu) / C23 is good to 0.2 %, and to 0.1 % for nu from 0.2 to 0.32; through 1/C23 itself, to 0.8 %.
+/// Poisson ratio (for C11 of a narrow patch exactly so): the parabola is good to 0.03 %. That through
+/// (1 + nu) / C23 is good to 0.2 %, and to 0.1 % for nu from 0.2 to 0.32; through 1/C23 itself, to 0.8 %.
 inline double reciprocal(Coefficient c, std::size_t ratio, std::size_t shape, double poisson) {
   const auto factor = [c](double nu) { return c == c23s ? 1.0 + nu : 1.0; };
   std::array<double, 3> value{};

@@ -1,8 +1,7 @@
 /// Thousands of hostile cases from a fixed seed.
 ///   hostile_test [seconds [cases]]               as many as fit, at most `cases` (default `most_cases`)
 ///   hostile_test --many INPUTS [FIRST]           that many inputs, on small grids with few long calls, from
-///   case
-///                                                FIRST on, with a line now and then from which to go on
+///                                                case FIRST on, with a line now and then from which to go on
 ///   hostile_test --case NUMBER [many]            one of them, to debug it
 #include <algorithm>
 #include <chrono>

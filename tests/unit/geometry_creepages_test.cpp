@@ -152,8 +152,8 @@ TEST(Creepages, AreTwiceDifferentiableThroughStandstill) {
       previous[k] = curvature;
     }
   }
-  // Curvatures of (3 + 6 u^2 - u^4) / 8 and of the share change by no more than their slope times du = 1 /
-  // 200.
+  // Curvatures of (3 + 6 u^2 - u^4) / 8 and of the share change by no more than their slope times
+  // du = 1 / 200.
   EXPECT_LT(largest_change[0], 3.0 / 200.0 * 1.1);
   EXPECT_LT(largest_change[1], 7.5 / 200.0 * 1.1);
 }

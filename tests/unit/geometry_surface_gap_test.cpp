@@ -111,8 +111,8 @@ TEST(SurfaceGap, IsNewtonsOverBothCoordinatesOfTheRealWheel) {
 }
 
 TEST(SurfaceGap, WithoutYawIsTheRowsParabolaAndThenACircle) {
-  // In a frame level with the track every row is the circle r - sqrt(r^2 - x^2) = x^2/2r + x^4/8r^3 +
-  // x^6/16r^5.
+  // In a frame level with the track every row is the circle
+  // r - sqrt(r^2 - x^2) = x^2/2r + x^4/8r^3 + x^6/16r^5.
   const ReferenceBodies bodies;
   const PosedWheel wheel = posed(bodies.wheel, Pose{.lateral = 1.0 * mm});
   ContactPoint contact;

@@ -82,9 +82,9 @@ TEST(Kalker, StaysPositiveAndMonotoneInTheSlenderLimits) {
 
 TEST(Sdec, AgreesWithTheReferenceProgramAndIsSymmetric) {
   // CONTACT on exact double ellipses in full adhesion, nu = 0.25, fitted over psi: C11s = C11 + b11 psi^2 and
-  // so on, C13s = -k13 psi about the joint. Its C23s is about the middle of the width; moving it takes C12s =
-  // c12 psi, which the model leaves out. On grids of 29 to 41 cells a side it is good for 0.2 % of C11, C22,
-  // twice that of C23 and 1 % of C13.
+  // so on, C13s = -k13 psi about the joint. Its C23s is about the middle of the width; moving it takes
+  // C12s = c12 psi, which the model leaves out. On grids of 29 to 41 cells a side it is good for 0.2 % of
+  // C11, C22, twice that of C23 and 1 % of C13.
   struct Row {
     double ratio, b11, b22, b23, k13, c12;
   };

@@ -58,8 +58,8 @@ class Case {
   std::vector<double> values_, workspace_;
 };
 
-// The reference program's FaStrips (its original and modified variant, 200 x 200 cells, G = 82 GPa, nu =
-// 0.28, mu = 0.3) where most strips stick: the rules in which they differ from ours hardly count.
+// The reference program's FaStrips (its original and modified variant, 200 x 200 cells, G = 82 GPa,
+// nu = 0.28, mu = 0.3) where most strips stick: the rules in which they differ from ours hardly count.
 TEST(FaStrip, AgreesWithTheReferenceProgramsOwnWhereStripsStick) {
   Case c(6e-3, 5e-3, 0.0, 80e3, 200, 200);
   c.contact.shear_modulus = 82e9;

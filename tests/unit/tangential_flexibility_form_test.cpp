@@ -143,10 +143,10 @@ TEST_F(FlexibilityForms, NoCreepageNoForce) {
   }
 }
 
-// Four ellipses with k0 = 0.54, alpha = 0.02, beta = 0.62, blended flexibilities and the elliptic bound; G =
-// 82 GPa, nu = 0.28, mu = 0.3. The expected Fx, Fy over mu N and Mz over mu N c come from a first-order march
-// in another language, which the reference program's own follow to 0.002. With the weight of the softened
-// bodies the first row would be off by 0.005, 0.019 and 0.011.
+// Four ellipses with k0 = 0.54, alpha = 0.02, beta = 0.62, blended flexibilities and the elliptic bound;
+// G = 82 GPa, nu = 0.28, mu = 0.3. The expected Fx, Fy over mu N and Mz over mu N c come from a first-order
+// march in another language, which the reference program's own follow to 0.002. With the weight of the
+// softened bodies the first row would be off by 0.005, 0.019 and 0.011.
 TEST_F(FlexibilityForms, ModifiedFastsimTakesItsBlendFromCleanBodies) {
   struct Row {
     double a, b, normal_force;  // [mm], [N]

@@ -68,11 +68,11 @@ TEST_F(Variants, OriginalAndEquivalentEllipseAgreeWithoutShift) {
   EXPECT_EQ(f.fy, h.fy);
 }
 
-// The FASTSIM test of the field's reference program (a = 8 mm, b = 4 mm, N = 82 kN, nu_y = -6.25e-4, phi =
-// 0.625 1/m, mu = 0.3, G = 82 GPa, nu = 0.28). Its first-order march gives |Fy| / (mu N) = 0.6118 and 0.6359
-// with 40 x 40 and 200 x 200 cells under the parabolic bound, 0.6016 and 0.5956 under the elliptic one;
-// extrapolated to vanishing cells 0.642 and 0.594. Its flexibilities are from Kalker's printed table, 1/C
-// quadratic in nu; the library's own coefficients, 0.6 % larger at a/b = 2, would make both 1 % larger.
+// The FASTSIM test of the field's reference program (a = 8 mm, b = 4 mm, N = 82 kN, nu_y = -6.25e-4,
+// phi = 0.625 1/m, mu = 0.3, G = 82 GPa, nu = 0.28). Its first-order march gives |Fy| / (mu N) = 0.6118 and
+// 0.6359 with 40 x 40 and 200 x 200 cells under the parabolic bound, 0.6016 and 0.5956 under the elliptic
+// one; extrapolated to vanishing cells 0.642 and 0.594. Its flexibilities are from Kalker's printed table,
+// 1/C quadratic in nu; the library's own coefficients, 0.6 % larger at a/b = 2, would make both 1 % larger.
 TEST_F(Variants, AgreesWithTheReferenceProgramsOwnFastsim) {
   const double A = 8e-3, B = 4e-3, N = 82e3;
   const OwnedStrips strips = sdec_strips(A, B, 0.0, N, 200);

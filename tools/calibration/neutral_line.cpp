@@ -34,8 +34,8 @@ int main() {
     for (double ratio : {0.2, 1.0 / 3.0, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0}) {
       for (double psi : {0.0, 0.35, 0.7}) {
         const Spin spin = spin_coefficients(ratio, psi, poisson);
-        // C33 / K13 (c / b) = (pi/8 (1 + 3 psi^2) - 4/3 chi psi^2) / (4/3 - chi pi/2), with c / b = sqrt(a /
-        // b)
+        // C33 / K13 (c / b) = (pi/8 (1 + 3 psi^2) - 4/3 chi psi^2) / (4/3 - chi pi/2), with
+        // c / b = sqrt(a / b)
         const double q = spin.c33 / spin.k13 * std::sqrt(ratio);
         const double chi =
             (q * 4.0 / 3.0 - pi / 8.0 * (1.0 + 3.0 * psi * psi)) / (q * pi / 2.0 - 4.0 / 3.0 * psi * psi);

@@ -8,17 +8,17 @@
 namespace wrc {
 
 /// Int sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx over |x| < l, y != 0: displacement at the distance y from a
-/// line of semi-elliptic pressure, on its middle plane [-]. Closed: 2 l D / sqrt(l^2 + y^2), modulus l /
-/// sqrt(l^2 + y^2). From a table, to a millionth; |y| < 1e-6 l counts as that.
+/// line of semi-elliptic pressure, on its middle plane [-]. Closed: 2 l D / sqrt(l^2 + y^2), modulus
+/// l / sqrt(l^2 + y^2). From a table, to a millionth; |y| < 1e-6 l counts as that.
 double line_displacement(double half_length, double y) noexcept;
 
 /// IInt sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx dy over |x| < l, y_from < y < y_to, seen from the origin [m].
 ///
 /// The inner integral is closed, 2 l D / sqrt(l^2 + y^2) with the modulus l / sqrt(l^2 + y^2) (theory:
-/// substitute x = l sin t; it equals 2 sqrt(l^2 + y^2) (K - E) / l). Towards y = 0 it grows like 2 ln(4 l /
-/// |y|) - 2; that logarithm is integrated over the width exactly and only the smooth rest by the midpoint
-/// rule, so the strip under the origin needs no cut-off length and the result moves smoothly with the strip's
-/// borders.
+/// substitute x = l sin t; it equals 2 sqrt(l^2 + y^2) (K - E) / l). Towards y = 0 it grows like
+/// 2 ln(4 l / |y|) - 2; that logarithm is integrated over the width exactly and only the smooth rest by the
+/// midpoint rule, so the strip under the origin needs no cut-off length and the result moves smoothly with
+/// the strip's borders.
 double strip_displacement(double half_length, double y_from, double y_to) noexcept;
 
 /// Gives every strip the pressure peak_j proportional to its half length, at the level that makes the

@@ -59,8 +59,8 @@ constexpr CompleteElliptic complete_elliptic(double complementary_modulus) noexc
     weight *= 2.0;
     sum += weight * q;
   }
-  // The rest without further roots: 1 / mean(a, b) = (2 / (a + b)) (1 + h^2 / 4 + 9 h^4 / 64 + ..), h = (a -
-  // b) / (a + b), and one more term of the sum; what is left out is below 1e-17.
+  // The rest without further roots: 1 / mean(a, b) = (2 / (a + b)) (1 + h^2 / 4 + 9 h^4 / 64 + ..),
+  // h = (a - b) / (a + b), and one more term of the sum; what is left out is below 1e-17.
   const double last = 0.5 * (a + b);
   const double h = (a - b) / (a + b);
   sum += 2.0 * weight * (k2 * q * q / (16.0 * last * last));

@@ -7,8 +7,7 @@
 /// dimensions (S1002 on UIC60, 80 kN: a = 5.8 mm, b = 10.3 mm, psi = -0.3).
 ///
 ///   outline    strips where the gap h(x, y), whose rows have their own centre (yaw) and curvature, lies
-///   below
-///              eps(y) delta
+///              below eps(y) delta
 ///   eps        from Hertz's eps_x + eps_y = 1 for A (contact point) and B (chord over the patch)
 ///   pressure   p = p0 sqrt(x_l^2 - (x - x_c)^2) / x_l,max
 ///   condition  delta = (1 - nu) / (pi G) IInt p / r dA  at the contact point
@@ -25,13 +24,11 @@ namespace wrc {
 /// How eps follows from eps_x and eps_y.
 enum class EkpScale {
   /// One eps = sqrt(eps_x eps_y): the overlap of an elliptic gap then has exactly the area of Hertz's
-  /// ellipse. The
-  /// reading that comes closest to the published patch.
+  /// ellipse. The reading that comes closest to the published patch.
   area,
   /// eps(y) parabolic from eps_x at mid-width to eps_y at Hertz's b: the outline of an elliptic gap is then
   /// exactly Hertz's ellipse. Every region of overlap counts (overlap_regions.hpp). This is the method
-  /// CONTACT
-  /// calls KPEC, confirmed against it: approach and peak to 0.02 %, area to 0.1 % on the same rows.
+  /// CONTACT calls KPEC, confirmed against it: approach and peak to 0.02 %, area to 0.1 % on the same rows.
   ellipse,
 };
 

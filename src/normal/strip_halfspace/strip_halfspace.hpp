@@ -3,11 +3,11 @@
 /// Every strip has its own peak p_j, half length l_j and centre x_cj, found from the contact conditions of
 /// the elastic half-space instead of from one point:
 ///
-///   at strip centres   u(x_cj, y_j)       = delta - h(x_cj, y_j)                   (dense linear system for
-///   p) at strip edges     u(x_cj +- l_j, y_j) = delta - h(x_cj +- l_j, y_j)           (smooth edge; gives
-///   l_j and x_cj) u(x, y) = (1 - nu) / (pi G) sum_i p_i l_i-line potential of strip i over its width
-///   (influence_tables.hpp) p_j >= 0; strips that would pull leave, strips where the bodies would overlap
-///   enter.
+///   at strip centres   u(x_cj, y_j)        = delta - h(x_cj, y_j)          a dense linear system for p
+///   at strip edges     u(x_cj +- l_j, y_j) = delta - h(x_cj +- l_j, y_j)   smooth edges: l_j and x_cj
+///   displacement       u(x, y) = (1 - nu) / (pi G) sum_i p_i (potential of a line of half length l_i over
+///                                the width of strip i; influence_tables.hpp)
+///   p_j >= 0: strips that would pull leave, strips where the bodies would overlap enter.
 ///
 /// All contact regions of the gap are in one system, so that neighbouring spots push each other apart as they
 /// do in reality. Each sweep solves p for the present lengths and then moves the lengths; three to five

@@ -15,8 +15,8 @@
 /// would be a function at every point; falling friction there has several solutions. A strip's own value,
 /// rather than one for the patch, because under spin the sliding speed differs between the middle and the
 /// borders as much as it does between vehicles; the mean square rather than the middle's value, because that
-/// would dip to zero at the spin pole. Modified FASTSIM has one sliding speed per patch, V sqrt(nu_x^2 +
-/// nu_y^2), as published.
+/// would dip to zero at the spin pole. Modified FASTSIM has one sliding speed per patch,
+/// V sqrt(nu_x^2 + nu_y^2), as published.
 ///
 /// No temperature yet: a law over it would be another f.
 #pragma once

@@ -21,11 +21,9 @@
 ///
 /// Published for ellipses, where k13 = 3 G c C23 / (2 pi a (1 - nu)). By the patch model:
 ///  - the equivalent ellipse, at the contact point or at mid-width: FASTSIM has the parabolic bound, of a
-///  load
-///    larger by the factor 1 + (1 - a/b)^4 for a < b.
+///    load larger by the factor 1 + (1 - a/b)^4 for a < b.
 ///  - the patch with the ellipse's coefficients (modified FaStrip): FASTSIM has friction times pressure for
-///  its
-///    bound.
+///    its bound.
 ///  - the patch with the double ellipse's coefficients (FaStrip-SDEC, own): the same, and from its linear
 ///    theory k13 = 3 G c^3 K13 / (4 pi a b^2).
 ///

@@ -14,8 +14,8 @@ namespace wrc {
 ///     L = (|nu_x| L11 + |nu_y| L22 + c |phi| L3) / sqrt(nu_x^2 + nu_y^2 + c^2 phi^2),   c = sqrt(a b),
 /// right for any one of the creepages alone. It is no mean: for mixed creepages L is up to sqrt(3) times
 /// larger than each of them. For a double ellipse L3 is the mean of L23 and L13 weighted as spin makes forces
-/// through them, F_y : F_x = 3 pi a / 32 : 3 b |psi| / 4 in full adhesion (own definition); psi = 0 or L13 =
-/// L23 leave Kalker's.
+/// through them, F_y : F_x = 3 pi a / 32 : 3 b |psi| / 4 in full adhesion (own definition); psi = 0 or
+/// L13 = L23 leave Kalker's.
 double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage);
 

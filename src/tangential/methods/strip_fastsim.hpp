@@ -2,11 +2,11 @@
 ///
 /// FASTSIM with the parabolic bound B u v (u, v: distances from the trailing and the leading edge of a strip)
 /// and two-dimensional half-space theory share the same stick zone. Both have slip at u < u_s, u_s the root
-/// of gx^2 + (beta + k u)^2 = B^2 u^2; with t = u_s / u, (kappa, lambda) the direction at u_s and psi = -k /
-/// B,
+/// of gx^2 + (beta + k u)^2 = B^2 u^2; with t = u_s / u, (kappa, lambda) the direction at u_s and
+/// psi = -k / B,
 ///
-///     FASTSIM        p / tau = (kappa, lambda) t             + (0, psi) (1 - t),
-///     strip theory   p / tau = (kappa, lambda) (1 - sqrt(1-t)) + (0, psi) sqrt(1-t),
+///     FASTSIM        p / tau = (kappa, lambda) t                 + (0, psi) (1 - t),
+///     strip theory   p / tau = (kappa, lambda) (1 - sqrt(1 - t)) + (0, psi) sqrt(1 - t),
 ///
 /// tau being the parabolic bound there and mu p_n here (Carter's solution without spin; FaStrip's, Sichani,
 /// Enblom, Berg 2016, with it). So the march stays FASTSIM's, at its cost, and the traction is read off with
@@ -14,26 +14,24 @@
 /// force is Coulomb's for large creepages.
 ///
 ///  - Strips of a real patch: the normal problem knows how stiffly each strip is held by its neighbours. A
-///  wheel
-///    has nearly one curvature along x, so the peak pressure over the length, p_j / l_j, is the answer of the
-///    half-spaces to the same displacement in every strip, and full-adhesion tractions, the answer to a
-///    displacement linear in x, follow it closely (half-space solutions of S1002 on UIC60: from 120 to 200
-///    MPa/mm across a patch with two lobes, tractions in proportion). Hence adhesion tractions go with p_j /
-///    l_j; as the bound does too, p_j / l_j drops out of the march and B is one number per patch. The double
-///    ellipse whose linear theory scales all this has the patch's area and the half length 3 N / (4 IInt peak
-///    dy), by which a double ellipse is itself, and is centred midway between the centroids of area and of
-///    stiffness.
-///  - Flexibilities: the adhesion tractions go like sqrt(v/u) for creepages and sqrt(u v) for spin instead of
-///  v
-///    and u v; factors from integrating both over an SDEC restore the forces of linear theory.
-///  - Spin stretches the surfaces along x by -phi y. Neighbouring strips resist each other's differences: the
-///    longitudinal adhesion tractions vanish not on the x axis but at the neutral line, y_n on the way to the
-///    patch's centre, and grow faster from there. Two numbers, slope and y_n, give C13 and C33 of linear
+///    wheel has nearly one curvature along x, so the peak pressure over the length, p_j / l_j, is the answer
+///    of the half-spaces to the same displacement in every strip, and full-adhesion tractions, the answer to
+///    a displacement linear in x, follow it closely (half-space solutions of S1002 on UIC60: from 120 to 200
+///    MPa/mm across a patch with two lobes, tractions in proportion). Hence adhesion tractions go with
+///    p_j / l_j; as the bound does too, p_j / l_j drops out of the march and B is one number per patch. The
+///    double ellipse whose linear theory scales all this has the patch's area and the half length
+///    3 N / (4 IInt peak dy), by which a double ellipse is itself, and is centred midway between the
+///    centroids of area and of stiffness.
+///  - Flexibilities: the adhesion tractions go like sqrt(v/u) for creepages and sqrt(u v) for spin instead
+///    of v and u v; factors from integrating both over an SDEC restore the forces of linear theory.
+///  - Spin stretches the surfaces along x by -phi y. Neighbouring strips resist each other's differences:
+///    the longitudinal adhesion tractions vanish not on the x axis but at the neutral line, y_n on the way to
+///    the patch's centre, and grow faster from there. Two numbers, slope and y_n, give C13 and C33 of linear
 ///    theory, and so the power of spin. As the patch saturates the line moves to the axis.
 ///  - Slip opposes the true rigid slip w plus the elastic slip, not the creepages each over its own
-///  flexibility:
-///    with those the force of large creepages points up to 7 degrees the wrong way. Under the semi-elliptic
-///    traction of a slipping strip du/dx is linear, 2 B L x; its part that differs between x and y is kept.
+///    flexibility: with those the force of large creepages points up to 7 degrees the wrong way. Under the
+///    semi-elliptic traction of a slipping strip du/dx is linear, 2 B L x; its part that differs between x
+///    and y is kept.
 ///  - Calibration (strip_calibration.hpp): deviations of a patch of finite width from strip theory, smooth
 ///    functions of slenderness and saturation which vanish with the creepages, except for the turning of
 ///    slip, which linear theory does not know. Fitted to random patches solved with src/halfspace, double

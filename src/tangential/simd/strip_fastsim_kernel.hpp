@@ -5,8 +5,8 @@
 /// traction over the bound, of the march and of the result alike.
 ///
 /// The first stick zone needs no march, but per cell the mean of a root: with t_s = u_s / u,
-///     rho = (kappa, lambda) (1 - s) + (0, psi) s,   s the mean of sqrt(1 - t_s) (and a little of its
-///     square),
+///     rho = (kappa, lambda) (1 - s) + (0, psi) s,
+/// s the mean of sqrt(1 - t_s) and a little of its square,
 /// so that its sums, and their derivatives, are made of sums of s and of its slope.
 #pragma once
 

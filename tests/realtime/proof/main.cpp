@@ -2,8 +2,8 @@
 ///     realtime_proof [STEPS]           everything that can fail; STEPS (1000000) for the quiet steps
 ///     realtime_proof quiet [STEPS]     no heap, system call, page fault, floating-point trap
 ///     realtime_proof traps | stack | allocations | restore | bytes | denormals
-///     realtime_proof time [STEPS]      percentiles of the step's time, what the machine adds, what denormals
-///     cost
+///     realtime_proof time [STEPS]      percentiles of the step's time, what the machine adds, what
+///                                      denormals cost
 /// One malloc for the whole program counts what the library asks for (heap.cpp).
 #include <cstdio>
 #include <cstdlib>
