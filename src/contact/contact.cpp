@@ -69,8 +69,8 @@ double contact_of(Contact& contact, const Strips& strips, const StripTotals& ext
   return strips.y[std::max_element(strips.peak, strips.peak + strips.count) - strips.peak];
 }
 
-/// A patch narrower than this is none, a tenth of an atom [m]: the borders of its strips may be the same
-/// number.
+/// A patch narrower than this [m] counts as none: far below the size of an atom the borders of its strips may
+/// be the same number.
 constexpr double least_patch_width = 1e-11;
 
 /// Splits the strips into patches. Those beyond the room the model has are dropped from the tangential stage
@@ -264,13 +264,13 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
 
 namespace {
 
-/// The smallest approach taken for a contact: a hundredth of an atom. Below, down to the smallest number
-/// there is, areas and pressures lose their digits and then vanish.
-constexpr double smallest_approach = 1e-12;  // [m]
+/// The smallest approach taken for a contact [m]. Below, down to the smallest number there is, areas and
+/// pressures lose their digits and then vanish.
+constexpr double smallest_approach = 1e-12;
 
 /// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
 /// slender than a strip that the strip's own displacement has no digits left, nor where every patch is
-/// narrower than an atom.
+/// narrower than least_patch_width.
 bool carries_load(const Strips& strips) {
   const StripTotals sum = totals(strips);
   if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&
@@ -331,7 +331,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
     return fault;
   }
   // An unfinished search may have ended beside the load: its patch is kept, but carries what was asked for,
-  // so that a host's equilibrium does not see the search. The flag tells.
+  // so that a host's equilibrium does not depend on the search; the flag reports it.
   if (fault.status == WRC_FLAG_ITERATION_CAP && load.prescribed == Prescribed::load) {
     scale_pressure(contact, strips, load.value / contact.normal.normal_force);
   }

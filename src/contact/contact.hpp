@@ -195,8 +195,7 @@ struct Contact {
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
 
-  std::int64_t wheel_solved =
-      0;  ///< 1: the next holds the last solve_wheel(); it and the stages are strangers
+  std::int64_t wheel_solved = 0;  ///< 1: the next holds the last solve_wheel(); the stages do not use it
   HostedWrench wheel;
 };
 

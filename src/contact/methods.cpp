@@ -124,7 +124,7 @@ constexpr TangentialMethod tangential_methods[] = {
 };
 #undef WRC_ENUMERATOR
 
-/// Does every row stand where its value says?
+/// Is every row at the place of its value?
 template <class Method, std::size_t count>
 constexpr bool in_order(const Method (&methods)[count]) {
   for (std::size_t i = 0; i < count; ++i)

@@ -315,7 +315,8 @@ Fault assess_damage(Contact& contact) {
     const ShakedownPoint point =
         shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
     const double index = fatigue_index(point);
-    if (k == 0 || index > damage.fatigue_index) {  // the patch nearest to damage speaks for the contact
+    if (k == 0 ||
+        index > damage.fatigue_index) {  // the contact's numbers are those of the patch nearest to damage
       damage.fatigue_index = index;
       damage.utilisation = point.utilised_friction;
       damage.load_factor = point.load_factor;

@@ -4,7 +4,7 @@
 /// Track frame: origin on the track centre line in the plane through the tops of the rails, x forward
 /// (rolling direction), y right, z down; right-handed. Wheelset frame: the same axes fixed to the wheelset
 /// (not turning with the axle), origin in the middle of the axle. Left-hand bodies are mirrored here, once,
-/// so that everything downstream works in these true frames and knows no sides.
+/// so that everything downstream works in these true frames, the same for both sides.
 #pragma once
 
 #include <cstdint>
@@ -60,8 +60,8 @@ struct Wheel {
   double outward = 1.0;         ///< +1 right wheel, -1 left
 };
 
-/// Canted about its origin, then top at z = 0 and gauge face at half the gauge, or the origin where it is
-/// told to lie. The gauge face is the innermost point of the profile that lies no deeper than the gauge depth
+/// Canted about its origin, then top at z = 0 and gauge face at half the gauge, or the origin where `track`
+/// puts it. The gauge face is the innermost point of the profile that lies no deeper than the gauge depth
 /// below the top; WRC_ERROR_PROFILE where the profile ends above.
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);

@@ -87,7 +87,8 @@ Fault check_rail_orientation(std::int32_t count, const double* y, const double* 
   return {};
 }
 
-/// A wheel is lowest (largest z) at its flange, on the inner side. A tread without flange cannot be told.
+/// A wheel is lowest (largest z) at its flange, on the inner side. Of a tread without flange the side cannot
+/// be found.
 Fault check_wheel_orientation(std::int32_t count, const double* y, const double* z) {
   constexpr double flange_least = 0.015;  // flanges are 26..36 mm high, treads fall by 4 mm
   constexpr double datum_most = 0.010;    // treads wear hollow by a few millimetres

@@ -28,7 +28,7 @@ struct SurfaceOptions {
   double cell_x = 2e-4, cell_s = 2e-4;  ///< size of the cells along the rail and along its arc [m]
   RowNormals normals = RowNormals::mean;
   /// Coefficients with turned normals; otherwise those of a plane over arc length, and only gaps, slips and
-  /// the directions of forces know of the curvature (the reference program's plain conformal setting).
+  /// the directions of forces follow the curvature (the reference program's plain conformal setting).
   bool turned = true;
   Collocation collocation = Collocation::quarter_point;
   double normal_tolerance = 1e-6;   ///< of GapProblem

@@ -26,7 +26,7 @@ namespace wrc::halfspace {
 
 /// Where on a cell the discrete slip and traction are taken to be. The equation of one cell,
 ///     s_i = w - (u(x_i + dx) - u(x_i)) / dx,
-/// knows the displacements one cell apart, with p constant per cell. The matrix is the same for both.
+/// contains the displacements one cell apart, with p constant per cell. The matrix is the same for both.
 enum class Collocation {
   /// w at x_i + dx/4, p at x_i - dx/4. The difference quotient belongs to x_i + dx/2, and a piecewise
   /// constant solution of this singular equation represents the exact one best a quarter of a cell behind

@@ -37,7 +37,7 @@ Fault check_rows(const GapRows& rows) {
               .unit = "1/m",
               .cause = "bodies that conform along the rolling direction are no rolling contact"};
   }
-  constexpr double least_range = 1e-12;  // [m]: a hundredth of an atom
+  constexpr double least_range = 1e-12;  // [m]
   if (!(highest - lowest > least_range))
     return {.status = WRC_ERROR_GAP,
             .field = "gap.height",

@@ -1,4 +1,4 @@
-/// Linear theory of a strip on its own: Kalker's coefficients as functions of what the strip itself knows.
+/// Linear theory of a strip on its own: Kalker's coefficients as functions of the strip's own numbers.
 ///
 /// In Hertz's contact every strip along x has the same level lambda (peak pressure over half length), and
 ///

@@ -61,7 +61,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   return at - memory;
 }
 
-/// What a solve needs to know throughout.
+/// What stays the same throughout a solve.
 struct Problem {
   const Kernels& kernels;
   simd::SurfaceTables tables;

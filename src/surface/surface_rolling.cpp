@@ -134,8 +134,8 @@ Terms calibration_terms(double u, double x, double e, double s, double limit2, d
           u * ss, u * pull, u * pull2, unison, u * unison, ss * ss, ee * ss, xx * ss};
 }
 
-/// What the kernel is told of every strip.
-void tell(const SurfaceRollingInput& in, const RollingArrays& a) {
+/// Fills the arrays that the kernel reads of every strip.
+void fill_arrays(const SurfaceRollingInput& in, const RollingArrays& a) {
   const SurfaceCalibration& calibration = *in.calibration;
   for (std::int32_t j = 0; j < in.count; ++j) {
     const double l = std::max(in.half_length[j], least_strip_length), mu = in.friction[j];
@@ -180,7 +180,7 @@ void tell(const SurfaceRollingInput& in, const RollingArrays& a) {
 
 void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
                            const TangentialFields& fields, SurfaceRollingForces& forces) {
-  tell(in, a);
+  fill_arrays(in, a);
   auto task = surface_task<simd::SurfaceStripsTask>(in, a, fields, forces);
   task.inverse_weight = in.grid->inverse_weight;
   task.curvature = a.curvature;

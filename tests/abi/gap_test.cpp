@@ -1,4 +1,4 @@
-/// Gaps no text book has, through the C interface and with every normal method: each gives a usable result,
+/// Unusual gaps, through the C interface and with every normal method: each gives a usable result,
 /// flagged where something is missing, or a named error; the contact works on afterwards.
 #include <gtest/gtest.h>
 

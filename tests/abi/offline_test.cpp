@@ -366,7 +366,7 @@ TEST_F(ExactRolling, FrictionOfOneValueIsTheCoefficient) {
   EXPECT_NEAR(solution.fx / fx, 1.0, 1e-9);
 }
 
-// Linear theory: no scale of creepage. Doubling all three doubles all, and friction has no say.
+// Linear theory: no scale of creepage. Doubling all three doubles all, and friction plays no part.
 TEST_F(ExactRolling, FullAdhesionIsLinearInTheCreepages) {
   problem.adhesion = WRC_ADHESION_FULL;
   problem.tolerance = 1e-9;

@@ -1,7 +1,7 @@
 /// Fixed work for counting instructions (instruction_gate.py): one case, so many steps, nothing else counted.
 ///     gate_cases             names of the cases
 ///     gate_cases NAME N      N steps inside the function measured_steps
-/// The kernels are those for AVX2 where the library has them: valgrind knows no AVX-512.
+/// The kernels are those for AVX2 where the library has them: valgrind does not run AVX-512.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -215,7 +215,8 @@ int run(bool with_exact, double cell) {
   const Rolling rest = wheelset.at_rest();
   Rolling guess[3];
   double klingel_full = 0.0, klingel_half = 0.0;
-  for (int round = 0; round < 2; ++round) {  // the second one knows how roll changes along the way
+  for (int round = 0; round < 2;
+       ++round) {  // the second one takes how roll changes along the way from the first
     guess[2] = wheelset.solve(0.0, 0.0, rest, false);
     guess[1] = wheelset.solve(0.5 * amplitude, 0.0, guess[2], false);
     klingel_half = wheelset.radius_difference(guess[1]);

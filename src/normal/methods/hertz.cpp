@@ -20,7 +20,7 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
 
   HertzEllipse ellipse;
   bool at_edge = false;
-  // The ellipse's curvature is that of the chord: its ends are all there is to know.
+  // The ellipse's curvature is that of the chord, which depends on its ends alone.
   const auto scale_at = [](double) { return PenetrationScale{}; };
   const auto force = [&](double approach, const PenetrationScale&, const Span& chord) {
     const LateralCurvature lateral = lateral_curvature(chord, approach);

@@ -5,7 +5,7 @@
 ///   local depth  d = g / eps_y
 ///   half length  l^2 = (eps_x / eps_y) g / A
 ///   peak         of Hertz's contact of A, B under the approach d
-/// Exact for elliptic gaps. No integral, no contact condition: a strip knows nothing of its neighbours.
+/// Exact for elliptic gaps. No integral, no contact condition: no strip depends on its neighbours.
 #pragma once
 
 #include "normal/problem.hpp"

@@ -85,9 +85,10 @@ RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span
   return barrier;
 }
 
-/// Narrows a leap of the patch's extent between low and high. On which side of it an approach lies, tells the
-/// overlap at the barrier that parts the regions, which vanishes where they join; without a barrier, the
-/// extents do. Where to look next, a secant on that overlap, or bisection where that does not get there.
+/// Narrows a leap of the patch's extent between low and high. The side of it on which an approach lies
+/// follows from the overlap at the barrier between the regions, which vanishes where they join; without a
+/// barrier, from the extents. The next approach is that of a secant on that overlap, or of bisection where
+/// the secant does not converge.
 template <class ScaleAt>
 void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
                  Trial& high) noexcept {

@@ -7,7 +7,7 @@
 
 namespace wrc {
 
-/// Where strips are looked for that overlap: a patch grows at its borders, other spots come up rarely.
+/// Where strips are looked for that overlap: a patch grows at its borders, other regions appear rarely.
 enum class Search { everywhere, beside_contact };
 
 /// Pressures of the active strips, from the contact condition at their middles, for the present lengths;

@@ -53,7 +53,7 @@ StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept {
   s.influence_stride = sizes.strips;
   s.influence = take(sizes.influence);
   s.matrix = take(sizes.matrix);
-  // behind the doubles, in memory nobody has typed yet
+  // behind the doubles, in memory that holds no objects yet
   auto* const indices = reinterpret_cast<std::int32_t*>(next);
   s.grid.region = indices;
   s.active = indices + capacity;

@@ -46,7 +46,7 @@ inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) 
   return p;
 }
 
-/// What a ray needs to know of the outline at one place.
+/// The outline at one place, as far as a ray needs it.
 struct OnOutline {
   OutlinePlace<Pack> place;
   Pack uy, uz;    ///< unit tangent of the profile

@@ -89,7 +89,7 @@ void deal_out(const RollingContact& contact, CoarseRolling<n>& rolling) {
   }
 }
 
-/// What a grid says at any point: bilinear between the cells in contact.
+/// A field of a grid at any point: bilinear between the cells in contact.
 struct Sample {
   double x = 0.0, y = 0.0;  ///< traction's share of the bound
   double slip = 0.0;        ///< magnitude [-]

@@ -232,7 +232,7 @@ void CoarseRolling<n>::gmres(double accuracy) {
     const double length = std::sqrt(length2);
     for (int i = 0; i < m; ++i) {
       // Two sums, not a sum and a difference: gcc 12 would make fused operations of such a pair for
-      // processors that have them, whatever it is told about contraction.
+      // processors that have them, whatever -ffp-contract says.
       const double upper = cosine[i] * column[i] + (-minus_sine[i]) * column[i + 1];
       column[i + 1] = cosine[i] * column[i + 1] + minus_sine[i] * column[i];
       column[i] = upper;

@@ -19,8 +19,8 @@
 /// at psi = 0, where the slope over psi may change.
 ///
 /// Poisson's ratio: the table has one. For another the creepages count in the ratio of the coefficients of
-/// linear theory, C11, C22 and C23, at small creepage; in full slip, where elasticity has no say, as they
-/// are; between, the share 1 - t^2 of that ratio does it.
+/// linear theory, C11, C22 and C23, at small creepage; in full slip, where elasticity has no influence, as
+/// they are; between, the share 1 - t^2 of that ratio does it.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 /// The file a force table comes in: a header, then the spline coefficients as 32-bit floats in the order of
-/// ForceTable. Little-endian machines write and read it; others are told so by the byte order mark.
+/// ForceTable. Little-endian machines write and read it; on others the byte order mark is wrong and the file
+/// refused.
 ///
 /// Reading belongs to the making of a model: it opens the file, and nothing stays open or allocated.
 #pragma once

@@ -23,7 +23,7 @@ StripSolution solve_strip(const StripGrowth& growth, double steepness, double y,
   const double r = -growth.lateral / steepness + strip.psi * centre;
   const double forces2 = q * q + r * r;
   if (forces2 == 0.0 && std::fabs(strip.psi) < 1.0) return strip;
-  // d = (r psi + root) / (1 - psi^2), in the form that psi = 1 does not trouble
+  // d = (r psi + root) / (1 - psi^2), in the form that stays finite at psi = 1
   const double square = r * r + (1.0 - strip.psi * strip.psi) * q * q;
   const double divisor = std::sqrt(std::max(0.0, square)) - r * strip.psi;
   strip.slip_length = 2.0 * half_length;

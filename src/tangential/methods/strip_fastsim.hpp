@@ -13,13 +13,13 @@
 /// the second line: |p| <= mu p_n, the leading edge has the square-root rise of the exact theory, and the
 /// force is Coulomb's for large creepages.
 ///
-///  - Strips of a real patch: the normal problem knows how stiffly each strip is held by its neighbours. A
-///    wheel has nearly one curvature along x, so the peak pressure over the length, p_j / l_j, is the answer
-///    of the half-spaces to the same displacement in every strip, and full-adhesion tractions, the answer to
-///    a displacement linear in x, follow it closely (half-space solutions of S1002 on UIC60: from 120 to 200
-///    MPa/mm across a patch with two lobes, tractions in proportion). Hence adhesion tractions go with
-///    p_j / l_j; as the bound does too, p_j / l_j drops out of the march and B is one number per patch. The
-///    double ellipse whose linear theory scales all this has the patch's area and the half length
+///  - Strips of a real patch: how stiffly each strip is held by its neighbours follows from the normal
+///    problem. A wheel has nearly one curvature along x, so the peak pressure over the length, p_j / l_j, is
+///    the answer of the half-spaces to the same displacement in every strip, and full-adhesion tractions, the
+///    answer to a displacement linear in x, follow it closely (half-space solutions of S1002 on UIC60: from
+///    120 to 200 MPa/mm across a patch with two lobes, tractions in proportion). Hence adhesion tractions go
+///    with p_j / l_j; as the bound does too, p_j / l_j drops out of the march and B is one number per patch.
+///    The double ellipse whose linear theory scales all this has the patch's area and the half length
 ///    3 N / (4 IInt peak dy), by which a double ellipse is itself, and is centred midway between the
 ///    centroids of area and of stiffness.
 ///  - Flexibilities: the adhesion tractions go like sqrt(v/u) for creepages and sqrt(u v) for spin instead
@@ -34,7 +34,7 @@
 ///    and y is kept.
 ///  - Calibration (strip_calibration.hpp): deviations of a patch of finite width from strip theory, smooth
 ///    functions of slenderness and saturation which vanish with the creepages, except for the turning of
-///    slip, which linear theory does not know. Fitted to random patches solved with src/halfspace, double
+///    slip, which is not part of linear theory. Fitted to random patches solved with src/halfspace, double
 ///    ellipses and wheels on rails; never to results of another program.
 ///
 /// Power is the balance -(Fx nu_x + Fy nu_y + Mz phi), an identity of the exact theory; the local slip

@@ -30,7 +30,7 @@ WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_
   settle<false, output>(task, cell, all, second, m[1], derivative[1]);
 }
 
-/// Takes all strips of a task over their cells. March says what is particular to a kernel: Marching, a group
+/// Takes all strips of a task over their cells. March has what is particular to a kernel: Marching, a group
 /// on its way; prepare() a group and its derivatives; cell() number i; stay(), a cell in the first stick
 /// zones of all strips of a group, where March::stays, otherwise such cells are left out; finish(), a group's
 /// part of the results. The number of the first cell in which some strip moves.

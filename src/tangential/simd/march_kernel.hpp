@@ -123,8 +123,8 @@ inline Pack share_of_cell(const Group& g, Pack middle) {
 /// that of the others for a cell.
 inline Pack onset_part(Pack share) { return select(share < 1.0, 0.5 + share, 1.0); }
 
-/// Sets what a group's strips are told of the problem.
-inline void tell(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
+/// Reads the numbers of a group's strips from the task.
+inline void read_strips(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
   const Strips& strips = *task.region;
   place(strips, task.cells, first, count, g);
@@ -140,7 +140,7 @@ inline void tell(const MarchTask& task, std::int32_t first, std::int32_t count, 
 }
 
 /// The same of strips with numbers of their own, each about its own middle.
-inline void tell(const SurfaceMarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
+inline void read_strips(const SurfaceMarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
   const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
   place(task.width, task.half_length, task.cells, first, count, g);
   g.bound = of(task.bound);
@@ -155,7 +155,7 @@ template <class Task>
 inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state,
                     GroupSums& sums) {
   const double h = 2.0 / task.cells;
-  tell(task, first, count, g);
+  read_strips(task, first, count, g);
   g.over_cell = growth_over(g.gx, g.gy, g.rate, h);
   const AdhesionGrowth<Pack> growth{g.gx, g.gy, 0.5 * g.rate};
   g.onset = task.parabolic ? onset_parabolic<Pack>(growth, 1.0, 1.0) : onset_elliptic<Pack>(growth, 1.0, 1.0);

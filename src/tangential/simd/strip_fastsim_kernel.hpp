@@ -554,7 +554,7 @@ struct March {
   Cell cell(std::int32_t i) const {
     const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
     const double t_before =
-        (i - 0.5) * h;  // as it was then, so that a group's strips do not tell on each other
+        (i - 0.5) * h;  // as it was then: a strip's bits do not depend on the others of its group
     return {i, t,     1.0 - t, t_before * (2.0 - t_before), shape, task.shape->mean[i],
             h, per_h, behind,  task.inverse_weight[i]};
   }

@@ -92,8 +92,8 @@ inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
   return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
 }
 
-/// Sets what a group's strips are told of the model; returns the bound of the march at their middle [Pa].
-inline Pack tell(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
+/// Reads the numbers of a group's strips from the task; returns the bound of the march at their middle [Pa].
+inline Pack read_strips(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
   const Strips& strips = *task.region;
   const Pack one = 1.0;
   place(strips, task.cells, first, count, g);
@@ -116,7 +116,7 @@ inline Pack tell(const StripFastsimTask& task, std::int32_t first, std::int32_t 
 }
 
 /// The same of strips with numbers of their own, each about its own middle.
-inline Pack tell(const SurfaceStripsTask& task, std::int32_t first, std::int32_t count, Group& g) {
+inline Pack read_strips(const SurfaceStripsTask& task, std::int32_t first, std::int32_t count, Group& g) {
   const auto of = [&](const double* values) { return load(values, first, count, 0.0); };
   place(task.width, task.half_length, task.cells, first, count, g);
   g.bound = of(task.bound);
@@ -148,7 +148,7 @@ template <class Task>
 inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state) {
   const double h = 2.0 / task.cells;
   const Pack zero = 0.0, one = 1.0;
-  const Pack middle = tell(task, first, count, g);
+  const Pack middle = read_strips(task, first, count, g);
   g.over_cell = advance_over(g, g.elastic, h);
 
   // A strip about to slip at the leading edge may, with |psi| > 1, have sticking material behind it, to which

@@ -30,7 +30,7 @@ struct Sums {
   double d[3][inputs];     ///< of fx, fy, mz; zero if not asked for
 };
 
-/// What every such march needs, whatever its strips are told.
+/// What every such march needs, wherever the numbers of its strips come from.
 struct MarchCells {
   std::int32_t strips, cells;
   bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
@@ -50,7 +50,7 @@ struct MarchTask : MarchCells {
   double per_pressure, per_length, per_length_square;
 };
 
-/// The same where every strip is told its own numbers, about its own middle (surface/surface_rolling.hpp).
+/// The same where every strip has numbers of its own, about its own middle (surface/surface_rolling.hpp).
 /// One element per strip; growth of adhesion tractions relative to the bound at the strip's middle over the
 /// half length.
 struct SurfaceMarchTask : MarchCells {
@@ -62,7 +62,7 @@ struct SurfaceMarchTask : MarchCells {
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
 };
 
-/// What every march of strip FASTSIM needs, whatever its strips are told.
+/// What every march of strip FASTSIM needs, wherever the numbers of its strips come from.
 struct StripFastsimMarch {
   std::int32_t strips, cells;
   const BoundShape* shape;
@@ -85,7 +85,7 @@ struct StripFastsimTask : StripFastsimMarch {
   double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
 };
 
-/// Strip FASTSIM where every strip is told its own numbers, about its own middle
+/// Strip FASTSIM where every strip has numbers of its own, about its own middle
 /// (surface/surface_rolling.hpp). One element per strip; lengths relative to the half length, growth of
 /// adhesion tractions to the parabolic bound at the strip's middle over the half length.
 struct SurfaceStripsTask : StripFastsimMarch {
