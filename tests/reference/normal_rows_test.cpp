@@ -106,10 +106,6 @@ TEST(NormalReference, RowsOfTheExactTheory) {
       {"EKP (ellipse), KPEC",
        [](const auto& p, auto& s, auto& r) { return solve_ekp(p, {EkpScale::ellipse}, s, r); }},
       {"Kik-Piotrowski", [](const auto& p, auto& s, auto& r) { return solve_kik_piotrowski(p, {}, s, r); }},
-      {"Kik-Piotrowski, shape",
-       [](const auto& p, auto& s, auto& r) {
-         return solve_kik_piotrowski(p, {0.55, true}, s, r);
-       }},
       {"ANALYN", solve_analyn},
       {"STRIPES", solve_stripes},
       {"Hertz", solve_hertz},

@@ -29,10 +29,6 @@ struct Method {
 const Method methods[] = {
     {"Kik-Piotrowski",
      [](const NormalProblem& p, Strips& s, NormalSolution& r) { return solve_kik_piotrowski(p, {}, s, r); }},
-    {"Kik-Piotrowski with shape correction",
-     [](const NormalProblem& p, Strips& s, NormalSolution& r) {
-       return solve_kik_piotrowski(p, {.penetration_scale = 0.55, .shape_correction = true}, s, r);
-     }},
     {"EKP, area", [](const NormalProblem& p, Strips& s,
                      NormalSolution& r) { return solve_ekp(p, {EkpScale::area}, s, r); }},
     {"EKP, ellipse", [](const NormalProblem& p, Strips& s,
@@ -118,20 +114,6 @@ TEST(KikPiotrowski, OnASphereWithHalfPenetrationIsHertz) {
             WRC_OK);
   EXPECT_NEAR(solution.normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
   EXPECT_NEAR(solution.peak_pressure, hertz.peak, 1e-3 * hertz.peak);
-}
-
-TEST(KikPiotrowski, ShapeCorrectionMakesTheOutlineHertzs) {
-  const double approach = 60e-6;
-  const HertzShape shape = hertz_shape(4.0);
-  const OwnedGap gap = test::elliptic_gap(1.0, 0.25, 40e-3);
-  StripMemory plain(240), corrected(240);
-  NormalSolution solution, corrected_solution;
-  const NormalProblem problem = test::under_approach(gap, approach, 240);
-  ASSERT_EQ(solve_kik_piotrowski(problem, {}, plain.strips, solution).status, WRC_OK);
-  ASSERT_EQ(solve_kik_piotrowski(problem, {0.55, true}, corrected.strips, corrected_solution).status, WRC_OK);
-  EXPECT_NEAR(corrected_solution.area, solution.area, 1e-12 * solution.area);
-  const StripTotals sum = totals(corrected.strips);
-  EXPECT_NEAR(sum.length / (sum.y_max - sum.y_min), shape.axis_ratio, 1e-3 * shape.axis_ratio);
 }
 
 TEST(PenetrationMethods, GoFromLoadToApproachAndBack) {

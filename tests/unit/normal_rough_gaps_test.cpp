@@ -48,7 +48,7 @@ class RoughGaps : public testing::Test {
           return solve_ekp(p, {EkpScale::ellipse}, s, r);
         },
         [](const NormalProblem& p, Strips& s, NormalSolution& r) {
-          return solve_kik_piotrowski(p, {0.55, true}, s, r);
+          return solve_kik_piotrowski(p, {}, s, r);
         },
     };
     for (std::size_t m = 0; m < std::size(methods); ++m) {

@@ -16,13 +16,7 @@
 namespace wrc {
 
 struct KikPiotrowskiOptions {
-  double penetration_scale = 0.55;  ///< eps [-], 0..1
-
-  /// Stretches the region in x and y with its area kept, so that the ratio length / width is that of Hertz's
-  /// ellipse for the curvature ratio A / B = (width / length)^2 which the region itself suggests; about the
-  /// contact point. [unconfirmed] The paper has such a correction; the printed formula was not available,
-  /// this is the reconstruction that makes an elliptic gap's outline similar to Hertz's ellipse.
-  bool shape_correction = false;
+  double penetration_scale = 0.55;  ///< eps [-], above 0, at most 1
 };
 
 /// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
