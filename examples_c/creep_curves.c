@@ -53,7 +53,7 @@ static const sweep sweeps[] = {{"longitudinal", {0, 0, 0}, {4, 0, 0}},
                                {"lateral with spin", {0, -3, 1}, {0, 6, 0}}};
 #define SWEEPS ((int)(sizeof sweeps / sizeof *sweeps))
 
-static wrc_patch patch;
+static wrc_ellipse ellipse;
 static double unit[3]; /* mu N / (G c^2 C11), mu N / (G c^2 C22), mu N / (G c^3 C23) */
 
 static void fail(const char* what, const char* text) {
@@ -71,9 +71,7 @@ static FILE* open_csv(const char* directory, const char* name) {
 
 static wrc_creepage creepage_at(const sweep* s, int point) {
   const double t = (double)point / POINTS;
-  wrc_creepage c;
-  c.struct_size = sizeof c;
-  wrc_creepage_init(&c);
+  wrc_creepage c = wrc_creepage_default();
   c.longitudinal = (s->from[0] + t * s->slope[0]) * unit[0];
   c.lateral = (s->from[1] + t * s->slope[1]) * unit[1];
   c.spin = (s->from[2] + t * s->slope[2]) * unit[2];
@@ -89,49 +87,41 @@ static double position(const sweep* s, int point) {
 
 static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
   static double pressure[GRID * GRID];
-  wrc_grid grid;
-  grid.struct_size = sizeof grid;
-  wrc_grid_init(&grid);
+  wrc_grid grid = wrc_grid_default();
   grid.nx = grid.ny = GRID;
-  grid.dx = 2.0 * patch.a / GRID;
-  grid.dy = 2.0 * patch.b / GRID;
-  grid.x0 = -patch.a + 0.5 * grid.dx;
-  grid.y0 = patch.b * (patch.psi - 1.0) + 0.5 * grid.dy;
-  const double peak = 1.5 * patch.normal_force / (pi * patch.a * patch.b);
+  grid.dx = 2.0 * ellipse.a / GRID;
+  grid.dy = 2.0 * ellipse.b / GRID;
+  grid.x0 = -ellipse.a + 0.5 * grid.dx;
+  grid.y0 = ellipse.b * (ellipse.psi - 1.0) + 0.5 * grid.dy;
+  const double peak = 1.5 * ellipse.normal_force / (pi * ellipse.a * ellipse.b);
   double load = 0.0;
   for (int j = 0; j < GRID; ++j) {
     for (int i = 0; i < GRID; ++i) {
-      const double x = (grid.x0 + i * grid.dx) / patch.a, y = grid.y0 + j * grid.dy;
-      const double s = y / (patch.b * (y > 0.0 ? 1.0 + patch.psi : 1.0 - patch.psi));
+      const double x = (grid.x0 + i * grid.dx) / ellipse.a, y = grid.y0 + j * grid.dy;
+      const double s = y / (ellipse.b * (y > 0.0 ? 1.0 + ellipse.psi : 1.0 - ellipse.psi));
       pressure[j * GRID + i] = peak * sqrt(fmax(0.0, 1.0 - x * x - s * s));
       load += pressure[j * GRID + i] * grid.dx * grid.dy;
     }
   }
-  for (int k = 0; k < GRID * GRID; ++k) pressure[k] *= patch.normal_force / load;
+  for (int k = 0; k < GRID * GRID; ++k) pressure[k] *= ellipse.normal_force / load;
 
-  wrc_exact_rolling_problem problem;
-  wrc_exact_rolling_solution solution;
-  problem.struct_size = sizeof problem;
-  solution.struct_size = sizeof solution;
-  wrc_exact_rolling_problem_init(&problem);
-  wrc_exact_rolling_solution_init(&solution);
-  problem.grid = &grid;
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  problem.grid = grid;
   problem.pressure = pressure;
   problem.coefficient = mu;
-  problem.creepage = creepage;
+  problem.creepage = *creepage;
   char text[256];
   if (wrc_exact_rolling(&problem, &solution, text, sizeof text) < 0) fail("exact solver", text);
   return solution;
 }
 
 static wrc_contact* make_contact(const variant* v, wrc_model** model) {
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
+  wrc_config config = wrc_config_default();
   char text[512];
   if (wrc_config_use(&config, v->method, text, sizeof text) < 0) fail(v->name, text);
-  config.traction_bound = v->bound;
-  config.flexibility = v->flexibility;
+  config.tangential.bound = v->bound;
+  config.tangential.flexibility = v->flexibility;
   wrc_contact* contact = NULL;
   if (wrc_model_create(&config, NULL, model) < 0 ||
       wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, &contact) < 0)
@@ -141,9 +131,7 @@ static wrc_contact* make_contact(const variant* v, wrc_model** model) {
 
 static wrc_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const wrc_friction* friction) {
   wrc_forces forces;
-  forces.struct_size = sizeof forces;
-  wrc_forces_init(&forces);
-  if (wrc_contact_tangential(contact, &patch, creepage, friction, &forces) < 0) {
+  if (wrc_contact_tangential(contact, &ellipse, creepage, friction, &forces) < 0) {
     char text[256];
     wrc_contact_last_error(contact, text, sizeof text);
     fail("wrc_contact_tangential", text);
@@ -152,9 +140,7 @@ static wrc_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const
 }
 
 static wrc_friction friction_of(double coefficient) {
-  wrc_friction friction;
-  friction.struct_size = sizeof friction;
-  wrc_friction_init(&friction);
+  wrc_friction friction = wrc_friction_default();
   friction.coefficient = coefficient;
   return friction;
 }
@@ -165,7 +151,7 @@ static void write_creep_curves(const char* directory) {
   FILE* csv = open_csv(directory, "creep_curves.csv");
   fprintf(csv, "sweep,variant,creepage,fx,fy,mz,power\n");
   const wrc_friction friction = friction_of(mu);
-  const double limit = mu * patch.normal_force, arm = sqrt(patch.a * patch.b);
+  const double limit = mu * ellipse.normal_force, arm = sqrt(ellipse.a * ellipse.b);
   static double exact_fx[SWEEPS][POINTS + 1], exact_fy[SWEEPS][POINTS + 1];
   for (int s = 0; s < SWEEPS; ++s) {
     for (int i = 0; i <= POINTS; i += EXACT_EVERY) {
@@ -211,9 +197,7 @@ static void write_law(FILE* csv, const char* name, const char* method, int32_t b
   wrc_model* model = NULL;
   wrc_contact* contact = make_contact(&v, &model);
   for (int i = 0; i <= 120; ++i) {
-    wrc_creepage creepage;
-    creepage.struct_size = sizeof creepage;
-    wrc_creepage_init(&creepage);
+    wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = 0.15 * (i / 120.0) * (i / 120.0); /* dense where the curve is steep */
     creepage.speed = 20.0;
     const wrc_forces f = roll(contact, &creepage, friction);
@@ -253,21 +237,18 @@ static void write_friction_laws(const char* directory) {
 
 int main(int argc, char** argv) {
   const char* directory = argc > 1 ? argv[1] : ".";
-  patch.struct_size = sizeof patch;
-  wrc_patch_init(&patch);
-  patch.a = 5.8e-3;
-  patch.b = 10.3e-3;
-  patch.psi = -0.3;
-  patch.normal_force = 80e3;
+  ellipse.a = 5.8e-3;
+  ellipse.b = 10.3e-3;
+  ellipse.psi = -0.3;
+  ellipse.normal_force = 80e3;
   wrc_coefficients c;
-  c.struct_size = sizeof c;
-  wrc_coefficients_init(&c);
-  if (wrc_linear_coefficients(patch.a / patch.b, patch.psi, 0.25, &c) < 0) fail("coefficients", "refused");
+  if (wrc_linear_coefficients(ellipse.a / ellipse.b, ellipse.psi, 0.25, &c) < 0)
+    fail("coefficients", "refused");
   const double shear_modulus = 80e9; /* of the default configuration */
-  const double area = patch.a * patch.b, stiffness = shear_modulus * area;
-  unit[0] = mu * patch.normal_force / (stiffness * c.c11s);
-  unit[1] = mu * patch.normal_force / (stiffness * c.c22s);
-  unit[2] = mu * patch.normal_force / (stiffness * sqrt(area) * c.c23s);
+  const double area = ellipse.a * ellipse.b, stiffness = shear_modulus * area;
+  unit[0] = mu * ellipse.normal_force / (stiffness * c.c11s);
+  unit[1] = mu * ellipse.normal_force / (stiffness * c.c22s);
+  unit[2] = mu * ellipse.normal_force / (stiffness * sqrt(area) * c.c23s);
   write_creep_curves(directory);
   write_friction_laws(directory);
   return EXIT_SUCCESS;

@@ -20,13 +20,9 @@ static int32_t show_progress(double fraction, void* user) {
 }
 
 int main(void) {
-  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
-  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
-  config.wheel = &wheel;
-  config.rail = &rail;
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   if (wrc_model_create(&config, NULL, &model) < 0 ||
@@ -36,35 +32,18 @@ int main(void) {
   }
 
   /* The step: 80 kN, a wheelset that pulls, drifts and spins a little, 40 m/s. */
-  wrc_pose pose;
-  wrc_load load;
-  wrc_creepage creepage;
-  wrc_friction friction;
-  wrc_forces forces;
-  pose.struct_size = sizeof pose;
-  load.struct_size = sizeof load;
-  creepage.struct_size = sizeof creepage;
-  friction.struct_size = sizeof friction;
-  forces.struct_size = sizeof forces;
-  wrc_pose_init(&pose);
-  wrc_load_init(&load);
-  wrc_creepage_init(&creepage);
-  wrc_friction_init(&friction);
-  wrc_forces_init(&forces);
-  pose.lateral = 2e-3;
-  load.normal_force = 80e3;
-  creepage.longitudinal = 0.8e-3;
-  creepage.lateral = 0.3e-3;
-  creepage.spin = 0.15;
-  creepage.speed = 40.0;
-  const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, NULL, NULL, &forces, NULL};
+  wrc_input input = wrc_input_default();
+  wrc_output output = wrc_output_default();
+  input.pose.lateral = 2e-3;
+  input.load.normal_force = 80e3;
+  input.creepage.longitudinal = 0.8e-3;
+  input.creepage.lateral = 0.3e-3;
+  input.creepage.spin = 0.15;
+  input.creepage.speed = 40.0;
   int32_t status = wrc_contact_step(contact, &input, &output);
 
   /* The same contact exactly, on 64 x 64 cells: its own pressure, creepages and friction. */
-  wrc_exact_check_result exact;
-  exact.struct_size = sizeof exact;
-  wrc_exact_check_result_init(&exact);
+  wrc_exact_check_result exact = wrc_exact_check_result_default();
   if (status >= 0) {
     status = wrc_exact_check(contact, 64, 64, show_progress, NULL, &exact);
     fprintf(stderr, "\n");
@@ -74,9 +53,10 @@ int main(void) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   } else {
+    const wrc_forces* forces = &output.forces;
     printf("            %10s %10s %10s %10s %10s\n", "Fx [N]", "Fy [N]", "Mz [N m]", "power [W]", "adhesion");
-    printf("real time   %10.0f %10.0f %10.2f %10.1f %10.3f\n", forces.fx, forces.fy, forces.mz, forces.power,
-           forces.adhesion_fraction);
+    printf("real time   %10.0f %10.0f %10.2f %10.1f %10.3f\n", forces->fx, forces->fy, forces->mz,
+           forces->power, forces->adhesion_fraction);
     printf("exact       %10.0f %10.0f %10.2f %10.1f %10.3f\n", exact.fx, exact.fy, exact.mz, exact.power,
            exact.adhesion_fraction);
     printf("error       force %.2f %% of friction x load, power %+.2f %%\n", 100.0 * exact.force_error,

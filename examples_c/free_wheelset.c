@@ -29,15 +29,11 @@ int main(int argc, char** argv) {
   const double distance = argc > 1 ? strtod(argv[1], NULL) : 16.0;
 
   /* One model for both wheels, one contact each. */
-  wrc_profile wheel_profile = {sizeof wheel_profile, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
-  wrc_profile rail_profile = {sizeof rail_profile, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
-  config.wheel = &wheel_profile;
-  config.rail = &rail_profile;
-  config.wheel_radius = radius;
-  config.warm_start = 1;
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.wheelset.wheel_radius = radius;
+  config.normal.warm_start = 1;
   wrc_model* model = NULL;
   wrc_contact* contact[2] = {NULL, NULL};
   int32_t status = wrc_model_create(&config, NULL, &model);
@@ -45,24 +41,14 @@ int main(int argc, char** argv) {
     status = wrc_contact_create(model, side, NULL, &contact[side]);
   if (status < 0) return failed("model", NULL, status);
 
-  wrc_wheel_state wheel;
-  wheel.struct_size = sizeof wheel;
-  wrc_wheel_state_init(&wheel);
-  wheel.angular_axes = WRC_AXES_BODY;
-  wrc_friction friction;
-  friction.struct_size = sizeof friction;
-  wrc_friction_init(&friction);
-  wrc_wheel_input input;
-  input.struct_size = sizeof input;
-  wrc_wheel_input_init(&input);
-  input.wheel = &wheel;
-  input.friction = &friction;
-  wrc_wrench wrench;
-  wrench.struct_size = sizeof wrench;
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wheel_state* wheel = &input.wheel;
+  wheel->angular_axes = WRC_AXES_BODY;
+  wrc_wrench wrench = wrc_wrench_default();
 
   /* The height at which the centred wheelset stands. */
-  wheel.velocity[0] = speed;
-  wheel.angular_velocity[1] = -speed / radius;
+  wheel->velocity[0] = speed;
+  wheel->angular_velocity[1] = -speed / radius;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * load;
   status = wrc_contact_wrench(contact[right], &input, &wrench);
@@ -78,15 +64,15 @@ int main(int argc, char** argv) {
   printf("%8s %9s %9s %9s\n", "x [m]", "y [mm]", "yaw [mrad]", "Fy [N]");
   const long steps = (long)(distance / (speed * step));
   for (long n = 0; n <= steps; ++n) {
-    wheel.y = y;
-    wheel.z = z;
-    wheel.roll = roll;
-    wheel.yaw = yaw;
-    wheel.velocity[1] = dy;
-    wheel.velocity[2] = dz;
-    wheel.angular_velocity[0] = roll_rate;
-    wheel.angular_velocity[1] = pitch_rate - roll_rate * sin(yaw);
-    wheel.angular_velocity[2] = yaw_rate;
+    wheel->y = y;
+    wheel->z = z;
+    wheel->roll = roll;
+    wheel->yaw = yaw;
+    wheel->velocity[1] = dy;
+    wheel->velocity[2] = dz;
+    wheel->angular_velocity[0] = roll_rate;
+    wheel->angular_velocity[1] = pitch_rate - roll_rate * sin(yaw);
+    wheel->angular_velocity[2] = yaw_rate;
     double force[3] = {0.0, 0.0, load}, moment[3] = {0.0, 0.0, 0.0};
     for (int side = 0; side < 2; ++side) {
       status = wrc_contact_wrench(contact[side], &input, &wrench);

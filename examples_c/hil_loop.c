@@ -31,51 +31,23 @@ typedef struct cycle {
 } cycle;
 
 static wrc_contact* contacts[wheels];
-static wrc_pose poses[wheels];
-static wrc_load loads[wheels];
-static wrc_creepage creepages[wheels];
-static wrc_friction friction;
-static wrc_patch patches[wheels];
-static wrc_forces forces[wheels];
 static wrc_input inputs[wheels];
 static wrc_output outputs[wheels];
 static int32_t statuses[wheels];
 
 /* One model for all; even wheels are right ones. */
 static int make_wheels(wrc_model** model) {
-  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
-  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
-  config.warm_start = 1;
-  config.wheel = &wheel;
-  config.rail = &rail;
+  wrc_config config = wrc_config_default();
+  config.normal.warm_start = 1;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   if (wrc_model_create(&config, NULL, model) < 0) return 0;
-  friction.struct_size = sizeof friction;
-  wrc_friction_init(&friction);
   for (int k = 0; k < wheels; ++k) {
     if (wrc_contact_create(*model, k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, NULL, &contacts[k]) < 0)
       return 0;
-    poses[k].struct_size = sizeof poses[k];
-    loads[k].struct_size = sizeof loads[k];
-    creepages[k].struct_size = sizeof creepages[k];
-    patches[k].struct_size = sizeof patches[k];
-    forces[k].struct_size = sizeof forces[k];
-    wrc_pose_init(&poses[k]);
-    wrc_load_init(&loads[k]);
-    wrc_creepage_init(&creepages[k]);
-    creepages[k].speed = 40.0;
-    inputs[k].struct_size = sizeof inputs[k];
-    wrc_input_init(&inputs[k]);
-    inputs[k].pose = &poses[k];
-    inputs[k].load = &loads[k];
-    inputs[k].creepage = &creepages[k];
-    inputs[k].friction = &friction;
-    outputs[k].struct_size = sizeof outputs[k];
-    wrc_output_init(&outputs[k]);
-    outputs[k].patch = &patches[k];
-    outputs[k].forces = &forces[k];
+    inputs[k] = wrc_input_default();
+    inputs[k].creepage.speed = 40.0;
+    outputs[k] = wrc_output_default();
   }
   return 1;
 }
@@ -84,12 +56,12 @@ static int make_wheels(wrc_model** model) {
 static void move_vehicle(double t) {
   for (int k = 0; k < wheels; ++k) {
     const double phase = 0.8 * k, side = k % 2 == 0 ? 1.0 : -1.0;
-    poses[k].lateral = side * (5.15e-3 + 0.15e-3 * sin(9.0 * t + phase));
-    poses[k].yaw = 1e-3 * sin(7.0 * t + phase);
-    loads[k].normal_force = 70e3 + 10e3 * sin(23.0 * t + phase);
-    creepages[k].longitudinal = 1e-3 * sin(5.0 * t + phase);
-    creepages[k].lateral = 2e-3 * sin(7.0 * t + phase);
-    creepages[k].spin = 0.3 * side;
+    inputs[k].pose.lateral = side * (5.15e-3 + 0.15e-3 * sin(9.0 * t + phase));
+    inputs[k].pose.yaw = 1e-3 * sin(7.0 * t + phase);
+    inputs[k].load.normal_force = 70e3 + 10e3 * sin(23.0 * t + phase);
+    inputs[k].creepage.longitudinal = 1e-3 * sin(5.0 * t + phase);
+    inputs[k].creepage.lateral = 2e-3 * sin(7.0 * t + phase);
+    inputs[k].creepage.spin = 0.3 * side;
   }
 }
 
@@ -204,7 +176,7 @@ int main(int argc, char** argv) {
     if (i % 2 == 0) {
       failed += wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs,
                                        statuses) < 0;
-      for (int k = 0; k < wheels; ++k) two_patches += patches[k].patches == 2;
+      for (int k = 0; k < wheels; ++k) two_patches += outputs[k].normal.patches == 2;
     }
     cycles[i].solved = microseconds_since(&due);
   }

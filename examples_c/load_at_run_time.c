@@ -71,29 +71,24 @@ int main(int argc, char** argv) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }
-  wrc_patch patch;
+  wrc_ellipse ellipse;
   wrc_creepage creepage;
   wrc_friction friction;
   wrc_forces forces;
-  patch.struct_size = sizeof patch;
-  creepage.struct_size = sizeof creepage;
-  friction.struct_size = sizeof friction;
-  forces.struct_size = sizeof forces;
-  wrc->patch_init(&patch);
+  wrc->ellipse_init(&ellipse);
   wrc->creepage_init(&creepage);
   wrc->friction_init(&friction);
-  wrc->forces_init(&forces);
-  patch.a = 6e-3;
-  patch.b = 4e-3;
-  patch.normal_force = 100e3;
+  ellipse.a = 6e-3;
+  ellipse.b = 4e-3;
+  ellipse.normal_force = 100e3;
   creepage.longitudinal = 1e-3;
 
-  const int32_t status = wrc->contact_tangential(contact, &patch, &creepage, &friction, &forces);
+  const int32_t status = wrc->contact_tangential(contact, &ellipse, &creepage, &friction, &forces);
   char text[256] = "";
   wrc->contact_last_error(contact, text, sizeof text);
   printf("wrc %u.%u through %s: %s%s, Fx = %.0f N of at most %.0f N\n", wrc->version() >> 16,
          wrc->version() >> 8 & 255U, path, wrc->status_name(status), text, forces.fx,
-         friction.coefficient * patch.normal_force);
+         friction.coefficient * ellipse.normal_force);
 
   wrc->contact_destroy(contact);
   wrc->model_destroy(model);

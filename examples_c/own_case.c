@@ -140,9 +140,7 @@ static options parse(int argc, char** argv) {
 
 /* A built-in shape by name, or points from a file. */
 static wrc_profile profile_from(const char* source, const options* given, double* y, double* z) {
-  wrc_profile profile;
-  profile.struct_size = sizeof profile;
-  wrc_profile_init(&profile);
+  wrc_profile profile = wrc_profile_default();
   if (strcmp(source, "S1002") == 0) {
     profile.kind = WRC_PROFILE_S1002;
   } else if (strcmp(source, "60E1") == 0) {
@@ -165,10 +163,8 @@ static void write_csv(const wrc_contact* contact, const char* path) {
       WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
   enum { FIELDS = 8 };
   wrc_view views[FIELDS], y;
-  y.struct_size = sizeof y;
   if (wrc_contact_field(contact, 0, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
   for (int k = 0; k < FIELDS; ++k) {
-    views[k].struct_size = sizeof views[k];
     if (wrc_contact_field(contact, 0, fields[k], &views[k]) != WRC_OK) return;
   }
   FILE* file = fopen(path, "w");
@@ -194,20 +190,15 @@ static void write_csv(const wrc_contact* contact, const char* path) {
 int main(int argc, char** argv) {
   static double points[4][MOST_POINTS];
   const options given = parse(argc, argv);
-  const wrc_profile wheel = profile_from(given.wheel, &given, points[0], points[1]);
-  const wrc_profile rail = profile_from(given.rail, &given, points[2], points[3]);
-
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
-  config.wheel = &wheel;
-  config.rail = &rail;
-  config.wheel_radius = given.radius;
-  config.track_gauge = given.gauge;
-  config.flange_back_distance = given.flange_back;
-  config.rail_inclination = given.inclination;
-  config.shear_modulus = given.shear_modulus;
-  config.poisson = given.poisson;
+  wrc_config config = wrc_config_default();
+  config.wheel = profile_from(given.wheel, &given, points[0], points[1]);
+  config.rail = profile_from(given.rail, &given, points[2], points[3]);
+  config.wheelset.wheel_radius = given.radius;
+  config.track.gauge = given.gauge;
+  config.wheelset.flange_back_distance = given.flange_back;
+  config.track.rail_inclination = given.inclination;
+  config.material.shear_modulus = given.shear_modulus;
+  config.material.poisson = given.poisson;
   char text[256];
   if (wrc_config_check(&config, text, sizeof text) < 0) {
     fprintf(stderr, "%s\n", text);
@@ -221,45 +212,35 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
 
-  wrc_pose pose = {.struct_size = sizeof pose};
-  wrc_load load = {.struct_size = sizeof load};
-  wrc_creepage creepage = {.struct_size = sizeof creepage};
-  wrc_friction friction = {.struct_size = sizeof friction};
-  wrc_pose_init(&pose); /* defaults first: a newer header may have more members */
-  wrc_load_init(&load);
-  wrc_creepage_init(&creepage);
-  wrc_friction_init(&friction);
-  pose.lateral = given.lateral;
-  pose.yaw = given.yaw;
-  load.normal_force = given.load;
-  creepage.longitudinal = given.creepage[0];
-  creepage.lateral = given.creepage[1];
-  creepage.spin = given.creepage[2];
-  creepage.speed = given.speed;
-  friction.coefficient = given.friction;
-  wrc_contact_point point;
-  wrc_patch patch;
-  wrc_forces forces;
-  wrc_damage damage;
-  point.struct_size = sizeof point;
-  patch.struct_size = sizeof patch;
-  forces.struct_size = sizeof forces;
-  damage.struct_size = sizeof damage;
-  const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+  wrc_input input = wrc_input_default();
+  input.pose.lateral = given.lateral;
+  input.pose.yaw = given.yaw;
+  input.load.normal_force = given.load;
+  input.creepage.longitudinal = given.creepage[0];
+  input.creepage.lateral = given.creepage[1];
+  input.creepage.spin = given.creepage[2];
+  input.creepage.speed = given.speed;
+  input.friction.coefficient = given.friction;
+  wrc_output output = wrc_output_default();
   const int32_t status = wrc_contact_step(contact, &input, &output);
   if (status != WRC_OK) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {
+    const wrc_contact_point point = output.point;
+    const wrc_normal_solution normal = output.normal;
+    const wrc_forces forces = output.forces;
+    const wrc_damage damage = output.damage;
     printf("contact point   wheel y = %.2f mm, rail y = %.2f mm, angle %.2f mrad, rolling radius %.2f mm\n",
            1e3 * point.y_wheel, 1e3 * point.y_rail, 1e3 * point.angle, 1e3 * point.rolling_radius);
     printf("patch           length %.2f mm, width %.2f mm (y %.2f .. %.2f mm), area %.1f mm2\n",
-           1e3 * patch.length, 1e3 * patch.width, 1e3 * patch.y_min, 1e3 * patch.y_max, 1e6 * patch.area);
-    printf("double ellipse  a = %.2f mm, b = %.2f mm, psi = %.3f\n", 1e3 * patch.a, 1e3 * patch.b, patch.psi);
+           1e3 * normal.length, 1e3 * normal.width, 1e3 * normal.y_min, 1e3 * normal.y_max,
+           1e6 * normal.area);
+    printf("double ellipse  a = %.2f mm, b = %.2f mm, psi = %.3f\n", 1e3 * normal.ellipse.a,
+           1e3 * normal.ellipse.b, normal.ellipse.psi);
     printf("normal          N = %.0f N, approach %.2f um, stiffness %.3g N/m, peak pressure %.0f MPa\n",
-           patch.normal_force, 1e6 * patch.approach, patch.stiffness, 1e-6 * patch.peak_pressure);
+           normal.normal_force, 1e6 * normal.approach, normal.stiffness, 1e-6 * normal.peak_pressure);
     printf(
         "on the wheel    Fx = %.1f N, Fy = %.1f N, Mz = %.2f N m (%.0f %% of friction * load, %.0f %% of the "
         "area sticks)\n",

@@ -143,8 +143,6 @@ static FILE* open_csv(const char* directory, const char* part, const char* case_
 
 static wrc_view view_of(const wrc_contact* contact, int32_t field) {
   wrc_view view;
-  view.struct_size = sizeof view;
-  wrc_view_init(&view);
   const int32_t status = wrc_contact_field(contact, 0, field, &view);
   if (status != WRC_OK) fail(contact, "wrc_contact_field", status);
   return view;
@@ -209,11 +207,12 @@ static void print_number(const char* format, double value, int width) {
   }
 }
 
-static void print_result(const char* case_name, const char* model, const wrc_patch* patch,
+static void print_result(const char* case_name, const char* model, const wrc_normal_solution* normal,
                          const wrc_forces* forces, double reference_power, double paper_deviation) {
   printf("%-42s %-31s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
-         1e3 * patch->a, 1e3 * patch->b, patch->psi, 1e6 * patch->area, 1e6 * patch->approach,
-         1e-6 * patch->peak_pressure, forces->fx, forces->fy, forces->mz, forces->power);
+         1e3 * normal->ellipse.a, 1e3 * normal->ellipse.b, normal->ellipse.psi, 1e6 * normal->area,
+         1e6 * normal->approach, 1e-6 * normal->peak_pressure, forces->fx, forces->fy, forces->mz,
+         forces->power);
   print_number(" %+8.2f", 100.0 * (forces->power / reference_power - 1.0), 8);
   print_number(" %+8.2f", paper_deviation, 8);
   printf("\n");
@@ -244,9 +243,7 @@ static void write_summary(FILE* summary, const char* part, const char* case_name
  * the job */
 
 static wrc_creepage creepage_of(const rolling_case* rolling) {
-  wrc_creepage creepage;
-  creepage.struct_size = sizeof creepage;
-  wrc_creepage_init(&creepage); /* speed 1 m/s, as in the paper */
+  wrc_creepage creepage = wrc_creepage_default(); /* speed 1 m/s, as in the paper */
   creepage.longitudinal = rolling->longitudinal;
   creepage.lateral = rolling->lateral;
   creepage.spin = rolling->spin;
@@ -312,19 +309,15 @@ static void write_exact_fields(const wrc_grid* grid, double yield, const char* d
  * that the line compares with its line cell by cell; the power by the energy balance is the limit on fine
  * grids. */
 static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage, const rolling_case* rolling,
-                              const wrc_patch* patch, const char* name, double yield, const char* directory,
-                              const char* part, FILE* summary) {
-  wrc_exact_rolling_problem problem;
-  wrc_exact_rolling_solution solution;
-  problem.struct_size = sizeof problem;
-  solution.struct_size = sizeof solution;
-  wrc_exact_rolling_problem_init(&problem);
-  wrc_exact_rolling_solution_init(&solution);
+                              const wrc_normal_solution* normal, const char* name, double yield,
+                              const char* directory, const char* part, FILE* summary) {
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
   problem.collocation = WRC_COLLOCATION_REFERENCE;
-  problem.grid = grid;
+  problem.grid = *grid;
   problem.pressure = exact_pressure;
   problem.coefficient = friction_coefficient;
-  problem.creepage = creepage;
+  problem.creepage = *creepage;
   solution.traction_x = traction_x;
   solution.traction_y = traction_y;
   solution.slip_x = slip_x;
@@ -334,29 +327,31 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
     fprintf(stderr, "exact rolling: %s\n", text);
     exit(EXIT_FAILURE);
   }
-  wrc_forces forces = {sizeof forces,       0,           solution.fx,    solution.fy,
-                       patch->normal_force, solution.mz, solution.power, solution.adhesion_fraction};
-  print_result("", name, patch, &forces, rolling->power, NAN);
+  const wrc_forces forces = {solution.fx,
+                             solution.fy,
+                             normal->normal_force,
+                             solution.mz,
+                             solution.power,
+                             solution.adhesion_fraction,
+                             WRC_AVAILABLE_TRACTIONS,
+                             0};
+  print_result("", name, normal, &forces, rolling->power, NAN);
   printf("%-42s %-31s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
          solution.power_by_balance);
   if (summary == NULL) return; /* only a line for the table */
   write_exact_fields(grid, yield, directory, part, rolling->file_name);
 
-  wrc_damage damage;
-  damage.struct_size = sizeof damage;
-  wrc_damage_init(&damage);
+  wrc_damage damage = {0};
   damage.power = solution.power;
-  damage.utilisation = hypot(solution.fx, solution.fy) / patch->normal_force;
-  damage.load_factor = patch->peak_pressure / yield;
+  damage.utilisation = hypot(solution.fx, solution.fy) / normal->normal_force;
+  damage.load_factor = normal->peak_pressure / yield;
   wrc_shakedown_limit(damage.utilisation, &damage.shakedown_limit);
   damage.fatigue_index = damage.utilisation - 1.0 / damage.load_factor;
   write_summary(summary, part, rolling->file_name, "exact", &damage);
 }
 
 /* The exact normal problem for the gap in the contact: 0.3 mm cells, as the reference. */
-static wrc_patch solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
-  grid->struct_size = sizeof *grid;
-  wrc_grid_init(grid);
+static wrc_normal_solution solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
   grid->nx = 50;
   grid->ny = 90;
   grid->dx = grid->dy = 0.3e-3;
@@ -364,14 +359,10 @@ static wrc_patch solve_exact_normal(wrc_contact* contact, double normal_force, w
   grid->y0 = -16e-3;
   int32_t status = wrc_exact_gap(contact, grid, exact_gap);
   if (status < 0) fail(contact, "wrc_exact_gap", status);
-  wrc_exact_normal_problem problem;
-  wrc_exact_normal_solution solution;
-  problem.struct_size = sizeof problem;
-  solution.struct_size = sizeof solution;
-  wrc_exact_normal_problem_init(&problem);
-  wrc_exact_normal_solution_init(&solution);
+  wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+  wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
   problem.normal_force = normal_force;
-  problem.grid = grid;
+  problem.grid = *grid;
   problem.gap = exact_gap;
   solution.pressure = exact_pressure;
   char text[256];
@@ -389,75 +380,56 @@ static wrc_patch solve_exact_normal(wrc_contact* contact, double normal_force, w
     }
   }
   static const double pi = 3.14159265358979323846;
-  wrc_patch patch;
-  patch.struct_size = sizeof patch;
-  wrc_patch_init(&patch);
-  patch.normal_force = solution.normal_force;
-  patch.approach = solution.approach;
-  patch.peak_pressure = solution.peak_pressure;
-  patch.area = solution.area;
-  patch.b = 0.5 * (y_max - y_min + grid->dy);
-  patch.a = patch.area / (pi * patch.b);
-  patch.psi = 0.5 * (y_max + y_min) / patch.b;
-  return patch;
+  wrc_normal_solution normal = {0};
+  normal.normal_force = solution.normal_force;
+  normal.approach = solution.approach;
+  normal.peak_pressure = solution.peak_pressure;
+  normal.area = solution.area;
+  normal.ellipse.b = 0.5 * (y_max - y_min + grid->dy);
+  normal.ellipse.a = normal.area / (pi * normal.ellipse.b);
+  normal.ellipse.psi = 0.5 * (y_max + y_min) / normal.ellipse.b;
+  return normal;
 }
 
 static void run_profile_cases(const wrc_config* base, const char* directory, FILE* summary) {
-  wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, NULL, NULL, 0.0};
-  wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, NULL, NULL, 0.0};
-  wrc_pose pose;
-  wrc_load load;
-  wrc_friction friction;
-  pose.struct_size = sizeof pose;
-  load.struct_size = sizeof load;
-  friction.struct_size = sizeof friction;
-  wrc_pose_init(&pose);
-  wrc_load_init(&load);
-  wrc_friction_init(&friction);
-  load.normal_force = 80e3;
-  friction.coefficient = friction_coefficient;
+  wrc_input input = wrc_input_default();
+  input.load.normal_force = 80e3;
+  input.friction.coefficient = friction_coefficient;
 
   print_heading("S1002 / UIC60 canted 1:40, centred, 80 kN, R = 460 mm, friction 0.35, V = 1 m/s");
   for (size_t c = 0; c < sizeof profile_cases / sizeof *profile_cases; ++c) {
     const rolling_case* rolling = &profile_cases[c];
-    const wrc_creepage creepage = creepage_of(rolling);
+    input.creepage = creepage_of(rolling);
     for (int v = 0; v < VARIANTS; ++v) {
       wrc_config config = *base;
-      config.wheel = &wheel;
-      config.rail = &rail;
-      config.normal_method = variants[v].normal_method;
+      config.wheel.kind = WRC_PROFILE_S1002;
+      config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+      config.normal.method = variants[v].normal_method;
       use(&config, variants[v].tangential_method);
-      config.traction_bound = variants[v].traction_bound;
+      config.tangential.bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
 
-      wrc_patch patch;
-      wrc_forces forces;
-      wrc_damage damage;
-      patch.struct_size = sizeof patch;
-      forces.struct_size = sizeof forces;
-      damage.struct_size = sizeof damage;
-      const wrc_input input = {sizeof input, 0, &pose, NULL, &load, &creepage, &friction};
-      wrc_output output = {sizeof output, 0, NULL, &patch, &forces, &damage};
+      wrc_output output = wrc_output_default();
       const int32_t status = wrc_contact_step(contact, &input, &output);
       if (status < 0) fail(contact, variants[v].name, status);
 
-      print_result(v == 0 ? rolling->name : "", model_name(&variants[v], variants[v].name), &patch, &forces,
-                   rolling->power, rolling->paper_deviation[v]);
+      print_result(v == 0 ? rolling->name : "", model_name(&variants[v], variants[v].name), &output.normal,
+                   &output.forces, rolling->power, rolling->paper_deviation[v]);
       write_fields(contact, directory, "profiles", rolling->file_name, variants[v].file_name);
-      write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &damage);
+      write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &output.damage);
       if (v == VARIANTS - 1) {
         wrc_grid grid;
-        const wrc_patch exact = solve_exact_normal(contact, load.normal_force, &grid);
-        run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", config.shear_yield, directory,
-                          "profiles", summary);
+        const wrc_normal_solution exact = solve_exact_normal(contact, input.load.normal_force, &grid);
+        run_exact_rolling(&grid, &input.creepage, rolling, &exact, "wrc, exact", config.material.shear_yield,
+                          directory, "profiles", summary);
         /* The reference put the initial contact point where the paper's psi b has it, 3.1 mm from mid-width;
          * by the profiles it lies 2.9 mm from there. Creepages of the reference, moved to our origin: */
-        wrc_creepage moved = creepage;
-        moved.longitudinal += creepage.spin * (exact.psi * exact.b + 3.1e-3);
-        run_exact_rolling(&grid, &moved, rolling, &exact, "wrc, exact, origin of CONTACT", config.shear_yield,
-                          directory, "profiles", NULL);
+        wrc_creepage moved = input.creepage;
+        moved.longitudinal += moved.spin * (exact.ellipse.psi * exact.ellipse.b + 3.1e-3);
+        run_exact_rolling(&grid, &moved, rolling, &exact, "wrc, exact, origin of CONTACT",
+                          config.material.shear_yield, directory, "profiles", NULL);
       }
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
@@ -470,18 +442,17 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
 static void run_ellipse_cases(const wrc_config* base, const char* directory, FILE* summary) {
   static const double pi = 3.14159265358979323846;
   static const double peak_pressure = 300e6; /* not printed in the paper; reproduces its Case 2 */
-  wrc_patch exact;
-  exact.struct_size = sizeof exact;
-  wrc_patch_init(&exact);
-  exact.a = 4.25e-3;
-  exact.b = 6.375e-3; /* "ellipticity 1.5" means b = 1.5 a */
-  exact.psi = 0.4;
-  exact.normal_force = 2.0 / 3.0 * pi * exact.a * exact.b * peak_pressure;
-  exact.area = pi * exact.a * exact.b;
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  ellipse.a = 4.25e-3;
+  ellipse.b = 6.375e-3; /* "ellipticity 1.5" means b = 1.5 a */
+  ellipse.psi = 0.4;
+  ellipse.normal_force = 2.0 / 3.0 * pi * ellipse.a * ellipse.b * peak_pressure;
+  wrc_normal_solution exact = {0};
+  exact.ellipse = ellipse;
+  exact.normal_force = ellipse.normal_force;
+  exact.area = pi * ellipse.a * ellipse.b;
   exact.peak_pressure = peak_pressure;
-  wrc_friction friction;
-  friction.struct_size = sizeof friction;
-  wrc_friction_init(&friction);
+  wrc_friction friction = wrc_friction_default();
   friction.coefficient = friction_coefficient;
 
   print_heading(
@@ -492,18 +463,16 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
     for (int v = 0; v < VARIANTS; ++v) {
       if (v == VARIANTS - 2) continue; /* the patch is given: no matter which normal method */
       wrc_config config = *base;
-      config.normal_method = variants[v].normal_method;
+      config.normal.method = variants[v].normal_method;
       use(&config, variants[v].tangential_method);
-      config.traction_bound = variants[v].traction_bound;
+      config.tangential.bound = variants[v].traction_bound;
       wrc_model* model = NULL;
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
 
       wrc_forces forces;
       wrc_damage damage;
-      forces.struct_size = sizeof forces;
-      damage.struct_size = sizeof damage;
-      int32_t status = wrc_contact_tangential(contact, &exact, &creepage, &friction, &forces);
+      int32_t status = wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces);
       if (status < 0) fail(contact, variants[v].name, status);
       status = wrc_contact_damage(contact, &damage);
       if (status < 0) fail(contact, variants[v].name, status);
@@ -515,18 +484,18 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
     }
-    wrc_grid grid = {sizeof grid, 60, 60, 0, exact.a / 30.0, exact.b / 30.0, 0.0, 0.0};
-    grid.x0 = -exact.a + 0.5 * grid.dx;
-    grid.y0 = -exact.b * (1.0 - exact.psi) + 0.5 * grid.dy;
+    wrc_grid grid = {60, 60, ellipse.a / 30.0, ellipse.b / 30.0, 0.0, 0.0};
+    grid.x0 = -ellipse.a + 0.5 * grid.dx;
+    grid.y0 = -ellipse.b * (1.0 - ellipse.psi) + 0.5 * grid.dy;
     for (uint32_t j = 0; j < grid.ny; ++j) {
       const double y = grid.y0 + j * grid.dy;
-      const double eta = y / (exact.b * (1.0 + (y > 0.0 ? exact.psi : -exact.psi)));
+      const double eta = y / (ellipse.b * (1.0 + (y > 0.0 ? ellipse.psi : -ellipse.psi)));
       for (uint32_t i = 0; i < grid.nx; ++i) {
-        const double xi = (grid.x0 + i * grid.dx) / exact.a;
+        const double xi = (grid.x0 + i * grid.dx) / ellipse.a;
         exact_pressure[j * grid.nx + i] = peak_pressure * sqrt(fmax(0.0, 1.0 - xi * xi - eta * eta));
       }
     }
-    run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", base->shear_yield, directory,
+    run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", base->material.shear_yield, directory,
                       "ellipse", summary);
     print_reference(rolling, " 4.25   6.38  0.400    85.1        -    300");
   }
@@ -538,10 +507,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
 
 int main(int argc, char** argv) {
   const char* directory = argc > 1 ? argv[1] : ".";
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(
-      &config); /* G = 80 GPa, nu = 0.25, R = 0.46 m, k = 250 MPa: the paper's values are the defaults */
+  wrc_config config = wrc_config_default();
+  /* G = 80 GPa, nu = 0.25, R = 0.46 m, k = 250 MPa: the paper's values are the defaults. */
 
   char path[512];
   snprintf(path, sizeof path, "%s/summary.csv", directory);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 
-#include "made.hpp"
+#include "wrc/wrc.h"
 
 /// Normal methods by identifier, in the order of their values.
 #define WRC_METHOD(identifier, value) #identifier,
@@ -41,7 +43,8 @@ inline void choose_tangential(wrc_config& config, std::int32_t preset) {
     std::fprintf(stderr, "%s\n", text);
     std::abort();
   }
-  config.force_table = presets[preset].method == WRC_TANGENTIAL_FORCE_TABLE ? WRC_FORCE_TABLE : nullptr;
+  config.tangential.force_table =
+      presets[preset].method == WRC_TANGENTIAL_FORCE_TABLE ? WRC_FORCE_TABLE : nullptr;
 }
 
 /// The slope falls in modified FASTSIM.
@@ -49,14 +52,14 @@ inline double slope_fall_for(std::int32_t preset) { return presets[preset].slope
 
 /// Does the contact's method give tractions and slip? Some give forces alone.
 inline bool gives_tractions(const wrc_contact* contact) {
-  wrc_view view = made<wrc_view>(wrc_view_init);
+  wrc_view view{};
   return wrc_contact_field(contact, 0, WRC_FIELD_TRACTION_X, &view) != WRC_ERROR_UNSUPPORTED;
 }
 
 /// The same of a published method.
 inline bool gives_tractions(std::int32_t preset) {
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.normal_method = WRC_NORMAL_HERTZ;  // quickly made
+  wrc_config config = wrc_config_default();
+  config.normal.method = WRC_NORMAL_HERTZ;  // quickly made
   choose_tangential(config, preset);
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;

@@ -27,7 +27,6 @@
 #include <string>
 #include <vector>
 
-#include "made.hpp"
 #include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
@@ -41,21 +40,18 @@ constexpr double load_of_all = 80e3;  // [N]
 /// A right wheel on its rail with one method.
 class Wheel {
  public:
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_contact_point point{};
+  wrc_normal_solution normal{};
   double tolerance = 0.0;  ///< of a prescribed load [-]
 
   Wheel(int32_t method, bool warm, int32_t rail_kind = WRC_PROFILE_UIC60_BENCHMARK) {
-    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = rail_kind;
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    if (rail_kind == WRC_PROFILE_60E1) config.rail_inclination = 0.025;
-    tolerance = config.load_tolerance;
-    config.normal_method = method;
-    config.warm_start = warm ? 1 : 0;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    wrc_config config = wrc_config_default();
+    if (rail_kind == WRC_PROFILE_60E1) config.track.rail_inclination = 0.025;
+    tolerance = config.normal.load_tolerance;
+    config.normal.method = method;
+    config.normal.warm_start = warm ? 1 : 0;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = rail_kind;
     load_.normal_force = load_of_all;
     if (wrc_model_create(&config, nullptr, &model_) < 0 ||
         wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) < 0) {
@@ -74,34 +70,34 @@ class Wheel {
   Wheel& operator=(const Wheel&) = delete;
 
   int32_t place(double lateral, double yaw) {
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = lateral;
     pose.yaw = yaw;
     return wrc_contact_geometry(contact_, &pose, &point);
   }
-  int32_t solve() { return wrc_contact_normal(contact_, nullptr, &load_, &patch); }
+  int32_t solve() { return wrc_contact_normal(contact_, nullptr, &load_, &normal); }
   int32_t solve_load(double normal_force) {
-    wrc_load load = made<wrc_load>(wrc_load_init);
+    wrc_load load = wrc_load_default();
     load.normal_force = normal_force;
-    return wrc_contact_normal(contact_, nullptr, &load, &patch);
+    return wrc_contact_normal(contact_, nullptr, &load, &normal);
   }
   int32_t solve_approach(double approach) {
-    wrc_load load = made<wrc_load>(wrc_load_init);
+    wrc_load load = wrc_load_default();
     load.prescribed = WRC_PRESCRIBE_APPROACH;
     load.approach = approach;
-    return wrc_contact_normal(contact_, nullptr, &load, &patch);
+    return wrc_contact_normal(contact_, nullptr, &load, &normal);
   }
 
   /// Takes over the rows of another wheel's gap, as the caller's.
   int32_t take_rows(const Wheel& other) {
     const wrc_view y = other.field(WRC_FIELD_GAP_Y, 0);
-    wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+    wrc_gap gap = wrc_gap_default();
     gap.rows = static_cast<uint32_t>(y.count[0]);
     gap.y = y.data;
     gap.height = other.field(WRC_FIELD_GAP_HEIGHT, 0).data;
     gap.centre = other.field(WRC_FIELD_GAP_CENTRE, 0).data;
     gap.curvature = other.field(WRC_FIELD_GAP_CURVATURE, 0).data;
-    return wrc_contact_normal(contact_, &gap, &load_, &patch);
+    return wrc_contact_normal(contact_, &gap, &load_, &normal);
   }
 
   /// The shortest of three identical solves [us]: what the code takes, not what else the machine does.
@@ -126,7 +122,7 @@ class Wheel {
   };
   Extent extent() const {
     Extent box;
-    for (int32_t k = 0; k < patch.patches; ++k) {
+    for (int32_t k = 0; k < normal.patches; ++k) {
       const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
                      half = field(WRC_FIELD_STRIP_HALF, k), centre = field(WRC_FIELD_STRIP_CENTRE, k);
       for (uint64_t j = 0; j < y.count[0]; ++j) {
@@ -142,7 +138,7 @@ class Wheel {
   /// Lateral centre of pressure, track frame: the contact frame jumps with the point of first touch [m].
   double centre() const {
     double moment = 0.0, load = 0.0;
-    for (int32_t k = 0; k < patch.patches; ++k) {
+    for (int32_t k = 0; k < normal.patches; ++k) {
       const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
                      half = field(WRC_FIELD_STRIP_HALF, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
       for (uint64_t j = 0; j < y.count[0]; ++j) {
@@ -156,13 +152,13 @@ class Wheel {
 
  private:
   wrc_view field(int32_t id, int32_t of_patch) const {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     wrc_contact_field(contact_, of_patch, id, &view);
     return view;
   }
   wrc_model* model_ = nullptr;
   wrc_contact* contact_ = nullptr;
-  wrc_load load_ = made<wrc_load>(wrc_load_init);
+  wrc_load load_ = wrc_load_default();
   std::vector<unsigned char> state_;
 };
 
@@ -228,7 +224,7 @@ int sweep(bool json, const char* rows_path, double share_of_limits) {
         continue;
       }
       if (status > 0) ++flags[status];
-      const wrc_patch& p = wheel.patch;
+      const wrc_normal_solution& p = wheel.normal;
       path.push_back({lateral, p.normal_force, wheel.centre(), p.area, p.approach, p.peak_pressure,
                       wheel.point.angle, p.patches});
       if (rows != nullptr)
@@ -313,7 +309,7 @@ int jumps(double share_of_limits) {
   const auto at = [&](double lateral, double yaw) {
     wheel.place(lateral, yaw);
     wheel.solve();
-    const wrc_patch& p = wheel.patch;
+    const wrc_normal_solution& p = wheel.normal;
     return Solved{lateral,    p.normal_force,  wheel.centre(),    p.area,
                   p.approach, p.peak_pressure, wheel.point.angle, p.patches};
   };
@@ -368,15 +364,15 @@ int jumps(double share_of_limits) {
 /// The exact solution of the gap in a contact.
 struct Exact {
   bool solved = false;
-  wrc_exact_normal_solution of = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+  wrc_exact_normal_solution of = wrc_exact_normal_solution_default();
   double ahead = 0.0;  ///< where the peak lies: x from the middle of its row [m]
 };
 
 Exact solve_exactly(wrc_contact* contact, const wrc_grid& grid, double load) {
   std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny), pressure(gap.size());
-  wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+  wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
   problem.normal_force = load;
-  problem.grid = &grid;
+  problem.grid = grid;
   problem.gap = gap.data();
   Exact exact;
   exact.of.pressure = pressure.data();
@@ -409,14 +405,14 @@ int flange(uint32_t cells) {
       rows.take_rows(wheel);
       const Wheel::Extent extent = wheel.extent();
       constexpr double margin = 1e-3;
-      wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+      wrc_grid grid = wrc_grid_default();
       grid.nx = cells;
       grid.ny = 2 * cells;
       grid.dx = (extent.x_to - extent.x_from + 2.0 * margin) / grid.nx;
       grid.dy = (extent.y_to - extent.y_from + 2.0 * margin) / grid.ny;
       grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
       grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
-      const wrc_patch& p = wheel.patch;
+      const wrc_normal_solution& p = wheel.normal;
       std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f", 1e3 * lateral, 1e3 * yaw, p.patches, 1e6 * p.approach,
                   1e6 * p.area, 1e-6 * p.peak_pressure);
       for (const Wheel* each : {&wheel, &rows}) {
@@ -463,7 +459,7 @@ int trips() {
               ++failed;
               continue;
             }
-            const double found = wheel.patch.approach;
+            const double found = wheel.normal.approach;
             if (status == WRC_FLAG_ITERATION_CAP || status == WRC_FLAG_LOAD_LEAPS) {
               ++(status == WRC_FLAG_LOAD_LEAPS ? leaps : capped);
               continue;
@@ -472,7 +468,7 @@ int trips() {
               ++failed;
               continue;
             }
-            const double error = std::fabs(wheel.patch.normal_force / load - 1.0);
+            const double error = std::fabs(wheel.normal.normal_force / load - 1.0);
             lost += error > wheel.tolerance;
             if (error > worst) {
               worst = error;
@@ -545,7 +541,7 @@ int solves(const char* name, bool warm, int count) {
   for (int i = 0; i < count; ++i) {
     wheel.place(0.02e-3 * (i % 650 - 300), 0.0);
     wheel.solve();
-    iterations += wheel.patch.iterations;
+    iterations += wheel.normal.iterations;
   }
   std::printf("%d solves, %.2f iterations each\n", count, static_cast<double>(iterations) / count);
   return 0;

@@ -70,7 +70,7 @@ void normal(benchmark::State& state, Methods methods) {
     driven.vary(++i);
     const wrc_gap rows = shown(driven.gap(i));
     benchmark::DoNotOptimize(
-        wrc_contact_normal(driven.wheel.contact, &rows, &driven.wheel.load, &driven.wheel.patch));
+        wrc_contact_normal(driven.wheel.contact, &rows, &driven.wheel.load, &driven.wheel.output.normal));
   }
 }
 
@@ -84,8 +84,8 @@ void tangential(benchmark::State& state, Methods methods) {
   int i = 0;
   for (auto _ : state) {
     driven.vary(++i);
-    benchmark::DoNotOptimize(
-        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces));
+    benchmark::DoNotOptimize(wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+                                                    &wheel.output.forces));
   }
 }
 
@@ -94,14 +94,14 @@ void damage(benchmark::State& state, Methods methods) {
   driven.vary(20);
   driven.wheel.step();
   for (auto _ : state)
-    benchmark::DoNotOptimize(wrc_contact_damage(driven.wheel.contact, &driven.wheel.damage));
+    benchmark::DoNotOptimize(wrc_contact_damage(driven.wheel.contact, &driven.wheel.output.damage));
 }
 
 void wear(benchmark::State& state, Methods methods) {
   Driven driven(methods);
   driven.vary(20);
   driven.wheel.step();
-  wrc_wear numbers = made<wrc_wear>(wrc_wear_init);
+  wrc_wear numbers{};
   for (auto _ : state) benchmark::DoNotOptimize(wrc_contact_wear(driven.wheel.contact, nullptr, &numbers));
 }
 

@@ -18,7 +18,7 @@
 #include <random>
 #include <vector>
 
-#include "made.hpp"
+#include "wrc/wrc.h"
 
 namespace {
 
@@ -34,19 +34,11 @@ constexpr Unit unit_of[columns] = {
     angular_velocity, angular_velocity, length, length, angle,    velocity, velocity, angular_velocity};
 
 struct Case {
-  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  bool with_friction = true;
+  wrc_wheel_input input = wrc_wheel_input_default();
 
-  const wrc_wheel_input* given() {
-    input.wheel = &wheel;
-    input.rail = &rail;
-    input.friction = with_friction ? &friction : nullptr;
-    return &input;
-  }
   double* number(int column) {
+    wrc_wheel_state& wheel = input.wheel;
+    wrc_rail_state& rail = input.rail;
     double* const numbers[columns] = {&wheel.y,
                                       &wheel.z,
                                       &wheel.roll,
@@ -106,12 +98,9 @@ int main(int argc, char** argv) {
       seed = static_cast<unsigned>(std::atol(argv[i]));
     }
   }
-  wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init), rail_profile = wheel_profile;
-  wheel_profile.kind = WRC_PROFILE_S1002;
-  rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.wheel = &wheel_profile;
-  config.rail = &rail_profile;
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
   wrc_contact* contacts[2] = {nullptr, nullptr};
   if (wrc_model_create(&config, nullptr, &model) != WRC_OK) return 1;
@@ -129,45 +118,45 @@ int main(int argc, char** argv) {
   while (done < poses) {
     Case c;
     wrc_contact* const contact = contacts[random() % 2];
-    c.wheel.reference = random() % 2 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
-    c.wheel.angular_axes = random() % 2 ? WRC_AXES_TRACK : WRC_AXES_BODY;
-    c.wheel.y = between(-8e-3, 8e-3);
-    c.wheel.roll = between(-10e-3, 10e-3);
-    c.wheel.yaw = between(-15e-3, 15e-3);
-    c.rail.y = between(-1e-3, 1e-3);
-    c.rail.z = between(-1e-3, 1e-3);
-    c.rail.roll = between(-5e-3, 5e-3);
+    c.input.wheel.reference = random() % 2 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
+    c.input.wheel.angular_axes = random() % 2 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+    c.input.wheel.y = between(-8e-3, 8e-3);
+    c.input.wheel.roll = between(-10e-3, 10e-3);
+    c.input.wheel.yaw = between(-15e-3, 15e-3);
+    c.input.rail.y = between(-1e-3, 1e-3);
+    c.input.rail.z = between(-1e-3, 1e-3);
+    c.input.rail.roll = between(-5e-3, 5e-3);
     const double speed = between(1.0, 80.0), slip = std::pow(10.0, between(-4.0, -2.0));
-    c.wheel.velocity[0] = speed;
-    c.wheel.velocity[1] = between(-slip, slip) * speed;
-    c.wheel.velocity[2] = between(-0.1, 0.1);
-    c.wheel.angular_velocity[0] = between(-0.1, 0.1);
-    c.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + between(-slip, slip));
-    c.wheel.angular_velocity[2] = between(-0.1, 0.1);
-    c.rail.y_velocity = between(-0.01, 0.01);
-    c.rail.z_velocity = between(-0.01, 0.01);
-    c.rail.roll_velocity = between(-0.01, 0.01);
+    c.input.wheel.velocity[0] = speed;
+    c.input.wheel.velocity[1] = between(-slip, slip) * speed;
+    c.input.wheel.velocity[2] = between(-0.1, 0.1);
+    c.input.wheel.angular_velocity[0] = between(-0.1, 0.1);
+    c.input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + between(-slip, slip));
+    c.input.wheel.angular_velocity[2] = between(-0.1, 0.1);
+    c.input.rail.y_velocity = between(-0.01, 0.01);
+    c.input.rail.z_velocity = between(-0.01, 0.01);
+    c.input.rail.roll_velocity = between(-0.01, 0.01);
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
-    c.friction.coefficient = between(0.1, 0.6);
-    c.with_friction = !frictionless;
+    c.input.friction.coefficient = between(0.1, 0.6);
+    if (frictionless) c.input.friction.coefficient = 0.0;
     // the height for a load, as if without friction: that always has an equilibrium
-    wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+    wrc_wrench wrench = wrc_wrench_default();
     Case loaded = c;
-    loaded.with_friction = false;
+    loaded.input.friction.coefficient = 0.0;
     loaded.input.damping = 0.0;
     loaded.input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     loaded.input.vertical_load = std::exp(between(std::log(5e3), std::log(150e3)));
-    if (wrc_contact_wrench(contact, loaded.given(), &wrench) != WRC_OK) {
+    if (wrc_contact_wrench(contact, &loaded.input, &wrench) != WRC_OK) {
       ++skipped;
       continue;
     }
-    c.wheel.z = wrench.z;
-    wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
-    int32_t status = wrc_contact_wrench(contact, c.given(), &wrench);
+    c.input.wheel.z = wrench.z;
+    wrc_wrench_sensitivities found{};
+    int32_t status = wrc_contact_wrench(contact, &c.input, &wrench);
     const double t0 = seconds();
-    status = wrc_contact_wrench(contact, c.given(), &wrench);
+    status = wrc_contact_wrench(contact, &c.input, &wrench);
     const double t1 = seconds();
-    const int32_t with = wrc_contact_wrench_sensitivities(contact, c.given(), &wrench, &found);
+    const int32_t with = wrc_contact_wrench_sensitivities(contact, &c.input, &wrench, &found);
     const double t2 = seconds();
     if (status != WRC_OK || with != WRC_OK) {
       ++skipped;
@@ -188,7 +177,7 @@ int main(int argc, char** argv) {
       double ends[3][rows];
       for (int end = 0; end < 3; ++end) {
         *number = value + (end - 1) * h;
-        wrc_contact_wrench(contact, c.given(), &wrench);
+        wrc_contact_wrench(contact, &c.input, &wrench);
         for (int r = 0; r < 3; ++r) {
           ends[end][r] = wrench.force[r];
           ends[end][r + 3] = wrench.moment[r];
@@ -222,8 +211,8 @@ int main(int argc, char** argv) {
         }
         if (relative > listed && !kink[r][column])
           std::printf("pose %ld y %.4f mm yaw %.4f z %.6f: d%s/d%s %.9g by differences %.9g\n", done,
-                      1e3 * c.wheel.y, c.wheel.yaw, c.wheel.z, row_names[r], column_names[column],
-                      found.wrench[r][column], difference[r][column]);
+                      1e3 * c.input.wheel.y, c.input.wheel.yaw, c.input.wheel.z, row_names[r],
+                      column_names[column], found.wrench[r][column], difference[r][column]);
       }
     }
   }

@@ -2,36 +2,44 @@
 module layout
   use, intrinsic :: iso_c_binding
   implicit none
-  integer(c_size_t), bind(C) :: layout_wrc_profile(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config(31)
-  integer(c_size_t), bind(C) :: layout_wrc_pose(6)
-  integer(c_size_t), bind(C) :: layout_wrc_contact_point(11)
-  integer(c_size_t), bind(C) :: layout_wrc_gap(12)
+  integer(c_size_t), bind(C) :: layout_wrc_profile(6)
+  integer(c_size_t), bind(C) :: layout_wrc_config_material(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(3)
+  integer(c_size_t), bind(C) :: layout_wrc_config_track(7)
+  integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
+  integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
+  integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
+  integer(c_size_t), bind(C) :: layout_wrc_config(11)
+  integer(c_size_t), bind(C) :: layout_wrc_pose(4)
+  integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
+  integer(c_size_t), bind(C) :: layout_wrc_gap(10)
   integer(c_size_t), bind(C) :: layout_wrc_load(7)
-  integer(c_size_t), bind(C) :: layout_wrc_creepage(9)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(16)
-  integer(c_size_t), bind(C) :: layout_wrc_patch(18)
+  integer(c_size_t), bind(C) :: layout_wrc_creepage(7)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(14)
+  integer(c_size_t), bind(C) :: layout_wrc_ellipse(6)
+  integer(c_size_t), bind(C) :: layout_wrc_normal_solution(16)
   integer(c_size_t), bind(C) :: layout_wrc_strips(8)
   integer(c_size_t), bind(C) :: layout_wrc_forces(9)
-  integer(c_size_t), bind(C) :: layout_wrc_motion(9)
+  integer(c_size_t), bind(C) :: layout_wrc_patch(15)
+  integer(c_size_t), bind(C) :: layout_wrc_motion(7)
   integer(c_size_t), bind(C) :: layout_wrc_damage(12)
   integer(c_size_t), bind(C) :: layout_wrc_wear_laws(22)
-  integer(c_size_t), bind(C) :: layout_wrc_wear(6)
-  integer(c_size_t), bind(C) :: layout_wrc_coefficients(10)
-  integer(c_size_t), bind(C) :: layout_wrc_sensitivity(4)
-  integer(c_size_t), bind(C) :: layout_wrc_step_sensitivity(5)
+  integer(c_size_t), bind(C) :: layout_wrc_wear(4)
+  integer(c_size_t), bind(C) :: layout_wrc_coefficients(8)
+  integer(c_size_t), bind(C) :: layout_wrc_sensitivity(2)
+  integer(c_size_t), bind(C) :: layout_wrc_step_sensitivity(3)
   integer(c_size_t), bind(C) :: layout_wrc_input(8)
   integer(c_size_t), bind(C) :: layout_wrc_output(7)
   integer(c_size_t), bind(C) :: layout_wrc_view(6)
-  integer(c_size_t), bind(C) :: layout_wrc_allocator(6)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_state(12)
-  integer(c_size_t), bind(C) :: layout_wrc_rail_state(9)
+  integer(c_size_t), bind(C) :: layout_wrc_allocator(4)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_state(10)
+  integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(8)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(16)
-  integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(5)
-  integer(c_size_t), bind(C) :: layout_wrc_grid(9)
-  integer(c_size_t), bind(C) :: layout_wrc_materials(7)
+  integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
+  integer(c_size_t), bind(C) :: layout_wrc_grid(7)
+  integer(c_size_t), bind(C) :: layout_wrc_materials(5)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_solution(9)
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(14)
@@ -45,6 +53,12 @@ program layout_test
   implicit none
   integer :: failures = 0
   call test_wrc_profile()
+  call test_wrc_config_material()
+  call test_wrc_config_wheelset()
+  call test_wrc_config_track()
+  call test_wrc_config_grid()
+  call test_wrc_config_normal()
+  call test_wrc_config_tangential()
   call test_wrc_config()
   call test_wrc_pose()
   call test_wrc_contact_point()
@@ -52,9 +66,11 @@ program layout_test
   call test_wrc_load()
   call test_wrc_creepage()
   call test_wrc_friction()
-  call test_wrc_patch()
+  call test_wrc_ellipse()
+  call test_wrc_normal_solution()
   call test_wrc_strips()
   call test_wrc_forces()
+  call test_wrc_patch()
   call test_wrc_motion()
   call test_wrc_damage()
   call test_wrc_wear_laws()
@@ -80,27 +96,103 @@ program layout_test
   call test_wrc_exact_rolling_solution()
   call test_wrc_exact_wrench_options()
   call test_wrc_exact_check_result()
-  print '(i0,a)', 36, ' types compared'
+  print '(i0,a)', 44, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
     type(wrc_profile), target :: a
     call wrc_init(a)
     call same('wrc_profile', 'size', c_sizeof(a), layout_wrc_profile(1))
-    call same('wrc_profile', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_profile(2))
     call same('wrc_profile', 'kind', &
-      distance(c_loc(a), c_loc(a%kind)), layout_wrc_profile(3))
+      distance(c_loc(a), c_loc(a%kind)), layout_wrc_profile(2))
     call same('wrc_profile', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_profile(4))
-    call same('wrc_profile', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_profile(5))
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_profile(3))
     call same('wrc_profile', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_profile(6))
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_profile(4))
     call same('wrc_profile', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_profile(7))
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_profile(5))
     call same('wrc_profile', 'smoothing', &
-      distance(c_loc(a), c_loc(a%smoothing)), layout_wrc_profile(8))
+      distance(c_loc(a), c_loc(a%smoothing)), layout_wrc_profile(6))
+  end subroutine
+  subroutine test_wrc_config_material()
+    type(wrc_config_material), target :: a
+    call same('wrc_config_material', 'size', c_sizeof(a), layout_wrc_config_material(1))
+    call same('wrc_config_material', 'shear_modulus', &
+      distance(c_loc(a), c_loc(a%shear_modulus)), layout_wrc_config_material(2))
+    call same('wrc_config_material', 'poisson', &
+      distance(c_loc(a), c_loc(a%poisson)), layout_wrc_config_material(3))
+    call same('wrc_config_material', 'shear_yield', &
+      distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_config_material(4))
+  end subroutine
+  subroutine test_wrc_config_wheelset()
+    type(wrc_config_wheelset), target :: a
+    call same('wrc_config_wheelset', 'size', c_sizeof(a), layout_wrc_config_wheelset(1))
+    call same('wrc_config_wheelset', 'wheel_radius', &
+      distance(c_loc(a), c_loc(a%wheel_radius)), layout_wrc_config_wheelset(2))
+    call same('wrc_config_wheelset', 'flange_back_distance', &
+      distance(c_loc(a), c_loc(a%flange_back_distance)), layout_wrc_config_wheelset(3))
+  end subroutine
+  subroutine test_wrc_config_track()
+    type(wrc_config_track), target :: a
+    call same('wrc_config_track', 'size', c_sizeof(a), layout_wrc_config_track(1))
+    call same('wrc_config_track', 'placement', &
+      distance(c_loc(a), c_loc(a%placement)), layout_wrc_config_track(2))
+    call same('wrc_config_track', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_track(3))
+    call same('wrc_config_track', 'gauge', &
+      distance(c_loc(a), c_loc(a%gauge)), layout_wrc_config_track(4))
+    call same('wrc_config_track', 'gauge_depth', &
+      distance(c_loc(a), c_loc(a%gauge_depth)), layout_wrc_config_track(5))
+    call same('wrc_config_track', 'rail_inclination', &
+      distance(c_loc(a), c_loc(a%rail_inclination)), layout_wrc_config_track(6))
+    call same('wrc_config_track', 'rail_origin', &
+      distance(c_loc(a), c_loc(a%rail_origin)), layout_wrc_config_track(7))
+  end subroutine
+  subroutine test_wrc_config_grid()
+    type(wrc_config_grid), target :: a
+    call same('wrc_config_grid', 'size', c_sizeof(a), layout_wrc_config_grid(1))
+    call same('wrc_config_grid', 'strips', &
+      distance(c_loc(a), c_loc(a%strips)), layout_wrc_config_grid(2))
+    call same('wrc_config_grid', 'cells', &
+      distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_grid(3))
+    call same('wrc_config_grid', 'gap_rows', &
+      distance(c_loc(a), c_loc(a%gap_rows)), layout_wrc_config_grid(4))
+    call same('wrc_config_grid', 'max_patches', &
+      distance(c_loc(a), c_loc(a%max_patches)), layout_wrc_config_grid(5))
+    call same('wrc_config_grid', 'gap_limit', &
+      distance(c_loc(a), c_loc(a%gap_limit)), layout_wrc_config_grid(6))
+  end subroutine
+  subroutine test_wrc_config_normal()
+    type(wrc_config_normal), target :: a
+    call same('wrc_config_normal', 'size', c_sizeof(a), layout_wrc_config_normal(1))
+    call same('wrc_config_normal', 'method', &
+      distance(c_loc(a), c_loc(a%method)), layout_wrc_config_normal(2))
+    call same('wrc_config_normal', 'max_iterations', &
+      distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_config_normal(3))
+    call same('wrc_config_normal', 'max_sweeps', &
+      distance(c_loc(a), c_loc(a%max_sweeps)), layout_wrc_config_normal(4))
+    call same('wrc_config_normal', 'warm_start', &
+      distance(c_loc(a), c_loc(a%warm_start)), layout_wrc_config_normal(5))
+    call same('wrc_config_normal', 'load_tolerance', &
+      distance(c_loc(a), c_loc(a%load_tolerance)), layout_wrc_config_normal(6))
+  end subroutine
+  subroutine test_wrc_config_tangential()
+    type(wrc_config_tangential), target :: a
+    call same('wrc_config_tangential', 'size', c_sizeof(a), layout_wrc_config_tangential(1))
+    call same('wrc_config_tangential', 'method', &
+      distance(c_loc(a), c_loc(a%method)), layout_wrc_config_tangential(2))
+    call same('wrc_config_tangential', 'patch_model', &
+      distance(c_loc(a), c_loc(a%patch_model)), layout_wrc_config_tangential(3))
+    call same('wrc_config_tangential', 'bound', &
+      distance(c_loc(a), c_loc(a%bound)), layout_wrc_config_tangential(4))
+    call same('wrc_config_tangential', 'flexibility', &
+      distance(c_loc(a), c_loc(a%flexibility)), layout_wrc_config_tangential(5))
+    call same('wrc_config_tangential', 'regularisation', &
+      distance(c_loc(a), c_loc(a%regularisation)), layout_wrc_config_tangential(6))
+    call same('wrc_config_tangential', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_tangential(7))
+    call same('wrc_config_tangential', 'force_table', &
+      distance(c_loc(a), c_loc(a%force_table)), layout_wrc_config_tangential(8))
   end subroutine
   subroutine test_wrc_config()
     type(wrc_config), target :: a
@@ -108,140 +200,87 @@ contains
     call same('wrc_config', 'size', c_sizeof(a), layout_wrc_config(1))
     call same('wrc_config', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_config(2))
-    call same('wrc_config', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config(3))
-    call same('wrc_config', 'normal_method', &
-      distance(c_loc(a), c_loc(a%normal_method)), layout_wrc_config(4))
-    call same('wrc_config', 'regularisation', &
-      distance(c_loc(a), c_loc(a%regularisation)), layout_wrc_config(5))
-    call same('wrc_config', 'tangential_method', &
-      distance(c_loc(a), c_loc(a%tangential_method)), layout_wrc_config(6))
-    call same('wrc_config', 'traction_bound', &
-      distance(c_loc(a), c_loc(a%traction_bound)), layout_wrc_config(7))
-    call same('wrc_config', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_config(8))
-    call same('wrc_config', 'cells', &
-      distance(c_loc(a), c_loc(a%cells)), layout_wrc_config(9))
-    call same('wrc_config', 'gap_rows', &
-      distance(c_loc(a), c_loc(a%gap_rows)), layout_wrc_config(10))
-    call same('wrc_config', 'max_iterations', &
-      distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_config(11))
-    call same('wrc_config', 'max_patches', &
-      distance(c_loc(a), c_loc(a%max_patches)), layout_wrc_config(12))
-    call same('wrc_config', 'warm_start', &
-      distance(c_loc(a), c_loc(a%warm_start)), layout_wrc_config(13))
-    call same('wrc_config', 'shear_modulus', &
-      distance(c_loc(a), c_loc(a%shear_modulus)), layout_wrc_config(14))
-    call same('wrc_config', 'poisson', &
-      distance(c_loc(a), c_loc(a%poisson)), layout_wrc_config(15))
-    call same('wrc_config', 'load_tolerance', &
-      distance(c_loc(a), c_loc(a%load_tolerance)), layout_wrc_config(16))
-    call same('wrc_config', 'gap_limit', &
-      distance(c_loc(a), c_loc(a%gap_limit)), layout_wrc_config(17))
-    call same('wrc_config', 'shear_yield', &
-      distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_config(18))
-    call same('wrc_config', 'wheel_radius', &
-      distance(c_loc(a), c_loc(a%wheel_radius)), layout_wrc_config(19))
-    call same('wrc_config', 'flange_back_distance', &
-      distance(c_loc(a), c_loc(a%flange_back_distance)), layout_wrc_config(20))
-    call same('wrc_config', 'track_gauge', &
-      distance(c_loc(a), c_loc(a%track_gauge)), layout_wrc_config(21))
-    call same('wrc_config', 'gauge_depth', &
-      distance(c_loc(a), c_loc(a%gauge_depth)), layout_wrc_config(22))
-    call same('wrc_config', 'rail_inclination', &
-      distance(c_loc(a), c_loc(a%rail_inclination)), layout_wrc_config(23))
-    call same('wrc_config', 'wheel', &
-      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_config(24))
-    call same('wrc_config', 'rail', &
-      distance(c_loc(a), c_loc(a%rail)), layout_wrc_config(25))
-    call same('wrc_config', 'flexibility', &
-      distance(c_loc(a), c_loc(a%flexibility)), layout_wrc_config(26))
     call same('wrc_config', 'instruction_set', &
-      distance(c_loc(a), c_loc(a%instruction_set)), layout_wrc_config(27))
-    call same('wrc_config', 'force_table', &
-      distance(c_loc(a), c_loc(a%force_table)), layout_wrc_config(28))
-    call same('wrc_config', 'profile_placement', &
-      distance(c_loc(a), c_loc(a%profile_placement)), layout_wrc_config(29))
-    call same('wrc_config', 'patch_model', &
-      distance(c_loc(a), c_loc(a%patch_model)), layout_wrc_config(30))
-    call same('wrc_config', 'rail_origin', &
-      distance(c_loc(a), c_loc(a%rail_origin)), layout_wrc_config(31))
+      distance(c_loc(a), c_loc(a%instruction_set)), layout_wrc_config(3))
+    call same('wrc_config', 'wheel', &
+      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_config(4))
+    call same('wrc_config', 'rail', &
+      distance(c_loc(a), c_loc(a%rail)), layout_wrc_config(5))
+    call same('wrc_config', 'material', &
+      distance(c_loc(a), c_loc(a%material)), layout_wrc_config(6))
+    call same('wrc_config', 'wheelset', &
+      distance(c_loc(a), c_loc(a%wheelset)), layout_wrc_config(7))
+    call same('wrc_config', 'track', &
+      distance(c_loc(a), c_loc(a%track)), layout_wrc_config(8))
+    call same('wrc_config', 'grid', &
+      distance(c_loc(a), c_loc(a%grid)), layout_wrc_config(9))
+    call same('wrc_config', 'normal', &
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_config(10))
+    call same('wrc_config', 'tangential', &
+      distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(11))
   end subroutine
   subroutine test_wrc_pose()
     type(wrc_pose), target :: a
     call wrc_init(a)
     call same('wrc_pose', 'size', c_sizeof(a), layout_wrc_pose(1))
-    call same('wrc_pose', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_pose(2))
-    call same('wrc_pose', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_pose(3))
     call same('wrc_pose', 'lateral', &
-      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_pose(4))
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_pose(2))
     call same('wrc_pose', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_pose(5))
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_pose(3))
     call same('wrc_pose', 'yaw', &
-      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_pose(6))
+      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_pose(4))
   end subroutine
   subroutine test_wrc_contact_point()
     type(wrc_contact_point), target :: a
-    call wrc_init(a)
     call same('wrc_contact_point', 'size', c_sizeof(a), layout_wrc_contact_point(1))
-    call same('wrc_contact_point', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_point(2))
-    call same('wrc_contact_point', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_contact_point(3))
     call same('wrc_contact_point', 'x', &
-      distance(c_loc(a), c_loc(a%x)), layout_wrc_contact_point(4))
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_contact_point(2))
     call same('wrc_contact_point', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_contact_point(5))
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_contact_point(3))
     call same('wrc_contact_point', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_contact_point(6))
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_contact_point(4))
     call same('wrc_contact_point', 'y_wheel', &
-      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_contact_point(7))
+      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_contact_point(5))
     call same('wrc_contact_point', 'y_rail', &
-      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_contact_point(8))
+      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_contact_point(6))
     call same('wrc_contact_point', 'angle', &
-      distance(c_loc(a), c_loc(a%angle)), layout_wrc_contact_point(9))
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_contact_point(7))
     call same('wrc_contact_point', 'vertical_gap', &
-      distance(c_loc(a), c_loc(a%vertical_gap)), layout_wrc_contact_point(10))
+      distance(c_loc(a), c_loc(a%vertical_gap)), layout_wrc_contact_point(8))
     call same('wrc_contact_point', 'rolling_radius', &
-      distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_contact_point(11))
+      distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_contact_point(9))
   end subroutine
   subroutine test_wrc_gap()
     type(wrc_gap), target :: a
     call wrc_init(a)
     call same('wrc_gap', 'size', c_sizeof(a), layout_wrc_gap(1))
-    call same('wrc_gap', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_gap(2))
     call same('wrc_gap', 'rows', &
-      distance(c_loc(a), c_loc(a%rows)), layout_wrc_gap(3))
+      distance(c_loc(a), c_loc(a%rows)), layout_wrc_gap(2))
     call same('wrc_gap', 'columns', &
-      distance(c_loc(a), c_loc(a%columns)), layout_wrc_gap(4))
-    call same('wrc_gap', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_gap(5))
+      distance(c_loc(a), c_loc(a%columns)), layout_wrc_gap(3))
     call same('wrc_gap', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_gap(6))
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_gap(4))
     call same('wrc_gap', 'height', &
-      distance(c_loc(a), c_loc(a%height)), layout_wrc_gap(7))
+      distance(c_loc(a), c_loc(a%height)), layout_wrc_gap(5))
     call same('wrc_gap', 'centre', &
-      distance(c_loc(a), c_loc(a%centre)), layout_wrc_gap(8))
+      distance(c_loc(a), c_loc(a%centre)), layout_wrc_gap(6))
     call same('wrc_gap', 'curvature', &
-      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_gap(9))
+      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_gap(7))
     call same('wrc_gap', 'x', &
-      distance(c_loc(a), c_loc(a%x)), layout_wrc_gap(10))
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_gap(8))
     call same('wrc_gap', 'h', &
-      distance(c_loc(a), c_loc(a%h)), layout_wrc_gap(11))
+      distance(c_loc(a), c_loc(a%h)), layout_wrc_gap(9))
     call same('wrc_gap', 'row_stride', &
-      distance(c_loc(a), c_loc(a%row_stride)), layout_wrc_gap(12))
+      distance(c_loc(a), c_loc(a%row_stride)), layout_wrc_gap(10))
   end subroutine
   subroutine test_wrc_load()
     type(wrc_load), target :: a
     call wrc_init(a)
     call same('wrc_load', 'size', c_sizeof(a), layout_wrc_load(1))
-    call same('wrc_load', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_load(2))
     call same('wrc_load', 'prescribed', &
-      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_load(3))
+      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_load(2))
+    call same('wrc_load', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_load(3))
     call same('wrc_load', 'normal_force', &
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_load(4))
     call same('wrc_load', 'approach', &
@@ -255,105 +294,107 @@ contains
     type(wrc_creepage), target :: a
     call wrc_init(a)
     call same('wrc_creepage', 'size', c_sizeof(a), layout_wrc_creepage(1))
-    call same('wrc_creepage', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_creepage(2))
-    call same('wrc_creepage', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_creepage(3))
     call same('wrc_creepage', 'longitudinal', &
-      distance(c_loc(a), c_loc(a%longitudinal)), layout_wrc_creepage(4))
+      distance(c_loc(a), c_loc(a%longitudinal)), layout_wrc_creepage(2))
     call same('wrc_creepage', 'lateral', &
-      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_creepage(5))
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_creepage(3))
     call same('wrc_creepage', 'spin', &
-      distance(c_loc(a), c_loc(a%spin)), layout_wrc_creepage(6))
+      distance(c_loc(a), c_loc(a%spin)), layout_wrc_creepage(4))
     call same('wrc_creepage', 'speed', &
-      distance(c_loc(a), c_loc(a%speed)), layout_wrc_creepage(7))
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_creepage(5))
     call same('wrc_creepage', 'approach_velocity', &
-      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_creepage(8))
+      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_creepage(6))
     call same('wrc_creepage', 'other_way', &
-      distance(c_loc(a), c_loc(a%other_way)), layout_wrc_creepage(9))
+      distance(c_loc(a), c_loc(a%other_way)), layout_wrc_creepage(7))
   end subroutine
   subroutine test_wrc_friction()
     type(wrc_friction), target :: a
     call wrc_init(a)
     call same('wrc_friction', 'size', c_sizeof(a), layout_wrc_friction(1))
-    call same('wrc_friction', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_friction(2))
-    call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(3))
     call same('wrc_friction', 'coefficient', &
-      distance(c_loc(a), c_loc(a%coefficient)), layout_wrc_friction(4))
+      distance(c_loc(a), c_loc(a%coefficient)), layout_wrc_friction(2))
     call same('wrc_friction', 'kind', &
-      distance(c_loc(a), c_loc(a%kind)), layout_wrc_friction(5))
+      distance(c_loc(a), c_loc(a%kind)), layout_wrc_friction(3))
     call same('wrc_friction', 'zone_frame', &
-      distance(c_loc(a), c_loc(a%zone_frame)), layout_wrc_friction(6))
+      distance(c_loc(a), c_loc(a%zone_frame)), layout_wrc_friction(4))
     call same('wrc_friction', 'kinetic_ratio', &
-      distance(c_loc(a), c_loc(a%kinetic_ratio)), layout_wrc_friction(7))
+      distance(c_loc(a), c_loc(a%kinetic_ratio)), layout_wrc_friction(5))
     call same('wrc_friction', 'fall_rate', &
-      distance(c_loc(a), c_loc(a%fall_rate)), layout_wrc_friction(8))
+      distance(c_loc(a), c_loc(a%fall_rate)), layout_wrc_friction(6))
     call same('wrc_friction', 'half_speed', &
-      distance(c_loc(a), c_loc(a%half_speed)), layout_wrc_friction(9))
+      distance(c_loc(a), c_loc(a%half_speed)), layout_wrc_friction(7))
     call same('wrc_friction', 'slope_reduction', &
-      distance(c_loc(a), c_loc(a%slope_reduction)), layout_wrc_friction(10))
+      distance(c_loc(a), c_loc(a%slope_reduction)), layout_wrc_friction(8))
     call same('wrc_friction', 'slope_limit', &
-      distance(c_loc(a), c_loc(a%slope_limit)), layout_wrc_friction(11))
+      distance(c_loc(a), c_loc(a%slope_limit)), layout_wrc_friction(9))
     call same('wrc_friction', 'slope_fall', &
-      distance(c_loc(a), c_loc(a%slope_fall)), layout_wrc_friction(12))
+      distance(c_loc(a), c_loc(a%slope_fall)), layout_wrc_friction(10))
     call same('wrc_friction', 'zone_y', &
-      distance(c_loc(a), c_loc(a%zone_y)), layout_wrc_friction(13))
+      distance(c_loc(a), c_loc(a%zone_y)), layout_wrc_friction(11))
     call same('wrc_friction', 'zone_coefficient', &
-      distance(c_loc(a), c_loc(a%zone_coefficient)), layout_wrc_friction(14))
+      distance(c_loc(a), c_loc(a%zone_coefficient)), layout_wrc_friction(12))
     call same('wrc_friction', 'zones', &
-      distance(c_loc(a), c_loc(a%zones)), layout_wrc_friction(15))
-    call same('wrc_friction', 'zones_reserved', &
-      distance(c_loc(a), c_loc(a%zones_reserved)), layout_wrc_friction(16))
+      distance(c_loc(a), c_loc(a%zones)), layout_wrc_friction(13))
+    call same('wrc_friction', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(14))
   end subroutine
-  subroutine test_wrc_patch()
-    type(wrc_patch), target :: a
+  subroutine test_wrc_ellipse()
+    type(wrc_ellipse), target :: a
     call wrc_init(a)
-    call same('wrc_patch', 'size', c_sizeof(a), layout_wrc_patch(1))
-    call same('wrc_patch', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_patch(2))
-    call same('wrc_patch', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_patch(3))
-    call same('wrc_patch', 'iterations', &
-      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_patch(4))
-    call same('wrc_patch', 'patches', &
-      distance(c_loc(a), c_loc(a%patches)), layout_wrc_patch(5))
-    call same('wrc_patch', 'a', &
-      distance(c_loc(a), c_loc(a%a)), layout_wrc_patch(6))
-    call same('wrc_patch', 'b', &
-      distance(c_loc(a), c_loc(a%b)), layout_wrc_patch(7))
-    call same('wrc_patch', 'psi', &
-      distance(c_loc(a), c_loc(a%psi)), layout_wrc_patch(8))
-    call same('wrc_patch', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_patch(9))
-    call same('wrc_patch', 'approach', &
-      distance(c_loc(a), c_loc(a%approach)), layout_wrc_patch(10))
-    call same('wrc_patch', 'stiffness', &
-      distance(c_loc(a), c_loc(a%stiffness)), layout_wrc_patch(11))
-    call same('wrc_patch', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_patch(12))
-    call same('wrc_patch', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_patch(13))
-    call same('wrc_patch', 'length', &
-      distance(c_loc(a), c_loc(a%length)), layout_wrc_patch(14))
-    call same('wrc_patch', 'width', &
-      distance(c_loc(a), c_loc(a%width)), layout_wrc_patch(15))
-    call same('wrc_patch', 'y_min', &
-      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_patch(16))
-    call same('wrc_patch', 'y_max', &
-      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_patch(17))
-    call same('wrc_patch', 'damping_force', &
-      distance(c_loc(a), c_loc(a%damping_force)), layout_wrc_patch(18))
+    call same('wrc_ellipse', 'size', c_sizeof(a), layout_wrc_ellipse(1))
+    call same('wrc_ellipse', 'a', &
+      distance(c_loc(a), c_loc(a%a)), layout_wrc_ellipse(2))
+    call same('wrc_ellipse', 'b', &
+      distance(c_loc(a), c_loc(a%b)), layout_wrc_ellipse(3))
+    call same('wrc_ellipse', 'psi', &
+      distance(c_loc(a), c_loc(a%psi)), layout_wrc_ellipse(4))
+    call same('wrc_ellipse', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_ellipse(5))
+    call same('wrc_ellipse', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_ellipse(6))
+  end subroutine
+  subroutine test_wrc_normal_solution()
+    type(wrc_normal_solution), target :: a
+    call same('wrc_normal_solution', 'size', c_sizeof(a), layout_wrc_normal_solution(1))
+    call same('wrc_normal_solution', 'patches', &
+      distance(c_loc(a), c_loc(a%patches)), layout_wrc_normal_solution(2))
+    call same('wrc_normal_solution', 'strips', &
+      distance(c_loc(a), c_loc(a%strips)), layout_wrc_normal_solution(3))
+    call same('wrc_normal_solution', 'iterations', &
+      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_normal_solution(4))
+    call same('wrc_normal_solution', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_normal_solution(5))
+    call same('wrc_normal_solution', 'ellipse', &
+      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_normal_solution(6))
+    call same('wrc_normal_solution', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_normal_solution(7))
+    call same('wrc_normal_solution', 'damping_force', &
+      distance(c_loc(a), c_loc(a%damping_force)), layout_wrc_normal_solution(8))
+    call same('wrc_normal_solution', 'approach', &
+      distance(c_loc(a), c_loc(a%approach)), layout_wrc_normal_solution(9))
+    call same('wrc_normal_solution', 'stiffness', &
+      distance(c_loc(a), c_loc(a%stiffness)), layout_wrc_normal_solution(10))
+    call same('wrc_normal_solution', 'peak_pressure', &
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_normal_solution(11))
+    call same('wrc_normal_solution', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_normal_solution(12))
+    call same('wrc_normal_solution', 'length', &
+      distance(c_loc(a), c_loc(a%length)), layout_wrc_normal_solution(13))
+    call same('wrc_normal_solution', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_normal_solution(14))
+    call same('wrc_normal_solution', 'y_min', &
+      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_normal_solution(15))
+    call same('wrc_normal_solution', 'y_max', &
+      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_normal_solution(16))
   end subroutine
   subroutine test_wrc_strips()
     type(wrc_strips), target :: a
     call wrc_init(a)
     call same('wrc_strips', 'size', c_sizeof(a), layout_wrc_strips(1))
-    call same('wrc_strips', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_strips(2))
     call same('wrc_strips', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_strips(3))
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_strips(2))
+    call same('wrc_strips', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_strips(3))
     call same('wrc_strips', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_strips(4))
     call same('wrc_strips', 'width', &
@@ -367,72 +408,99 @@ contains
   end subroutine
   subroutine test_wrc_forces()
     type(wrc_forces), target :: a
-    call wrc_init(a)
     call same('wrc_forces', 'size', c_sizeof(a), layout_wrc_forces(1))
-    call same('wrc_forces', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_forces(2))
-    call same('wrc_forces', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_forces(3))
     call same('wrc_forces', 'fx', &
-      distance(c_loc(a), c_loc(a%fx)), layout_wrc_forces(4))
+      distance(c_loc(a), c_loc(a%fx)), layout_wrc_forces(2))
     call same('wrc_forces', 'fy', &
-      distance(c_loc(a), c_loc(a%fy)), layout_wrc_forces(5))
+      distance(c_loc(a), c_loc(a%fy)), layout_wrc_forces(3))
     call same('wrc_forces', 'fn', &
-      distance(c_loc(a), c_loc(a%fn)), layout_wrc_forces(6))
+      distance(c_loc(a), c_loc(a%fn)), layout_wrc_forces(4))
     call same('wrc_forces', 'mz', &
-      distance(c_loc(a), c_loc(a%mz)), layout_wrc_forces(7))
+      distance(c_loc(a), c_loc(a%mz)), layout_wrc_forces(5))
     call same('wrc_forces', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_forces(8))
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_forces(6))
     call same('wrc_forces', 'adhesion_fraction', &
-      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_forces(9))
+      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_forces(7))
+    call same('wrc_forces', 'available', &
+      distance(c_loc(a), c_loc(a%available)), layout_wrc_forces(8))
+    call same('wrc_forces', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_forces(9))
+  end subroutine
+  subroutine test_wrc_patch()
+    type(wrc_patch), target :: a
+    call wrc_init(a)
+    call same('wrc_patch', 'size', c_sizeof(a), layout_wrc_patch(1))
+    call same('wrc_patch', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_patch(2))
+    call same('wrc_patch', 'available', &
+      distance(c_loc(a), c_loc(a%available)), layout_wrc_patch(3))
+    call same('wrc_patch', 'strips', &
+      distance(c_loc(a), c_loc(a%strips)), layout_wrc_patch(4))
+    call same('wrc_patch', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_patch(5))
+    call same('wrc_patch', 'ellipse', &
+      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_patch(6))
+    call same('wrc_patch', 'forces', &
+      distance(c_loc(a), c_loc(a%forces)), layout_wrc_patch(7))
+    call same('wrc_patch', 'peak_pressure', &
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_patch(8))
+    call same('wrc_patch', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_patch(9))
+    call same('wrc_patch', 'length', &
+      distance(c_loc(a), c_loc(a%length)), layout_wrc_patch(10))
+    call same('wrc_patch', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_patch(11))
+    call same('wrc_patch', 'y_min', &
+      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_patch(12))
+    call same('wrc_patch', 'y_max', &
+      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_patch(13))
+    call same('wrc_patch', 'point', &
+      distance(c_loc(a), c_loc(a%point)), layout_wrc_patch(14))
+    call same('wrc_patch', 'normal', &
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_patch(15))
   end subroutine
   subroutine test_wrc_motion()
     type(wrc_motion), target :: a
     call wrc_init(a)
     call same('wrc_motion', 'size', c_sizeof(a), layout_wrc_motion(1))
-    call same('wrc_motion', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_motion(2))
-    call same('wrc_motion', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_motion(3))
     call same('wrc_motion', 'speed', &
-      distance(c_loc(a), c_loc(a%speed)), layout_wrc_motion(4))
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_motion(2))
     call same('wrc_motion', 'lateral_velocity', &
-      distance(c_loc(a), c_loc(a%lateral_velocity)), layout_wrc_motion(5))
+      distance(c_loc(a), c_loc(a%lateral_velocity)), layout_wrc_motion(3))
     call same('wrc_motion', 'vertical_velocity', &
-      distance(c_loc(a), c_loc(a%vertical_velocity)), layout_wrc_motion(6))
+      distance(c_loc(a), c_loc(a%vertical_velocity)), layout_wrc_motion(4))
     call same('wrc_motion', 'roll_rate', &
-      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_motion(7))
+      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_motion(5))
     call same('wrc_motion', 'yaw_rate', &
-      distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_motion(8))
+      distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_motion(6))
     call same('wrc_motion', 'pitch_rate', &
-      distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_motion(9))
+      distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_motion(7))
   end subroutine
   subroutine test_wrc_damage()
     type(wrc_damage), target :: a
-    call wrc_init(a)
     call same('wrc_damage', 'size', c_sizeof(a), layout_wrc_damage(1))
-    call same('wrc_damage', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_damage(2))
-    call same('wrc_damage', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage(3))
     call same('wrc_damage', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_damage(4))
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_damage(2))
     call same('wrc_damage', 'peak_power_density', &
-      distance(c_loc(a), c_loc(a%peak_power_density)), layout_wrc_damage(5))
+      distance(c_loc(a), c_loc(a%peak_power_density)), layout_wrc_damage(3))
     call same('wrc_damage', 't_gamma', &
-      distance(c_loc(a), c_loc(a%t_gamma)), layout_wrc_damage(6))
+      distance(c_loc(a), c_loc(a%t_gamma)), layout_wrc_damage(4))
     call same('wrc_damage', 't_gamma_no_spin', &
-      distance(c_loc(a), c_loc(a%t_gamma_no_spin)), layout_wrc_damage(7))
+      distance(c_loc(a), c_loc(a%t_gamma_no_spin)), layout_wrc_damage(5))
     call same('wrc_damage', 'utilisation', &
-      distance(c_loc(a), c_loc(a%utilisation)), layout_wrc_damage(8))
+      distance(c_loc(a), c_loc(a%utilisation)), layout_wrc_damage(6))
     call same('wrc_damage', 'load_factor', &
-      distance(c_loc(a), c_loc(a%load_factor)), layout_wrc_damage(9))
+      distance(c_loc(a), c_loc(a%load_factor)), layout_wrc_damage(7))
     call same('wrc_damage', 'shakedown_limit', &
-      distance(c_loc(a), c_loc(a%shakedown_limit)), layout_wrc_damage(10))
+      distance(c_loc(a), c_loc(a%shakedown_limit)), layout_wrc_damage(8))
     call same('wrc_damage', 'fatigue_index', &
-      distance(c_loc(a), c_loc(a%fatigue_index)), layout_wrc_damage(11))
+      distance(c_loc(a), c_loc(a%fatigue_index)), layout_wrc_damage(9))
     call same('wrc_damage', 'local_fatigue_index', &
-      distance(c_loc(a), c_loc(a%local_fatigue_index)), layout_wrc_damage(12))
+      distance(c_loc(a), c_loc(a%local_fatigue_index)), layout_wrc_damage(10))
+    call same('wrc_damage', 'available', &
+      distance(c_loc(a), c_loc(a%available)), layout_wrc_damage(11))
+    call same('wrc_damage', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage(12))
   end subroutine
   subroutine test_wrc_wear_laws()
     type(wrc_wear_laws), target :: a
@@ -483,65 +551,45 @@ contains
   end subroutine
   subroutine test_wrc_wear()
     type(wrc_wear), target :: a
-    call wrc_init(a)
     call same('wrc_wear', 'size', c_sizeof(a), layout_wrc_wear(1))
-    call same('wrc_wear', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wear(2))
-    call same('wrc_wear', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wear(3))
     call same('wrc_wear', 'worn_area_rate', &
-      distance(c_loc(a), c_loc(a%worn_area_rate)), layout_wrc_wear(4))
+      distance(c_loc(a), c_loc(a%worn_area_rate)), layout_wrc_wear(2))
     call same('wrc_wear', 'largest_depth_rate', &
-      distance(c_loc(a), c_loc(a%largest_depth_rate)), layout_wrc_wear(5))
+      distance(c_loc(a), c_loc(a%largest_depth_rate)), layout_wrc_wear(3))
     call same('wrc_wear', 'largest_depth_velocity', &
-      distance(c_loc(a), c_loc(a%largest_depth_velocity)), layout_wrc_wear(6))
+      distance(c_loc(a), c_loc(a%largest_depth_velocity)), layout_wrc_wear(4))
   end subroutine
   subroutine test_wrc_coefficients()
     type(wrc_coefficients), target :: a
-    call wrc_init(a)
     call same('wrc_coefficients', 'size', c_sizeof(a), layout_wrc_coefficients(1))
-    call same('wrc_coefficients', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_coefficients(2))
-    call same('wrc_coefficients', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_coefficients(3))
     call same('wrc_coefficients', 'c11', &
-      distance(c_loc(a), c_loc(a%c11)), layout_wrc_coefficients(4))
+      distance(c_loc(a), c_loc(a%c11)), layout_wrc_coefficients(2))
     call same('wrc_coefficients', 'c22', &
-      distance(c_loc(a), c_loc(a%c22)), layout_wrc_coefficients(5))
+      distance(c_loc(a), c_loc(a%c22)), layout_wrc_coefficients(3))
     call same('wrc_coefficients', 'c23', &
-      distance(c_loc(a), c_loc(a%c23)), layout_wrc_coefficients(6))
+      distance(c_loc(a), c_loc(a%c23)), layout_wrc_coefficients(4))
     call same('wrc_coefficients', 'c11s', &
-      distance(c_loc(a), c_loc(a%c11s)), layout_wrc_coefficients(7))
+      distance(c_loc(a), c_loc(a%c11s)), layout_wrc_coefficients(5))
     call same('wrc_coefficients', 'c13s', &
-      distance(c_loc(a), c_loc(a%c13s)), layout_wrc_coefficients(8))
+      distance(c_loc(a), c_loc(a%c13s)), layout_wrc_coefficients(6))
     call same('wrc_coefficients', 'c22s', &
-      distance(c_loc(a), c_loc(a%c22s)), layout_wrc_coefficients(9))
+      distance(c_loc(a), c_loc(a%c22s)), layout_wrc_coefficients(7))
     call same('wrc_coefficients', 'c23s', &
-      distance(c_loc(a), c_loc(a%c23s)), layout_wrc_coefficients(10))
+      distance(c_loc(a), c_loc(a%c23s)), layout_wrc_coefficients(8))
   end subroutine
   subroutine test_wrc_sensitivity()
     type(wrc_sensitivity), target :: a
-    call wrc_init(a)
     call same('wrc_sensitivity', 'size', c_sizeof(a), layout_wrc_sensitivity(1))
-    call same('wrc_sensitivity', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_sensitivity(2))
-    call same('wrc_sensitivity', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_sensitivity(3))
     call same('wrc_sensitivity', 'forces', &
-      distance(c_loc(a), c_loc(a%forces)), layout_wrc_sensitivity(4))
+      distance(c_loc(a), c_loc(a%forces)), layout_wrc_sensitivity(2))
   end subroutine
   subroutine test_wrc_step_sensitivity()
     type(wrc_step_sensitivity), target :: a
-    call wrc_init(a)
     call same('wrc_step_sensitivity', 'size', c_sizeof(a), layout_wrc_step_sensitivity(1))
-    call same('wrc_step_sensitivity', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_step_sensitivity(2))
-    call same('wrc_step_sensitivity', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_step_sensitivity(3))
     call same('wrc_step_sensitivity', 'by_load', &
-      distance(c_loc(a), c_loc(a%by_load)), layout_wrc_step_sensitivity(4))
+      distance(c_loc(a), c_loc(a%by_load)), layout_wrc_step_sensitivity(2))
     call same('wrc_step_sensitivity', 'by_lateral', &
-      distance(c_loc(a), c_loc(a%by_lateral)), layout_wrc_step_sensitivity(5))
+      distance(c_loc(a), c_loc(a%by_lateral)), layout_wrc_step_sensitivity(3))
   end subroutine
   subroutine test_wrc_input()
     type(wrc_input), target :: a
@@ -572,8 +620,8 @@ contains
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_output(3))
     call same('wrc_output', 'point', &
       distance(c_loc(a), c_loc(a%point)), layout_wrc_output(4))
-    call same('wrc_output', 'patch', &
-      distance(c_loc(a), c_loc(a%patch)), layout_wrc_output(5))
+    call same('wrc_output', 'normal', &
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_output(5))
     call same('wrc_output', 'forces', &
       distance(c_loc(a), c_loc(a%forces)), layout_wrc_output(6))
     call same('wrc_output', 'damage', &
@@ -581,81 +629,68 @@ contains
   end subroutine
   subroutine test_wrc_view()
     type(wrc_view), target :: a
-    call wrc_init(a)
     call same('wrc_view', 'size', c_sizeof(a), layout_wrc_view(1))
-    call same('wrc_view', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_view(2))
-    call same('wrc_view', 'rank', &
-      distance(c_loc(a), c_loc(a%rank)), layout_wrc_view(3))
     call same('wrc_view', 'data', &
-      distance(c_loc(a), c_loc(a%data)), layout_wrc_view(4))
+      distance(c_loc(a), c_loc(a%data)), layout_wrc_view(2))
     call same('wrc_view', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_view(5))
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_view(3))
     call same('wrc_view', 'stride', &
-      distance(c_loc(a), c_loc(a%stride)), layout_wrc_view(6))
+      distance(c_loc(a), c_loc(a%stride)), layout_wrc_view(4))
+    call same('wrc_view', 'rank', &
+      distance(c_loc(a), c_loc(a%rank)), layout_wrc_view(5))
+    call same('wrc_view', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_view(6))
   end subroutine
   subroutine test_wrc_allocator()
     type(wrc_allocator), target :: a
     call wrc_init(a)
     call same('wrc_allocator', 'size', c_sizeof(a), layout_wrc_allocator(1))
-    call same('wrc_allocator', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_allocator(2))
-    call same('wrc_allocator', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_allocator(3))
     call same('wrc_allocator', 'user', &
-      distance(c_loc(a), c_loc(a%user)), layout_wrc_allocator(4))
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_allocator(2))
     call same('wrc_allocator', 'allocate', &
-      distance(c_loc(a), c_loc(a%allocate)), layout_wrc_allocator(5))
+      distance(c_loc(a), c_loc(a%allocate)), layout_wrc_allocator(3))
     call same('wrc_allocator', 'release', &
-      distance(c_loc(a), c_loc(a%release)), layout_wrc_allocator(6))
+      distance(c_loc(a), c_loc(a%release)), layout_wrc_allocator(4))
   end subroutine
   subroutine test_wrc_wheel_state()
     type(wrc_wheel_state), target :: a
     call wrc_init(a)
     call same('wrc_wheel_state', 'size', c_sizeof(a), layout_wrc_wheel_state(1))
-    call same('wrc_wheel_state', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheel_state(2))
     call same('wrc_wheel_state', 'reference', &
-      distance(c_loc(a), c_loc(a%reference)), layout_wrc_wheel_state(3))
+      distance(c_loc(a), c_loc(a%reference)), layout_wrc_wheel_state(2))
     call same('wrc_wheel_state', 'angular_axes', &
-      distance(c_loc(a), c_loc(a%angular_axes)), layout_wrc_wheel_state(4))
-    call same('wrc_wheel_state', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wheel_state(5))
+      distance(c_loc(a), c_loc(a%angular_axes)), layout_wrc_wheel_state(3))
     call same('wrc_wheel_state', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_wheel_state(6))
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_wheel_state(4))
     call same('wrc_wheel_state', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_wheel_state(7))
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wheel_state(5))
     call same('wrc_wheel_state', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_wheel_state(8))
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_wheel_state(6))
     call same('wrc_wheel_state', 'yaw', &
-      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_wheel_state(9))
+      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_wheel_state(7))
     call same('wrc_wheel_state', 'rotation', &
-      distance(c_loc(a), c_loc(a%rotation)), layout_wrc_wheel_state(10))
+      distance(c_loc(a), c_loc(a%rotation)), layout_wrc_wheel_state(8))
     call same('wrc_wheel_state', 'velocity', &
-      distance(c_loc(a), c_loc(a%velocity)), layout_wrc_wheel_state(11))
+      distance(c_loc(a), c_loc(a%velocity)), layout_wrc_wheel_state(9))
     call same('wrc_wheel_state', 'angular_velocity', &
-      distance(c_loc(a), c_loc(a%angular_velocity)), layout_wrc_wheel_state(12))
+      distance(c_loc(a), c_loc(a%angular_velocity)), layout_wrc_wheel_state(10))
   end subroutine
   subroutine test_wrc_rail_state()
     type(wrc_rail_state), target :: a
     call wrc_init(a)
     call same('wrc_rail_state', 'size', c_sizeof(a), layout_wrc_rail_state(1))
-    call same('wrc_rail_state', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_rail_state(2))
-    call same('wrc_rail_state', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_rail_state(3))
     call same('wrc_rail_state', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_state(4))
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_state(2))
     call same('wrc_rail_state', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_state(5))
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_state(3))
     call same('wrc_rail_state', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_rail_state(6))
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_rail_state(4))
     call same('wrc_rail_state', 'y_velocity', &
-      distance(c_loc(a), c_loc(a%y_velocity)), layout_wrc_rail_state(7))
+      distance(c_loc(a), c_loc(a%y_velocity)), layout_wrc_rail_state(5))
     call same('wrc_rail_state', 'z_velocity', &
-      distance(c_loc(a), c_loc(a%z_velocity)), layout_wrc_rail_state(8))
+      distance(c_loc(a), c_loc(a%z_velocity)), layout_wrc_rail_state(6))
     call same('wrc_rail_state', 'roll_velocity', &
-      distance(c_loc(a), c_loc(a%roll_velocity)), layout_wrc_rail_state(9))
+      distance(c_loc(a), c_loc(a%roll_velocity)), layout_wrc_rail_state(7))
   end subroutine
   subroutine test_wrc_wheel_input()
     type(wrc_wheel_input), target :: a
@@ -746,54 +781,41 @@ contains
   end subroutine
   subroutine test_wrc_wrench_sensitivities()
     type(wrc_wrench_sensitivities), target :: a
-    call wrc_init(a)
     call same('wrc_wrench_sensitivities', 'size', c_sizeof(a), layout_wrc_wrench_sensitivities(1))
-    call same('wrc_wrench_sensitivities', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench_sensitivities(2))
-    call same('wrc_wrench_sensitivities', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wrench_sensitivities(3))
     call same('wrc_wrench_sensitivities', 'wrench', &
-      distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_sensitivities(4))
+      distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_sensitivities(2))
     call same('wrc_wrench_sensitivities', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(5))
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(3))
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a
     call wrc_init(a)
     call same('wrc_grid', 'size', c_sizeof(a), layout_wrc_grid(1))
-    call same('wrc_grid', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_grid(2))
     call same('wrc_grid', 'nx', &
-      distance(c_loc(a), c_loc(a%nx)), layout_wrc_grid(3))
+      distance(c_loc(a), c_loc(a%nx)), layout_wrc_grid(2))
     call same('wrc_grid', 'ny', &
-      distance(c_loc(a), c_loc(a%ny)), layout_wrc_grid(4))
-    call same('wrc_grid', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_grid(5))
+      distance(c_loc(a), c_loc(a%ny)), layout_wrc_grid(3))
     call same('wrc_grid', 'dx', &
-      distance(c_loc(a), c_loc(a%dx)), layout_wrc_grid(6))
+      distance(c_loc(a), c_loc(a%dx)), layout_wrc_grid(4))
     call same('wrc_grid', 'dy', &
-      distance(c_loc(a), c_loc(a%dy)), layout_wrc_grid(7))
+      distance(c_loc(a), c_loc(a%dy)), layout_wrc_grid(5))
     call same('wrc_grid', 'x0', &
-      distance(c_loc(a), c_loc(a%x0)), layout_wrc_grid(8))
+      distance(c_loc(a), c_loc(a%x0)), layout_wrc_grid(6))
     call same('wrc_grid', 'y0', &
-      distance(c_loc(a), c_loc(a%y0)), layout_wrc_grid(9))
+      distance(c_loc(a), c_loc(a%y0)), layout_wrc_grid(7))
   end subroutine
   subroutine test_wrc_materials()
     type(wrc_materials), target :: a
     call wrc_init(a)
     call same('wrc_materials', 'size', c_sizeof(a), layout_wrc_materials(1))
-    call same('wrc_materials', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_materials(2))
-    call same('wrc_materials', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_materials(3))
     call same('wrc_materials', 'shear_modulus_1', &
-      distance(c_loc(a), c_loc(a%shear_modulus_1)), layout_wrc_materials(4))
+      distance(c_loc(a), c_loc(a%shear_modulus_1)), layout_wrc_materials(2))
     call same('wrc_materials', 'poisson_1', &
-      distance(c_loc(a), c_loc(a%poisson_1)), layout_wrc_materials(5))
+      distance(c_loc(a), c_loc(a%poisson_1)), layout_wrc_materials(3))
     call same('wrc_materials', 'shear_modulus_2', &
-      distance(c_loc(a), c_loc(a%shear_modulus_2)), layout_wrc_materials(6))
+      distance(c_loc(a), c_loc(a%shear_modulus_2)), layout_wrc_materials(4))
     call same('wrc_materials', 'poisson_2', &
-      distance(c_loc(a), c_loc(a%poisson_2)), layout_wrc_materials(7))
+      distance(c_loc(a), c_loc(a%poisson_2)), layout_wrc_materials(5))
   end subroutine
   subroutine test_wrc_exact_normal_problem()
     type(wrc_exact_normal_problem), target :: a

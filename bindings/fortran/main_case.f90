@@ -3,14 +3,13 @@
 program main_case
   use wrc
   implicit none
-  type(wrc_profile), target :: wheel, rail
   type(wrc_config) :: config
   type(wrc_pose) :: pose
   type(wrc_contact_point) :: point
   type(wrc_load) :: load
   type(wrc_creepage) :: creepage
   type(wrc_friction) :: friction
-  type(wrc_patch) :: patch
+  type(wrc_normal_solution) :: normal
   type(wrc_forces) :: forces
   type(wrc_damage) :: damage
   type(c_ptr) :: model, contact
@@ -21,26 +20,18 @@ program main_case
   real(c_double), parameter :: creepages(3, 2) = reshape([0d0, 0d0, -0.5d0, -0.49d-3, -0.22d-3, 0.29d0], [3, 2])
   real(c_double), parameter :: contact_power(2) = [68.68d0, 30.60d0]  ! CONTACT [W]
 
-  call wrc_init(wheel)
-  call wrc_init(rail)
   call wrc_init(config)
   call wrc_init(pose)
-  call wrc_init(point)
   call wrc_init(load)
   call wrc_init(creepage)
-  call wrc_init(friction)
-  call wrc_init(patch)
-  call wrc_init(forces)
-  call wrc_init(damage, known)
+  call wrc_init(friction, known)
   if (known /= WRC_OK) stop 'the library is older than the module'
   ! The last member of each group read right means that the layouts agree.
-  if (config%rail_inclination /= 0d0 .or. config%gauge_depth /= 0.014d0 .or. config%gap_rows /= 256) stop 'layout'
+  if (config%track%rail_inclination /= 0d0 .or. config%track%gauge_depth /= 0.014d0 .or. config%grid%gap_rows /= 256) stop 'layout'
   if (creepage%speed /= 1d0) stop 'layout'
 
-  wheel%kind = WRC_PROFILE_S1002
-  rail%kind = WRC_PROFILE_UIC60_BENCHMARK
-  config%wheel = c_loc(wheel)
-  config%rail = c_loc(rail)
+  config%wheel%kind = WRC_PROFILE_S1002
+  config%rail%kind = WRC_PROFILE_UIC60_BENCHMARK
   if (wrc_config_check(config, text) < 0) then
     print '(2a)', 'configuration: ', trim(text)
     stop 1
@@ -51,9 +42,9 @@ program main_case
   load%normal_force = 80d3
   friction%coefficient = 0.35d0
   call check(wrc_contact_geometry(contact, pose, point))
-  call check(wrc_contact_normal(contact, c_null_ptr, load, patch))
-  print '(a,f5.2,a,f6.2,a,f6.3,a,f7.1,a,f6.2,a)', 'patch: a =', 1d3*patch%a, ' mm, b =', 1d3*patch%b, &
-    ' mm, psi =', patch%psi, ', p_max =', 1d-6*patch%peak_pressure, ' MPa, approach =', 1d6*patch%approach, ' um'
+  call check(wrc_contact_normal(contact, c_null_ptr, load, normal))
+  print '(a,f5.2,a,f6.2,a,f6.3,a,f7.1,a,f6.2,a)', 'patch: a =', 1d3*normal%ellipse%a, ' mm, b =', 1d3*normal%ellipse%b, &
+    ' mm, psi =', normal%ellipse%psi, ', p_max =', 1d-6*normal%peak_pressure, ' MPa, approach =', 1d6*normal%approach, ' um'
   do i = 1, 2
     creepage%longitudinal = creepages(1, i)
     creepage%lateral = creepages(2, i)
@@ -74,7 +65,7 @@ program main_case
 
   ! a mistake, and what the library says of it
   load%normal_force = 80d0
-  if (wrc_contact_normal(contact, c_null_ptr, load, patch) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
+  if (wrc_contact_normal(contact, c_null_ptr, load, normal) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
   call wrc_contact_last_error(contact, text)
   print '(2a)', '80 N: ', trim(text)
 

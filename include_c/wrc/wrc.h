@@ -9,13 +9,14 @@
  *                  any number of threads may use one model.
  *     wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
  *
- * A step is five stages; call them together (wrc_contact_step) or one by one, or enter in the middle with your own data:
+ * A step is five stages; call them together (wrc_contact_step) or one by one, or enter in the middle with your own
+ * data:
  *
  *     wrc_contact_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
  *     wrc_contact_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
  *     wrc_contact_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
  *     wrc_contact_tangential      patch, creepage -> tractions, slip, forces, frictional power
- *     wrc_contact_damage  fields          -> wear and fatigue numbers
+ *     wrc_contact_damage          fields          -> wear and fatigue numbers
  *
  * @par Frame, signs, units
  * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
@@ -30,11 +31,21 @@
  *
  * @par Conventions of the interface
  *  - Every function that can fail returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed
- *    and the objects usable for the next call. wrc_contact_last_error() turns that of a stage into a sentence with field,
+ *    and the objects usable for the next call. wrc_contact_last_error() turns that of a stage into a sentence with
+ *    field,
  *    value, unit, allowed range and likely cause. wrc_status.h lists them all.
- *  - Structs begin with struct_size. Set it to sizeof the struct, then call its wrc_..._init for defaults. A struct
- *    of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. Output structs need struct_size too.
- *  - A member's comment says what it may be: its range and unit, then [its default], then likely mistakes, which messages
+ *  - wrc_config config = wrc_config_default(); and so for every struct that is read: defaults by value. Hosts that
+ *    load the
+ *    library at run time, and other languages, call wrc_..._init instead. 0 is 0, never a sign for something else.
+ *  - Structs that may grow begin with struct_size, set by wrc_..._default(); for wrc_..._init set it to sizeof the
+ *    struct
+ *    first. One of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. It is needed in
+ *    those
+ *    that are written, too. All other structs are as they are, for ever from 1.0 on.
+ *  - What a result does not have is 0, and its bit is missing in `available`: never NaN, never a number that stands
+ *    for it.
+ *  - A member's comment says what it may be: its range and unit, then [its default], then likely mistakes, which
+ *    messages
  *    name. The library's checks and defaults, the Fortran module and the manual's tables are made of these comments. A
  *    result has its unit in brackets and no default.
  *  - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
@@ -48,7 +59,8 @@
  *
  * @par On Windows
  * wrc.dll: link its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init
- * comes from _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in the
+ * comes from _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in
+ * the
  * process's code page.
  *
  * Valid as C99 to C23 and C++98 to C++23. "Paper" below is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
@@ -58,6 +70,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "wrc_methods.h"
 #include "wrc_status.h"
@@ -101,10 +114,11 @@ enum wrc_side {
 
 /** Where a profile comes from. */
 enum wrc_profile_kind {
-  WRC_PROFILE_POINTS = 0,          /**< points y, z of the caller, joined by a cubic spline */
-  WRC_PROFILE_S1002 = 1,           /**< wheel, EN 13715, from its analytic definition */
-  WRC_PROFILE_60E1 = 2,            /**< rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40 */
-  WRC_PROFILE_UIC60_BENCHMARK = 3  /**< rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0 */
+  WRC_PROFILE_NONE = 0,            /**< of both bodies: no geometry, the caller hands over gaps */
+  WRC_PROFILE_POINTS = 1,          /**< points y, z of the caller, joined by a cubic spline */
+  WRC_PROFILE_S1002 = 2,           /**< wheel, EN 13715, from its analytic definition */
+  WRC_PROFILE_60E1 = 3,            /**< rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40 */
+  WRC_PROFILE_UIC60_BENCHMARK = 4  /**< rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0 */
 };
 
 /** Which of the two bodies. */
@@ -172,9 +186,16 @@ enum wrc_prescribed {
   WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
 };
 
-/** Arrays of the last step that wrc_contact_field() shows without copying. All are in the contact frame. Fields over cells have
+/** What a result holds besides what it always has. */
+enum wrc_available {
+  WRC_AVAILABLE_TRACTIONS = 1, /**< what is made of tractions and slip: not with a method that gives forces alone */
+  WRC_AVAILABLE_PLACE = 2      /**< places in the track frame: not with a gap, strips or an ellipse of the caller */
+};
+
+/** Arrays of the last step that wrc_contact_field() shows without copying, in the contact frame. Fields over cells have
  * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by
- * increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the tractions live
+ * increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the
+ * tractions live
  * on: of the ellipse, where the patch model has one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
@@ -208,82 +229,108 @@ enum wrc_field_id {
  * and a fifth as steep.
  *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
  *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points
- *    reach down to config.gauge_depth at least, after canting. */
+ *    reach down to config.track.gauge_depth at least, after canting. */
 typedef struct wrc_profile {
-  uint32_t struct_size; /**< sizeof this struct, 40 or more */
-  int32_t kind;         /**< enum wrc_profile_kind [WRC_PROFILE_POINTS] */
-  uint32_t count;       /**< number of points, 4..20000 with WRC_PROFILE_POINTS [0]. Too small: a spline needs at least
-                             four points */
-  uint32_t reserved;    /**< 0 */
-  const double* y;      /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
-  const double* z;      /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
-  double smoothing;     /**< of points only: waves of this length along the curve, 0..0.05 m, keep half their height,
-                             shorter ones next to nothing (a seventeenth at half the length), longer ones nearly all; 0:
-                             the points are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on both
-                             bodies. See wrc_model_profile() [0]. Too large: did you pass mm? */
+  int32_t kind;     /**< enum wrc_profile_kind [WRC_PROFILE_NONE] */
+  uint32_t count;   /**< number of points, 4..20000 with WRC_PROFILE_POINTS [0]. Too small: a spline needs at least four
+                         points */
+  const double* y;  /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
+  const double* z;  /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
+  double smoothing; /**< of points only: waves of this length along the curve, 0..0.05 m, keep half their height, shorter
+                         ones next to nothing (a seventeenth at half the length), longer ones nearly all; 0: the points
+                         are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on both bodies. See
+                         wrc_model_profile() [0]. Too large: did you pass mm? */
 } wrc_profile;
 
-/** Everything a model is made of. wrc_config_init() fills the values in brackets. A member that the chosen methods do
- * not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
+/** Elastic and yield properties, alike in both bodies. */
+typedef struct wrc_config_material {
+  double shear_modulus; /**< G, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large: steel has 80e9 */
+  double poisson;       /**< nu, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
+  double shear_yield;   /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did you pass
+                             MPa? */
+} wrc_config_material;
+
+/** Where the wheels are on their axle. */
+typedef struct wrc_config_wheelset {
+  double wheel_radius;         /**< nominal rolling radius, at the tape circle, 0.1..1.5 m [0.46]. Too large: did you pass
+                                    mm? */
+  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; not read without profiles [1.360].
+                                    Too large: did you pass mm? */
+} wrc_config_wheelset;
+
+/** Where the rails are. Not read without profiles. */
+typedef struct wrc_config_track {
+  int32_t placement;       /**< enum wrc_profile_placement [WRC_PLACEMENT_GAUGE] */
+  uint32_t reserved;       /**< 0 */
+  double gauge;            /**< between the gauge faces of the rails, 0.3..2.5 m [1.435]. Too large: did you pass mm? */
+  double gauge_depth;      /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014]. Too large: did you
+                                pass mm? */
+  double rail_inclination; /**< tangent of the cant towards the track centre, -0.2..0.2; must be 0 for
+                                WRC_PROFILE_UIC60_BENCHMARK, which is canted already [0]. 1:40 is 0.025 */
+  double rail_origin;      /**< distance of the rail profile's origin from the track's centre line, 0.2..1.5 m with
+                                WRC_PLACEMENT_ORIGIN, 0 else [0]. Too large: did you pass mm, or the distance from rail to
+                                rail? */
+} wrc_config_track;
+
+/** How finely contacts are divided. */
+typedef struct wrc_config_grid {
+  int32_t strips;      /**< strips across the patch, 4..512 [60]. Too large: more strips cost time in proportion */
+  int32_t cells;       /**< cells along each strip, 4..512; memory only with a method that gives forces alone [32]. Too
+                            large: more cells cost time in proportion */
+  int32_t gap_rows;    /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256]. The gap is
+                            interpolated between rows */
+  int32_t max_patches; /**< patches reported; more are flagged, 1..16 [4]. A wheel touches its rail in one to three
+                            places */
+  double gap_limit;    /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches are not
+                            solved but continued, WRC_FLAG_BEYOND_GAP [1e-3]. Too large: did you pass mm? */
+} wrc_config_grid;
+
+/** The normal problem. */
+typedef struct wrc_config_normal {
+  int32_t method;         /**< enum wrc_normal_method [WRC_NORMAL_STRIP_HALFSPACE] */
+  int32_t max_iterations; /**< cap of the steps of the load search, 4..1000; not read by WRC_NORMAL_STRIP_HALFSPACE [60] */
+  int32_t max_sweeps;     /**< cap of the sweeps over the strips on each of two grids, 4..1000; read by
+                               WRC_NORMAL_STRIP_HALFSPACE [16] */
+  int32_t warm_start;     /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results then
+                               depend on the calls before: the same approach again moves the force by up to 0.1 %. Unfit
+                               for implicit integrators, whose iterations stall on that, and for differences between
+                               calls. 0: results depend on the inputs of the call alone [0] */
+  double load_tolerance;  /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below 1e-12
+                               as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to rounding [1e-10] */
+} wrc_config_normal;
+
+/** The tangential problem. wrc_config_use() sets a published method by its name. */
+typedef struct wrc_config_tangential {
+  int32_t method;          /**< enum wrc_tangential_method [WRC_TANGENTIAL_STRIP_FASTSIM] */
+  int32_t patch_model;     /**< enum wrc_patch_model; read by WRC_TANGENTIAL_FASTSIM and _FASTRIP
+                                [WRC_PATCH_MODEL_PATCH_SDEC] */
+  int32_t bound;           /**< enum wrc_traction_bound; read by WRC_TANGENTIAL_FASTSIM [WRC_BOUND_PARABOLIC] */
+  int32_t flexibility;     /**< enum wrc_flexibility; read by WRC_TANGENTIAL_FASTSIM [WRC_FLEXIBILITY_SEPARATE] */
+  int32_t regularisation;  /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
+  uint32_t reserved;       /**< 0 */
+  const char* force_table; /**< file of the force table, for WRC_TANGENTIAL_FORCE_TABLE alone: share/wrc/force_table.bin
+                                of the installed library; read when the model is made, never after [NULL] */
+} wrc_config_tangential;
+
+/** Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A member that the
+ * chosen methods do not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
-  uint32_t struct_size;        /**< sizeof this struct, 144 or more */
-  uint32_t reserved;           /**< 0 */
-  int32_t normal_method;       /**< enum wrc_normal_method [WRC_NORMAL_STRIP_HALFSPACE] */
-  int32_t regularisation;      /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
-  int32_t tangential_method;   /**< enum wrc_tangential_method [WRC_TANGENTIAL_STRIP_FASTSIM] */
-  int32_t traction_bound;      /**< enum wrc_traction_bound; read by WRC_TANGENTIAL_FASTSIM [WRC_BOUND_PARABOLIC] */
-  int32_t strips;              /**< strips across the patch, 4..512 [60]. Too large: more strips cost time in proportion */
-  int32_t cells;               /**< cells along each strip, 4..512; memory only with a method that gives forces
-                                    alone [32]. Too large: more cells cost time in proportion */
-  int32_t gap_rows;            /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256]. The gap
-                                    is interpolated between rows */
-  int32_t max_iterations;      /**< cap of the normal problem's iterations, 0 or 4..1000: steps of the load search,
-                                    sweeps of WRC_NORMAL_STRIP_HALFSPACE on each of its grids; 0: 60 and 16 [0]. 0 is the
-                                    method's own cap */
-  int32_t max_patches;         /**< patches reported; more are flagged, 1..16 [4]. A wheel touches its rail in one to
-                                    three places */
-  int32_t warm_start;          /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results
-                                    then depend on the calls before: the same approach again moves the force by up to 0.1
-                                    %. Unfit for implicit integrators, whose iterations stall on that, and for
-                                    differences between calls. 0: results depend on the inputs of the call alone [0] */
-  double shear_modulus;        /**< G of both bodies, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large:
-                                    steel has 80e9 */
-  double poisson;              /**< nu of both bodies, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
-  double load_tolerance;       /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below
-                                    1e-12 as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to
-                                    rounding [1e-10] */
-  double gap_limit;            /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches
-                                    are not solved but continued, WRC_FLAG_BEYOND_GAP [1e-3]. Too large: did you pass mm? */
-  double shear_yield;          /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did
-                                    you pass MPa? */
-  double wheel_radius;         /**< nominal rolling radius, 0.1..1.5 m [0.46]. Too large: did you pass mm? */
-  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; this and the next three
-                                    are not read by a model without profiles [1.360]. Too large: did you pass mm? */
-  double track_gauge;          /**< between the gauge faces of the rails, 0.3..2.5 m [1.435]. Too large: did you pass mm? */
-  double gauge_depth;          /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014]. Too large: did
-                                    you pass mm? */
-  double rail_inclination;     /**< tangent of the cant towards the track centre, -0.2..0.2; must be 0 for
-                                    WRC_PROFILE_UIC60_BENCHMARK, which is canted already [0]. 1:40 is 0.025 */
-  const wrc_profile* wheel;    /**< NULL together with rail: no geometry, the caller hands over gaps [NULL] */
-  const wrc_profile* rail;     /**< see wheel */
-  int32_t flexibility;         /**< enum wrc_flexibility; read by WRC_TANGENTIAL_FASTSIM [WRC_FLEXIBILITY_SEPARATE] */
-  int32_t instruction_set;     /**< enum wrc_instruction_set; one this processor lacks is WRC_ERROR_UNSUPPORTED
-                                    [WRC_INSTRUCTIONS_BEST] */
-  const char* force_table;     /**< file of the force table, for WRC_TANGENTIAL_FORCE_TABLE alone: share/wrc/force_table.bin
-                                  of the installed library; read when the model is made, never after [NULL] */
-  int32_t profile_placement;   /**< enum wrc_profile_placement [WRC_PLACEMENT_GAUGE] */
-  int32_t patch_model;         /**< enum wrc_patch_model; read by WRC_TANGENTIAL_FASTSIM and _FASTRIP
-                                    [WRC_PATCH_MODEL_PATCH_SDEC] */
-  double rail_origin;          /**< distance of the rail profile's origin from the track's centre line, 0.2..1.5 m with
-                                    WRC_PLACEMENT_ORIGIN, 0 else [0]. Too large: did you pass mm, or the distance from
-                                    rail to rail? */
+  uint32_t struct_size;             /**< sizeof this struct, 232 or more */
+  int32_t instruction_set;          /**< enum wrc_instruction_set; one this processor lacks is WRC_ERROR_UNSUPPORTED
+                                         [WRC_INSTRUCTIONS_BEST] */
+  wrc_profile wheel;                /**< profile of the wheel */
+  wrc_profile rail;                 /**< profile of the rail; both are WRC_PROFILE_NONE or neither is */
+  wrc_config_material material;     /**< of both bodies */
+  wrc_config_wheelset wheelset;     /**< where the wheels are on their axle */
+  wrc_config_track track;           /**< where the rails are */
+  wrc_config_grid grid;             /**< strips, cells, rows of the gap */
+  wrc_config_normal normal;         /**< method and options of the normal problem */
+  wrc_config_tangential tangential; /**< method and options of the tangential problem */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
  * smaller than 1e-100 counts as 0. */
 typedef struct wrc_pose {
-  uint32_t struct_size; /**< sizeof this struct, 32 or more */
-  uint32_t reserved;    /**< 0 */
   double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0]. Did you pass mm? */
   double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
   double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
@@ -291,8 +338,6 @@ typedef struct wrc_pose {
 
 /** Where wheel and rail first touch when the wheelset of that pose is lowered. */
 typedef struct wrc_contact_point {
-  uint32_t struct_size;  /**< sizeof this struct, 72 or more */
-  uint32_t reserved;     /**< 0 */
   double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
   double y; /**< see x */
   double z; /**< see x */
@@ -307,13 +352,11 @@ typedef struct wrc_contact_point {
  * measured along the normal. Its minimum is first contact; a constant offset is irrelevant.
  *  - columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2
  *  - columns > 0: element-wise, h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
- *    to its lowest part, what lies less than config.gap_limit / 4 above its minimum but at least three points. */
+ *    to its lowest part, what lies less than config.grid.gap_limit / 4 above its minimum but at least three points. */
 typedef struct wrc_gap {
-  uint32_t struct_size;    /**< sizeof this struct, 72 or more */
-  uint32_t rows;           /**< 4..config.gap_rows [0]. Too small: a gap needs at least four rows. Too large: raise
-                                config.gap_rows */
+  uint32_t rows;           /**< 4..config.grid.gap_rows [0]. Too small: a gap needs at least four rows. Too large: raise
+                                config.grid.gap_rows */
   uint32_t columns;        /**< 0 or 3..100000 [0] */
-  uint32_t reserved;       /**< 0 */
   const double* y;         /**< `rows` of them, -0.3..0.3 m, increasing, at least 1e-6 m apart: slopes are read off
                                 neighbours, and closer they are made of the errors of heights [required]. Did you pass
                                 mm? */
@@ -332,11 +375,12 @@ typedef struct wrc_gap {
  * (1975) 440-445): every pressure is the elastic one times
  *     1 + 3/2 damping * approach_velocity,   never below 0,
  * on the elastic patch. The force so grows from zero at first touch and never pulls. Everything downstream (traction
- * bound, forces.fn, fields, damage) sees this pressure; wrc_patch.damping_force is its share of the normal force.
+ * bound, forces.fn, fields, damage) sees this pressure; wrc_normal_solution.damping_force is its share of the normal
+ * force.
  * An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
 typedef struct wrc_load {
-  uint32_t struct_size; /**< sizeof this struct, 24 or more */
   int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
+  uint32_t reserved;    /**< 0 */
   double normal_force;  /**< along the contact normal, 1e2..1e6 N with WRC_PRESCRIBE_LOAD; must be set [0]. Negative: the
                              normal force is compressive positive; prescribe the approach near lift-off. Too small: did
                              you pass kN? near lift-off prescribe the approach instead. Too large: did you pass a
@@ -344,7 +388,7 @@ typedef struct wrc_load {
   double approach;      /**< beyond first touch, -1..0.01 m with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0]. Too large:
                              did you pass mm or um? */
   double approach_velocity; /**< d approach / dt, -20..20 m/s with WRC_PRESCRIBE_APPROACH; positive while the bodies near
-                                 each other, as wrc_creepage.approach_velocity of wrc_contact_creepages() [0]. Did you pass mm/s? */
+                                 each other, as wrc_creepage.approach_velocity [0]. Did you pass mm/s? */
   double damping;       /**< 0..10 s/m with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0].
                              Negative: damping takes energy out. Too large: it is not a viscous constant: that over 3/2
                              of the force it was found at */
@@ -353,8 +397,6 @@ typedef struct wrc_load {
 /** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
  * as none. */
 typedef struct wrc_creepage {
-  uint32_t struct_size; /**< sizeof this struct, 40 or more */
-  uint32_t reserved;    /**< 0 */
   double longitudinal;  /**< nu_x, -10..10 [0]. Did you pass per mille? */
   double lateral;       /**< nu_y, -10..10 [0]. Did you pass per mille? */
   double spin;          /**< phi, -1000..1000 1/m [0] */
@@ -369,15 +411,15 @@ typedef struct wrc_creepage {
 } wrc_creepage;
 
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
- * rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such strips
+ * rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such
+ * strips
  * carry no traction. A law over temperature is not there yet. A member that neither the kind nor the tangential method
- * reads must be its default or 0 (what an initializer list leaves): anything else is WRC_ERROR_UNSUPPORTED. Zones are
+ * reads must be its default: anything else is WRC_ERROR_UNSUPPORTED. Zones are
  * read where zones > 0. Theory manual, section 5. */
 typedef struct wrc_friction {
-  uint32_t struct_size; /**< sizeof this struct, 16 or more */
-  uint32_t reserved;    /**< 0 */
-  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 1e-4..2 [0.3]. Too small: friction
-                             must be positive. Too large: did you pass per cent? */
+  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 0 or 1e-4..2; 0, none, of a wheel on a
+                             rail alone (wrc_wheel.h) [0.3]. Too small: friction must be positive. Too large: did you pass
+                             per cent? */
   int32_t kind;         /**< enum wrc_friction_kind [WRC_FRICTION_CONSTANT] */
   int32_t zone_frame;   /**< enum wrc_zone_frame [WRC_ZONES_CONTACT_FRAME] */
   double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1; not read by
@@ -386,7 +428,7 @@ typedef struct wrc_friction {
                              positive rates */
   double half_speed;    /**< w at which half of the fall is done, 1e-6..100 m/s with WRC_FRICTION_STATIC_KINETIC [1] */
   double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,
-                               for every method, 0 or 0.01..1; 0 counts as 1 [1]. Too small: clean bodies have 1. Too
+                               for every method, 0.01..1 [1]. Too small: clean bodies have 1. Too
                                large: clean bodies have 1; did you pass per cent? */
   double slope_limit;   /**< modified FASTSIM: share of that slope left at large slip, 0..1; read by
                              WRC_TANGENTIAL_FASTSIM [0.02] */
@@ -399,39 +441,47 @@ typedef struct wrc_friction {
                                        over its width. 0: no friction [required]. Too small: friction is not negative.
                                        Too large: did you pass per cent? */
   uint32_t zones;       /**< breakpoints, 0..64; 0: `coefficient` everywhere [0] */
-  uint32_t zones_reserved; /**< 0 */
+  uint32_t reserved;    /**< 0 */
 } wrc_friction;
 
-/** A contact patch: result of wrc_contact_normal and wrc_contact_regularise, or input of wrc_contact_tangential for a patch of your own (then
- * a, b, psi and normal_force count; pressure is semi-elliptic with p0 = 1.5 N / (pi a b)). */
-typedef struct wrc_patch {
-  uint32_t struct_size; /**< sizeof this struct, 112 or more */
-  int32_t strips;       /**< strips the patch is made of */
-  int32_t iterations;   /**< of the normal problem's root find */
-  int32_t patches;      /**< separate patches in the contact; a, b, psi are those of the one that carries most */
-  double a;             /**< equivalent double ellipse: semi-axis along rolling, 1e-6..0.1 m [0]. Too large: did you pass
-                             mm? */
-  double b;             /**< half its width, 1e-6..0.1 m; it reaches from -b (1 - psi) to b (1 + psi) [0]. Too large: did
-                             you pass mm? */
-  double psi;           /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 [0] */
-  double normal_force;  /**< compressive positive, damping included, 1e-3..1e7 N [0]. Negative: the normal force is
-                             compressive positive. Too large: did you pass mN? */
-  double approach;      /**< beyond first touch, along the normal [m]; 0 for a patch or strips of the caller */
+/** An equivalent double ellipse and the load it carries: two half ellipses of equal length that meet at the joint. Found
+ * for every patch; or handed over as a patch, exactly (then pressure is semi-elliptic, p0 = 1.5 N / (pi a b), and the
+ * joint
+ * lies at the origin of the contact frame). */
+typedef struct wrc_ellipse {
+  double a;            /**< semi-axis along rolling, 1e-6..0.1 m [0]. Too large: did you pass mm? */
+  double b;            /**< half its width, 1e-6..0.1 m; it reaches from y - b (1 - psi) to y + b (1 + psi) [0]. Too large:
+                            did you pass mm? */
+  double psi;          /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 [0] */
+  double y;            /**< its joint in the contact frame [m]; not read */
+  double normal_force; /**< compressive positive, damping included, 1e-3..1e7 N [0]. Negative: the normal force is
+                            compressive positive. Too large: did you pass mN? */
+} wrc_ellipse;
+
+/** What the normal problem of a contact came to, all patches together. */
+typedef struct wrc_normal_solution {
+  int32_t patches;      /**< separate patches: wrc_contact_patch() has each */
+  int32_t strips;       /**< strips under pressure */
+  int32_t iterations;   /**< of the root find, or sweeps */
+  uint32_t reserved;    /**< 0 */
+  wrc_ellipse ellipse;  /**< of the patch that carries most */
+  double normal_force;  /**< compressive positive, damping included [N] */
+  double damping_force; /**< share of normal_force that comes from load.damping; < 0 while the bodies part [N] */
+  double approach;      /**< beyond first touch, along the normal [m]; 0 for an ellipse or strips of the caller */
   double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %; d normal_force
                              / d approach_velocity is 3/2 load.damping * (normal_force - damping_force), in N s/m */
-  double peak_pressure; /**< largest pressure of the patch as solved, not of its equivalent ellipse [Pa] */
+  double peak_pressure; /**< largest pressure as solved, not of the equivalent ellipse [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
-  double width;         /**< extent along y [m] */
-  double y_min; /**< lateral borders [m] */
-  double y_max; /**< see y_min */
-  double damping_force; /**< share of normal_force that comes from load.damping; < 0 while the bodies part [N] */
-} wrc_patch;
+  double width;         /**< extent along y: y_max - y_min [m] */
+  double y_min;         /**< lateral borders [m] */
+  double y_max;         /**< see y_min */
+} wrc_normal_solution;
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
 typedef struct wrc_strips {
-  uint32_t struct_size;      /**< sizeof this struct, 48 or more */
-  uint32_t count;            /**< 1..config.strips [0]. Too large: raise config.strips */
+  uint32_t count;            /**< 1..config.grid.strips [0]. Too large: raise config.grid.strips */
+  uint32_t reserved;         /**< 0 */
   const double* y;           /**< middle, `count` of them, -0.3..0.3 m, increasing; strips must not overlap [required].
                                   Did you pass mm? */
   const double* width;       /**< `count` of them, 1e-9..0.1 m [required]. Too small: leave out strips without width. Too
@@ -445,20 +495,38 @@ typedef struct wrc_strips {
 
 /** Forces on the wheel in the contact frame, moment about its origin. */
 typedef struct wrc_forces {
-  uint32_t struct_size;     /**< sizeof this struct, 56 or more */
-  uint32_t reserved;        /**< 0 */
-  double fx; /**< creep forces [N] */
-  double fy; /**< see fx */
+  double fx;                /**< creep forces [N] */
+  double fy;                /**< see fx */
   double fn;                /**< normal force, compressive positive, damping included [N] */
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed [W], >= 0 */
-  double adhesion_fraction; /**< share of the patch's area that sticks [-] */
+  double adhesion_fraction; /**< share of the patch's area that sticks [-]; WRC_AVAILABLE_TRACTIONS */
+  uint32_t available;       /**< bits of enum wrc_available: what else stands here; where one is missing, 0 does */
+  uint32_t reserved;        /**< 0 */
 } wrc_forces;
+
+/** One patch of a contact with its forces. Moments are about the origin of the contact frame: the forces of all patches add
+ * up to those of the contact. */
+typedef struct wrc_patch {
+  uint32_t struct_size; /**< sizeof this struct, 208 or more */
+  uint32_t available;   /**< bits of enum wrc_available; where one is missing, 0 stands */
+  int32_t strips;       /**< strips the patch is made of */
+  uint32_t reserved;    /**< 0 */
+  wrc_ellipse ellipse;  /**< its equivalent double ellipse, with the place of its joint and its load */
+  wrc_forces forces;    /**< on the wheel; zero before wrc_contact_tangential() */
+  double peak_pressure; /**< [Pa] */
+  double area;          /**< [m^2] */
+  double length;        /**< extent along x [m] */
+  double width;         /**< extent along y [m] */
+  double y_min;         /**< lateral borders [m] */
+  double y_max;         /**< see y_min */
+  double point[3];      /**< the joint in the contact plane, track frame [m]; WRC_AVAILABLE_PLACE */
+  double normal[3];     /**< unit vector into the rail, track frame [-]; WRC_AVAILABLE_PLACE. All patches of a contact
+                             plane share it; regions of a wheel on a rail have their own (wrc_region) */
+} wrc_patch;
 
 /** Velocity of the wheelset relative to the track, in the track frame. */
 typedef struct wrc_motion {
-  uint32_t struct_size;     /**< sizeof this struct, 56 or more */
-  uint32_t reserved;        /**< 0 */
   double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0]. Did you pass km/h? */
   double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
   double vertical_velocity; /**< down, -20..20 m/s [0] */
@@ -469,18 +537,17 @@ typedef struct wrc_motion {
 
 /** Wear and rolling contact fatigue numbers of the last wrc_contact_tangential. */
 typedef struct wrc_damage {
-  uint32_t struct_size;       /**< sizeof this struct, 80 or more */
-  uint32_t reserved;          /**< 0 */
   double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
-  double peak_power_density;  /**< [W/m^2]; 0, not available, of a method that gives forces alone */
+  double peak_power_density;  /**< [W/m^2]; WRC_AVAILABLE_TRACTIONS */
   double t_gamma;             /**< power / speed: energy dissipated per metre rolled, spin included [N] */
   double t_gamma_no_spin;     /**< |Fx nu_x + Fy nu_y|: the other definition in use [N] */
   double utilisation;         /**< mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
   double load_factor;         /**< p0 / k: ordinate of the shakedown map [-] */
   double shakedown_limit;     /**< of load_factor at mu_a, line contact [-]; ratcheting above */
   double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
-  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; -1e30 of a method
-                                   that gives forces alone */
+  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; WRC_AVAILABLE_TRACTIONS */
+  uint32_t available;         /**< bits of enum wrc_available; where one is missing, 0 stands */
+  uint32_t reserved;          /**< 0 */
 } wrc_damage;
 
 /** Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
@@ -518,8 +585,6 @@ typedef struct wrc_wear_laws {
 
 /** Wear of the last wrc_contact_tangential. */
 typedef struct wrc_wear {
-  uint32_t struct_size;          /**< sizeof this struct, 32 or more */
-  uint32_t reserved;             /**< 0 */
   double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
   double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
   double largest_depth_velocity; /**< Archard: depth per second in contact of the worst cell [m/s] */
@@ -527,8 +592,6 @@ typedef struct wrc_wear {
 
 /** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
 typedef struct wrc_coefficients {
-  uint32_t struct_size;          /**< sizeof this struct, 64 or more */
-  uint32_t reserved;             /**< 0 */
   double c11; /**< Kalker's, for the ellipse a, b [-] */
   double c22; /**< see c11 */
   double c23; /**< see c11 */
@@ -540,8 +603,6 @@ typedef struct wrc_coefficients {
 
 /** Derivatives of the forces of the last wrc_contact_tangential at its patch. */
 typedef struct wrc_sensitivity {
-  uint32_t struct_size; /**< sizeof this struct, 128 or more */
-  uint32_t reserved;    /**< 0 */
   double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
                              (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the
                              whole law; with friction.zones, their mean over the load) */
@@ -549,49 +610,45 @@ typedef struct wrc_sensitivity {
 
 /** Derivatives of the last whole step, creepages and friction held. */
 typedef struct wrc_step_sensitivity {
-  uint32_t struct_size; /**< sizeof this struct, 72 or more */
-  uint32_t reserved;    /**< 0 */
   double by_load[4];    /**< of fx, fy, mz and the approach [m] with respect to the normal force [N]; where the approach
                              is prescribed, of fx, fy, mz and the normal force with respect to the approach */
   double by_lateral[4]; /**< of the same four with respect to the lateral shift of the wheelset [m]; zero for a gap of the
                              caller */
 } wrc_step_sensitivity;
 
-/** What wrc_contact_step() reads. Pointers are the caller's and only read during the call. */
+/** What wrc_contact_step() reads. What pointers within point to is the caller's and only read during the call. */
 typedef struct wrc_input {
-  uint32_t struct_size;         /**< sizeof this struct, 48 or more */
-  uint32_t reserved;            /**< 0 */
-  const wrc_pose* pose;         /**< NULL: `gap` is used [NULL] */
-  const wrc_gap* gap;           /**< used when pose is NULL [NULL] */
-  const wrc_load* load;         /**< what presses the bodies together [required] */
-  const wrc_creepage* creepage; /**< rigid slip at the origin of the contact frame [required] */
-  const wrc_friction* friction; /**< between the bodies [required] */
+  uint32_t struct_size;  /**< sizeof this struct, 216 or more */
+  uint32_t reserved;     /**< 0 */
+  wrc_pose pose;         /**< of the wheelset; not read with `gap` */
+  const wrc_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
+  wrc_load load;         /**< what presses the bodies together */
+  wrc_creepage creepage; /**< rigid slip at the origin of the contact frame */
+  wrc_friction friction; /**< between the bodies */
 } wrc_input;
 
-/** What wrc_contact_step() fills: the caller's structs; NULL members are not wanted. */
+/** What wrc_contact_step() fills. */
 typedef struct wrc_output {
-  uint32_t struct_size;     /**< sizeof this struct, 40 or more */
-  uint32_t reserved;        /**< 0 */
-  wrc_contact_point* point; /**< zeroed when there was no pose [NULL] */
-  wrc_patch* patch;         /**< of the normal stage [NULL] */
-  wrc_forces* forces;       /**< of the tangential stage [NULL] */
-  wrc_damage* damage;       /**< of the damage stage [NULL] */
+  uint32_t struct_size;       /**< sizeof this struct, 344 or more */
+  uint32_t reserved;          /**< 0 */
+  wrc_contact_point point;    /**< zero when there was no pose */
+  wrc_normal_solution normal; /**< of the normal stage */
+  wrc_forces forces;          /**< of the tangential stage */
+  wrc_damage damage;          /**< of the damage stage */
 } wrc_output;
 
 /** A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
  * the contact. */
 typedef struct wrc_view {
-  uint32_t struct_size; /**< sizeof this struct, 48 or more */
-  uint32_t rank;        /**< 1 or 2 */
-  const double* data;   /**< in the contact's memory; NULL: not computed */
-  uint64_t count[2];    /**< elements along each dimension; count[1] = 1 for rank 1 */
-  uint64_t stride[2];   /**< in elements */
+  const double* data; /**< in the contact's memory; NULL: not computed */
+  uint64_t count[2];  /**< elements along each dimension; count[1] = 1 for rank 1 */
+  uint64_t stride[2]; /**< in elements */
+  uint32_t rank;      /**< 1 or 2 */
+  uint32_t reserved;  /**< 0 */
 } wrc_view;
 
 /** Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither. */
 typedef struct wrc_allocator {
-  uint32_t struct_size; /**< sizeof this struct, 32 or more */
-  uint32_t reserved;    /**< 0 */
   void* user;           /**< handed to both [NULL] */
   void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment: a power of two; gives NULL where
                                                                           none is left [NULL] */
@@ -621,41 +678,72 @@ WRC_API const char* wrc_status_text(int32_t status);
 /* ------------------------------------------------------------------------------------------------------- defaults */
 
 /** @name Defaults
- * Fill a struct with its defaults (the values in brackets above; zero and NULL where none are given). Set struct_size
- * before the call; only the first struct_size bytes are written. Return WRC_OK, WRC_ERROR_NULL (the pointer is NULL),
- * WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows).
+ * wrc_X_default() gives a struct with its defaults (the values in brackets above; zero and NULL where none are given),
+ * of
+ * the size the caller was compiled with. wrc_X_init() does the same to a struct of the caller; of one that has
+ * struct_size,
+ * which must be set before, it writes that many bytes. Returns WRC_OK, WRC_ERROR_NULL (the pointer is NULL),
+ * WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows: the library is
+ * older
+ * than the header; wrc_X_default() gives zeros then, and every call refuses them).
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_profile_init(wrc_profile* profile);                  /**< Defaults of a profile. */
-WRC_API int32_t wrc_config_init(wrc_config* config);                     /**< Defaults of a configuration. */
-WRC_API int32_t wrc_pose_init(wrc_pose* pose);                           /**< Defaults of a pose. */
-WRC_API int32_t wrc_contact_point_init(wrc_contact_point* point);        /**< Defaults of a contact point. */
-WRC_API int32_t wrc_gap_init(wrc_gap* gap);                              /**< Defaults of a gap. */
-WRC_API int32_t wrc_load_init(wrc_load* load);                           /**< Defaults of a load. */
-WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage);               /**< Defaults of creepages. */
-WRC_API int32_t wrc_friction_init(wrc_friction* friction);               /**< Defaults of friction. */
-WRC_API int32_t wrc_patch_init(wrc_patch* patch);                        /**< Defaults of a patch. */
-WRC_API int32_t wrc_strips_init(wrc_strips* strips);                     /**< Defaults of strips. */
-WRC_API int32_t wrc_forces_init(wrc_forces* forces);                     /**< Defaults of forces. */
-WRC_API int32_t wrc_motion_init(wrc_motion* motion);                     /**< Defaults of a wheelset's motion. */
-WRC_API int32_t wrc_damage_init(wrc_damage* damage);                     /**< Defaults of damage numbers. */
-WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws);                 /**< Defaults of the wear laws. */
-WRC_API int32_t wrc_wear_init(wrc_wear* wear);                           /**< Defaults of wear numbers. */
-WRC_API int32_t wrc_coefficients_init(wrc_coefficients* coefficients);   /**< Defaults of coefficients. */
-WRC_API int32_t wrc_sensitivity_init(wrc_sensitivity* sensitivity);      /**< Defaults of sensitivities. */
-WRC_API int32_t wrc_step_sensitivity_init(wrc_step_sensitivity* sensitivity); /**< Defaults of those of a step. */
-WRC_API int32_t wrc_input_init(wrc_input* input);                        /**< Defaults of the input of a step. */
-WRC_API int32_t wrc_output_init(wrc_output* output);                     /**< Defaults of the output of a step. */
-WRC_API int32_t wrc_view_init(wrc_view* view);                           /**< Defaults of a view. */
-WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator);            /**< Defaults of an allocator. */
+WRC_API int32_t wrc_profile_init(wrc_profile* profile); /**< Defaults: profile. */
+WRC_API int32_t wrc_config_init(wrc_config* config); /**< Defaults: configuration. */
+WRC_API int32_t wrc_pose_init(wrc_pose* pose); /**< Defaults: pose. */
+WRC_API int32_t wrc_gap_init(wrc_gap* gap); /**< Defaults: gap. */
+WRC_API int32_t wrc_load_init(wrc_load* load); /**< Defaults: load. */
+WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage); /**< Defaults: creepages. */
+WRC_API int32_t wrc_friction_init(wrc_friction* friction); /**< Defaults: friction. */
+WRC_API int32_t wrc_ellipse_init(wrc_ellipse* ellipse); /**< Defaults: ellipse. */
+WRC_API int32_t wrc_strips_init(wrc_strips* strips); /**< Defaults: strips. */
+WRC_API int32_t wrc_motion_init(wrc_motion* motion); /**< Defaults: wheelset's motion. */
+WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws); /**< Defaults: wear laws. */
+WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator); /**< Defaults: allocator. */
+WRC_API int32_t wrc_input_init(wrc_input* input); /**< Defaults: input of a step. */
+WRC_API int32_t wrc_output_init(wrc_output* output); /**< Defaults: output of a step. */
+WRC_API int32_t wrc_patch_init(wrc_patch* patch); /**< Defaults: patch. */
+/** @cond */
+#define WRC_DEFAULT(type)                \
+  static inline type type##_default(void) { \
+    type value;                          \
+    memset(&value, 0, sizeof value);     \
+    type##_init(&value);                 \
+    return value;                        \
+  }
+#define WRC_DEFAULT_SIZED(type)                   \
+  static inline type type##_default(void) {       \
+    type value;                                   \
+    memset(&value, 0, sizeof value);              \
+    value.struct_size = (uint32_t)sizeof value;   \
+    type##_init(&value);                          \
+    return value;                                 \
+  }
+WRC_DEFAULT(wrc_profile)
+WRC_DEFAULT_SIZED(wrc_config)
+WRC_DEFAULT(wrc_pose)
+WRC_DEFAULT(wrc_gap)
+WRC_DEFAULT(wrc_load)
+WRC_DEFAULT(wrc_creepage)
+WRC_DEFAULT(wrc_friction)
+WRC_DEFAULT(wrc_ellipse)
+WRC_DEFAULT(wrc_strips)
+WRC_DEFAULT(wrc_motion)
+WRC_DEFAULT_SIZED(wrc_wear_laws)
+WRC_DEFAULT(wrc_allocator)
+WRC_DEFAULT_SIZED(wrc_input)
+WRC_DEFAULT_SIZED(wrc_output)
+WRC_DEFAULT_SIZED(wrc_patch)
+/** @endcond */
 /** @} */
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
-/** Makes a configuration that of a published tangential method: sets tangential_method, patch_model, traction_bound,
- * flexibility and regularisation, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until friction.slope_fall > 0;
- * "KBTNH-type table" needs config.force_table.
- * @param[in,out] config after wrc_config_init()
+/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility
+ * and regularisation of config.tangential, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
+ * friction.slope_fall > 0;
+ * "KBTNH-type table" needs config.tangential.force_table.
+ * @param[in,out] config of wrc_config_default()
  * @param name one of WRC_PRESET_LIST (wrc_methods.h), as written there, for example "FASTSIM-SDEC"
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
  * @param size bytes of text
@@ -702,7 +790,8 @@ WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* 
  * @param[out] z their heights: of a wheel below its running circle, of a rail below its top [m]; NULL: not wanted
  * @param[out] deviation largest distance between a given point and the smoothed curve, 0 without smoothing [m]; NULL:
  * not wanted
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles), _UNSUPPORTED (no such side or body).
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles), _UNSUPPORTED (no such side or
+ * body).
  * @rt hard @thread free */
 WRC_API int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wrc_view* y, wrc_view* z,
                                   double* deviation);
@@ -762,11 +851,13 @@ WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint6
  * @param contact a contact of the model the state was saved from
  * @param buffer from wrc_contact_save()
  * @param bytes of buffer, at least what wrc_contact_state_size() says
- * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model and side). @rt hard @thread contact */
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model and side). @rt hard @thread
+ * contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
 /** The sentence behind the status of the last stage or step on this contact, for example
- *   "load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach instead"
+ *   "input.load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach
+ *   instead"
  * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
  * sentence of the saved state. Calls that take a const contact (wrc_contact_field, wrc_contact_save) do not change it.
  * @param contact the contact
@@ -812,35 +903,38 @@ WRC_API int32_t wrc_contact_creepages(wrc_contact* contact, const wrc_motion* mo
  * @param contact the contact
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_contact_geometry or of an earlier call
  * @param load along the contact normal
- * @param[out] patch the solution; NULL: not wanted
+ * @param[out] normal the solution; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
  * _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_LEAPS (HERTZ to STRIPES: between two loads
  * the method has no solution; the approach is that of the larger, and prescribed gives that one), _BEYOND_GAP (load
- * or approach is more than the gap carries, at most config.gap_limit of a pose's: load and pressures go on in a
+ * or approach is more than the gap carries, at most config.grid.gap_limit of a pose's: load and pressures go on in a
  * straight line with the last stiffness, the patch stays); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and
  * the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch);
+WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load,
+                                   wrc_normal_solution* normal);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
  * Theory manual, section 3; paper section 2.
  * @param contact the contact
  * @param strips contact frame, whose origin must be the initial contact point; copied; NULL: the strips in the contact
- * @param[out] patch the patch; NULL: not wanted
+ * @param[out] normal what the strips add up to, with their double ellipse; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE,
  * _SEQUENCE (strips is NULL and the contact has none), _RANGE, _NOT_FINITE. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* strips, wrc_patch* patch);
+WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* strips,
+                                       wrc_normal_solution* normal);
 
 /** Solves the tangential problem of steady rolling. Theory manual, sections 4 and 5; paper eq. 5 to 9.
  * @param contact the contact
- * @param patch exact double ellipse with its joint at the origin of the contact frame, which replaces the contact's
- * patch (a, b, psi and normal_force are read, 1e-3..1e7 N); NULL: the patch in the contact
+ * @param ellipse exact double ellipse with its joint at the origin of the contact frame, which replaces the contact's
+ * patches; NULL: the patches in the contact
  * @param creepage at the origin of the contact frame
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
  * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
- * friction zones over the rail without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_tangential(wrc_contact* contact, const wrc_patch* patch, const wrc_creepage* creepage,
+ * friction zones over the rail without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
+ * contact */
+WRC_API int32_t wrc_contact_tangential(wrc_contact* contact, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);
 
 /** Wear and fatigue numbers of the last wrc_contact_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
@@ -856,14 +950,17 @@ WRC_API int32_t wrc_contact_damage(wrc_contact* contact, wrc_damage* damage);
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
- * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: no tractions to wear by). @rt hard @thread contact */
+ * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: no tractions to wear by). @rt hard @thread
+ * contact */
 WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
-/** Derivatives of the forces of the last wrc_contact_tangential (or wrc_contact_step) with respect to creepages, load and friction, for
+/** Derivatives of the forces of the last wrc_contact_tangential or wrc_contact_step by creepages, load and friction, for
  * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
- * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and slip;
+ * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and
+ * slip;
  * there it is the derivative from one side. Where strips stick a second time, which takes large spin, it jumps there by
- * up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and strip FASTSIM, where
+ * up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and strip FASTSIM,
+ * where
  * neither friction nor the slope (modified FASTSIM) falls; all else has central differences instead, with steps of a
  * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
  * @param contact the contact
@@ -874,18 +971,20 @@ WRC_API int32_t wrc_contact_sensitivities(wrc_contact* contact, wrc_sensitivity*
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
  * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
- * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held. Nothing
+ * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held.
+ * Nothing
  * in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; the flags of wrc_contact_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential, or on strips or a
+ * @return WRC_OK; the flags of wrc_contact_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential,
+ * or on strips or a
  * patch of the caller), and those of wrc_contact_step() where a neighbouring step fails. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
 
-/** All stages at once: geometry (with input->pose) or the given gap, normal, regularise, tangential, damage.
+/** All stages at once: geometry (without input->gap) or the given gap, normal, regularise, tangential, damage.
  * @param contact the contact
  * @param input what to solve
- * @param[in,out] output where results go: the struct itself is only read
+ * @param[out] output the results; NULL: not wanted
  * @return WRC_OK or the first flag of the stages; the failure of the first stage that fails, which ends the step with
  * all outputs zeroed. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_step(wrc_contact* contact, const wrc_input* input, wrc_output* output);
@@ -902,7 +1001,7 @@ WRC_API int32_t wrc_contact_step(wrc_contact* contact, const wrc_input* input, w
  * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
  * @thread contact, all of them */
 WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
-                               uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
+                               uint64_t input_stride, wrc_output* outputs, uint64_t output_stride,
                                int32_t* statuses);
 
 #define WRC_FLAT_INPUTS 8   /**< numbers wrc_contact_step_flat() reads */
@@ -917,19 +1016,17 @@ WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t co
  * @return as wrc_contact_step(). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_step_flat(wrc_contact* contact, const double* in, double* out);
 
-/** One of the contact's patches with its forces. Moments are about the origin of the contact frame: the forces of all
- * patches add up to those of the contact.
+/** One of the contact's patches with its forces.
  * @param contact the contact
- * @param index 0 .. wrc_patch.patches - 1, by increasing y
- * @param[out] patch the patch; NULL: not wanted
- * @param[out] forces on the wheel; zero before wrc_contact_tangential; NULL: not wanted
+ * @param index 0 .. wrc_normal_solution.patches - 1, by increasing y
+ * @param[out] patch the patch
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch, wrc_forces* forces);
+WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch);
 
 /** Shows a field of one patch after the last call without copying it.
  * @param contact the contact
- * @param patch 0 .. wrc_patch.patches - 1, by increasing y; the fields of the gap ignore it
+ * @param patch 0 .. wrc_normal_solution.patches - 1, by increasing y; the fields of the gap ignore it
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
@@ -964,7 +1061,8 @@ typedef struct wrc_api wrc_api;
 
 /** The function table of this library.
  * @param abi_version WRC_ABI_VERSION of the header you compiled with
- * @return the table, in static storage; NULL when the library does not serve that version: wrc_version_text() says why. @rt hard @thread free */
+ * @return the table, in static storage; NULL when the library does not serve that version: wrc_version_text() says
+ * why. @rt hard @thread free */
 WRC_API const wrc_api* wrc_get_api(uint32_t abi_version);
 
 #ifdef __cplusplus

@@ -18,20 +18,15 @@ struct wrc_api {
   int32_t (*profile_init)(wrc_profile*); /**< wrc_profile_init() */
   int32_t (*config_init)(wrc_config*); /**< wrc_config_init() */
   int32_t (*pose_init)(wrc_pose*); /**< wrc_pose_init() */
-  int32_t (*contact_point_init)(wrc_contact_point*); /**< wrc_contact_point_init() */
   int32_t (*gap_init)(wrc_gap*); /**< wrc_gap_init() */
   int32_t (*load_init)(wrc_load*); /**< wrc_load_init() */
   int32_t (*creepage_init)(wrc_creepage*); /**< wrc_creepage_init() */
   int32_t (*friction_init)(wrc_friction*); /**< wrc_friction_init() */
   int32_t (*patch_init)(wrc_patch*); /**< wrc_patch_init() */
   int32_t (*strips_init)(wrc_strips*); /**< wrc_strips_init() */
-  int32_t (*forces_init)(wrc_forces*); /**< wrc_forces_init() */
   int32_t (*motion_init)(wrc_motion*); /**< wrc_motion_init() */
-  int32_t (*damage_init)(wrc_damage*); /**< wrc_damage_init() */
-  int32_t (*coefficients_init)(wrc_coefficients*); /**< wrc_coefficients_init() */
   int32_t (*input_init)(wrc_input*); /**< wrc_input_init() */
   int32_t (*output_init)(wrc_output*); /**< wrc_output_init() */
-  int32_t (*view_init)(wrc_view*); /**< wrc_view_init() */
   int32_t (*allocator_init)(wrc_allocator*); /**< wrc_allocator_init() */
   int32_t (*config_check)(const wrc_config*, char*, uint64_t); /**< wrc_config_check() */
   int32_t (*model_size)(const wrc_config*, uint64_t*, uint64_t*); /**< wrc_model_size() */
@@ -45,15 +40,12 @@ struct wrc_api {
   void (*contact_destroy)(wrc_contact*); /**< wrc_contact_destroy() */
   int32_t (*contact_save)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save() */
   int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore() */
-  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*, wrc_forces*); /**< wrc_contact_patch() */
+  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*); /**< wrc_contact_patch() */
   int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
   int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
   int32_t (*wear_laws_init)(wrc_wear_laws*); /**< wrc_wear_laws_init() */
-  int32_t (*wear_init)(wrc_wear*); /**< wrc_wear_init() */
   int32_t (*model_profile)(const wrc_model*, int32_t, int32_t, wrc_view*, wrc_view*, double*);
     /**< wrc_model_profile() */
-  int32_t (*sensitivity_init)(wrc_sensitivity*); /**< wrc_sensitivity_init() */
-  int32_t (*step_sensitivity_init)(wrc_step_sensitivity*); /**< wrc_step_sensitivity_init() */
   int32_t (*contact_state_size)(const wrc_model*, uint64_t*); /**< wrc_contact_state_size() */
   int32_t (*wheel_state_init)(wrc_wheel_state*); /**< wrc_wheel_state_init() */
   int32_t (*rail_state_init)(wrc_rail_state*); /**< wrc_rail_state_init() */
@@ -63,16 +55,17 @@ struct wrc_api {
   int32_t (*contact_last_error)(const wrc_contact*, char*, uint64_t); /**< wrc_contact_last_error() */
   int32_t (*contact_geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*); /**< wrc_contact_geometry() */
   int32_t (*contact_creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*); /**< wrc_contact_creepages() */
-  int32_t (*contact_normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_patch*); /**< wrc_contact_normal() */
-  int32_t (*contact_regularise)(wrc_contact*, const wrc_strips*, wrc_patch*); /**< wrc_contact_regularise() */
-  int32_t (*contact_tangential)(wrc_contact*, const wrc_patch*, const wrc_creepage*, const wrc_friction*, wrc_forces*);
+  int32_t (*contact_normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_normal_solution*);
+    /**< wrc_contact_normal() */
+  int32_t (*contact_regularise)(wrc_contact*, const wrc_strips*, wrc_normal_solution*); /**< wrc_contact_regularise() */
+  int32_t (*contact_tangential)(wrc_contact*, const wrc_ellipse*, const wrc_creepage*, const wrc_friction*, wrc_forces*);
     /**< wrc_contact_tangential() */
   int32_t (*contact_damage)(wrc_contact*, wrc_damage*); /**< wrc_contact_damage() */
   int32_t (*contact_wear)(wrc_contact*, const wrc_wear_laws*, wrc_wear*); /**< wrc_contact_wear() */
   int32_t (*contact_sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_contact_sensitivities() */
   int32_t (*contact_step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_contact_step_sensitivities() */
   int32_t (*contact_step)(wrc_contact*, const wrc_input*, wrc_output*); /**< wrc_contact_step() */
-  int32_t (*contact_step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, const wrc_output*, uint64_t, int32_t*);
+  int32_t (*contact_step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, wrc_output*, uint64_t, int32_t*);
     /**< wrc_contact_step_batch() */
   int32_t (*contact_step_flat)(wrc_contact*, const double*, double*); /**< wrc_contact_step_flat() */
   int32_t (*contact_field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_contact_field() */
@@ -101,9 +94,9 @@ struct wrc_api {
   const char* (*version_text)(uint32_t); /**< wrc_version_text() */
   const char* (*build_info)(void); /**< wrc_build_info() */
   int32_t (*config_use)(wrc_config*, const char*, char*, uint64_t); /**< wrc_config_use() */
-  int32_t (*wrench_sensitivities_init)(wrc_wrench_sensitivities*); /**< wrc_wrench_sensitivities_init() */
   int32_t (*contact_wrench_sensitivities)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*, wrc_wrench_sensitivities*);
     /**< wrc_contact_wrench_sensitivities() */
+  int32_t (*ellipse_init)(wrc_ellipse*); /**< wrc_ellipse_init() */
 };
 
 #endif /* WRC_API_H */

@@ -17,21 +17,21 @@ enum wrc_normal_method {
 
 /** Method of the tangential problem. All but the first have the bound friction * pressure. */
 enum wrc_tangential_method {
-  WRC_TANGENTIAL_FASTSIM = 0,          /**< FASTSIM, Kalker 1982, marched in second order, with config.patch_model,
-                                            traction_bound and flexibility; modified FASTSIM where friction.slope_fall
-                                            > 0 */
-  WRC_TANGENTIAL_FASTRIP = 1,          /**< FaStrip, VSD 54 (2016), with config.patch_model: strip theory where it
+  WRC_TANGENTIAL_FASTSIM = 0,          /**< FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and
+                                            flexibility of config.tangential; modified FASTSIM where
+                                            friction.slope_fall > 0 */
+  WRC_TANGENTIAL_FASTRIP = 1,          /**< FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it
                                             sticks, FASTSIM's directions where it slips */
   WRC_TANGENTIAL_STRIP_FASTSIM = 2,    /**< FASTSIM in the shape of strip theory on the patch as it is, calibrated on
                                             exact solutions */
   WRC_TANGENTIAL_COARSE_HALFSPACE = 3, /**< exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated:
                                             forces within about 1 % of mu N, about a hundred times the time of FASTSIM */
-  WRC_TANGENTIAL_FORCE_TABLE = 4       /**< total forces from config.force_table, exact solutions for double
+  WRC_TANGENTIAL_FORCE_TABLE = 4       /**< total forces from config.tangential.force_table, exact solutions for double
                                             ellipses: no tractions, no slip, and nothing that is made of them */
 };
 
 /** What FASTSIM and FaStrip take for the patch: the strips tractions live on, and the shape whose coefficients of linear
- * theory they have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of wrc_patch. */
+ * theory they have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of wrc_ellipse. */
 enum wrc_patch_model {
   WRC_PATCH_MODEL_PATCH_SDEC = 0,        /**< the patch; coefficients of its equivalent double ellipse */
   WRC_PATCH_MODEL_PATCH_ELLIPSE = 1,     /**< the patch; coefficients of the equivalent ellipse */
@@ -51,11 +51,15 @@ enum wrc_patch_model {
 
 /** The tangential methods by their published names, X(identifier, name, WRC_TANGENTIAL_..., WRC_PATCH_MODEL_...,
  * WRC_BOUND_..., WRC_FLEXIBILITY_..., WRC_REGULARISE_..., slope falls). wrc_config_use() sets a configuration by name;
- * bound, flexibilities and regularisation may then be chosen otherwise where the method reads them. The last column is 1
+ * bound, flexibilities and regularisation may then be chosen otherwise where the method reads them. The last column is
+ * 1
  * where friction.slope_fall > 0 belongs to the name.
- * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L, -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and its
- * modified form, Sichani, Enblom and Berg, VSD 54 (2016); FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and Cole,
- * VSD 51 (2013). KBTNH-type table, after Piotrowski, Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space: own. */
+ * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L, -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and
+ * its
+ * modified form, Sichani, Enblom and Berg, VSD 54 (2016); FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and
+ * Cole,
+ * VSD 51 (2013). KBTNH-type table, after Piotrowski, Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space:
+ * own. */
 #define WRC_PRESET_LIST(X)                                                                                       \
   X(fastsim, "FASTSIM", FASTSIM, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastsim_eqe, "FASTSIM-EQ.E", FASTSIM, ELLIPSE_AT_MIDDLE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                 \

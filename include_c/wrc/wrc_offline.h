@@ -39,10 +39,8 @@ typedef int32_t (*wrc_progress)(double fraction, void* user);
 
 /** A rectangular grid in the contact frame. */
 typedef struct wrc_grid {
-  uint32_t struct_size; /**< sizeof this struct, 48 or more */
   uint32_t nx;          /**< cells along x, 4..1024 [0] */
   uint32_t ny;          /**< cells along y, 4..1024 [0] */
-  uint32_t reserved;    /**< 0 */
   double dx;            /**< size of a cell, 1e-7..0.01 m [0]. Too large: did you pass mm? */
   double dy;            /**< see dx */
   double x0;            /**< centre of cell (0, 0), -1..1 m [0]. Did you pass mm? */
@@ -51,8 +49,6 @@ typedef struct wrc_grid {
 
 /** The two bodies. */
 typedef struct wrc_materials {
-  uint32_t struct_size;        /**< sizeof this struct, 40 or more */
-  uint32_t reserved;           /**< 0 */
   double shear_modulus_1;      /**< G of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
   double poisson_1;            /**< nu of the wheel, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
   double shear_modulus_2;      /**< G of the rail, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
@@ -61,7 +57,7 @@ typedef struct wrc_materials {
 
 /** The normal problem: an undeformed gap and what presses the bodies together. */
 typedef struct wrc_exact_normal_problem {
-  uint32_t struct_size;            /**< sizeof this struct, 80 or more */
+  uint32_t struct_size;            /**< sizeof this struct, 136 or more */
   int32_t prescribed;              /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
   int32_t max_iterations;          /**< 1..100000 [1000] */
   int32_t reserved;                /**< 0 */
@@ -71,8 +67,8 @@ typedef struct wrc_exact_normal_problem {
                                         large: did you pass mm? */
   double tolerance;                /**< of overlap and separation, relative to the largest displacement, 1e-14..0.1
                                         [1e-6] */
-  const wrc_materials* materials;  /**< NULL: the defaults [NULL] */
-  const wrc_grid* grid;            /**< cells of gap and pressure [required] */
+  wrc_materials materials;         /**< of the two bodies */
+  wrc_grid grid;                   /**< cells of gap and pressure */
   const double* gap;               /**< nx * ny, -1..1 m [required]. Did you pass mm? */
   wrc_progress progress;           /**< NULL: none [NULL] */
   void* user;                      /**< handed to progress [NULL] */
@@ -92,13 +88,13 @@ typedef struct wrc_exact_normal_solution {
 
 /** Steady rolling under a given normal pressure. */
 typedef struct wrc_exact_rolling_problem {
-  uint32_t struct_size;           /**< sizeof this struct, 88 or more */
+  uint32_t struct_size;           /**< sizeof this struct, 184 or more */
   int32_t adhesion;               /**< enum wrc_adhesion [WRC_ADHESION_COULOMB] */
   int32_t collocation;            /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
   int32_t max_iterations;         /**< of Newton's method, 1..1000 [60] */
   double tolerance;               /**< of the traction law, 1e-12..0.1 [1e-4] */
-  const wrc_materials* materials; /**< NULL: the defaults [NULL] */
-  const wrc_grid* grid;           /**< cells of pressure, friction and tractions [required] */
+  wrc_materials materials;        /**< of the two bodies */
+  wrc_grid grid;                  /**< cells of pressure, friction and tractions */
   const double* pressure;         /**< nx * ny, -1e11..1e11 Pa; cells above zero are the contact, all others are not
                                        [required]. Too small: pressure is compressive positive. Too large: steel yields
                                        at a tenth of that */
@@ -106,7 +102,7 @@ typedef struct wrc_exact_rolling_problem {
                                        be positive. Too large: did you pass per cent? */
   double coefficient;             /**< Coulomb, 1e-4..2 with WRC_ADHESION_COULOMB and `friction` NULL [0.3]. Too small:
                                        friction must be positive. Too large: did you pass per cent? */
-  const wrc_creepage* creepage;   /**< about the origin of the contact frame [required] */
+  wrc_creepage creepage;          /**< about the origin of the contact frame */
   wrc_progress progress;          /**< called between grids and iterations; NULL: none [NULL] */
   void* user;                     /**< handed to progress [NULL] */
 } wrc_exact_rolling_problem;
@@ -158,20 +154,32 @@ typedef struct wrc_exact_check_result {
 } wrc_exact_check_result;
 
 /** @name Defaults
- * As in wrc.h. @rt hard @thread free
+ * As in wrc.h.
+ * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_grid_init(wrc_grid* grid);                                               /**< Defaults of a grid. */
-WRC_API int32_t wrc_materials_init(wrc_materials* materials);                                /**< Defaults of materials. */
-WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem);            /**< Defaults of a problem. */
-WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution);         /**< Defaults of a solution. */
-WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem);          /**< Defaults of a problem. */
-WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution);       /**< Defaults of a solution. */
-WRC_API int32_t wrc_exact_wrench_options_init(wrc_exact_wrench_options* options);              /**< Defaults of options. */
-WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result);                 /**< Defaults of a result. */
+WRC_API int32_t wrc_grid_init(wrc_grid* grid); /**< Defaults: grid. */
+WRC_API int32_t wrc_materials_init(wrc_materials* materials); /**< Defaults: materials. */
+WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem); /**< Defaults: problem. */
+WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution); /**< Defaults: solution. */
+WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem); /**< Defaults: problem. */
+WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution); /**< Defaults: solution. */
+WRC_API int32_t wrc_exact_wrench_options_init(wrc_exact_wrench_options* options); /**< Defaults: options. */
+WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result); /**< Defaults: result. */
+/** @cond */
+WRC_DEFAULT(wrc_grid)
+WRC_DEFAULT(wrc_materials)
+WRC_DEFAULT_SIZED(wrc_exact_normal_problem)
+WRC_DEFAULT_SIZED(wrc_exact_normal_solution)
+WRC_DEFAULT_SIZED(wrc_exact_rolling_problem)
+WRC_DEFAULT_SIZED(wrc_exact_rolling_solution)
+WRC_DEFAULT_SIZED(wrc_exact_wrench_options)
+WRC_DEFAULT_SIZED(wrc_exact_check_result)
+/** @endcond */
 /** @} */
 
 /** Samples the gap in a contact at the cell centres of a grid, its minimum at zero.
- * Of wrc_contact_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail,
+ * Of wrc_contact_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll)
+ * and rail,
  * along the contact normal. The rows the real-time methods read are its expansion along x; beside steps of the
  * profile's curvature they leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a
  * parabola. Outside the rows' range of y the gap continues with the last row's slope.
@@ -202,7 +210,8 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
                                   char* text, uint64_t size);
 
 /** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
- * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not changed.
+ * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not
+ * changed.
  * @param contact after wrc_contact_tangential or wrc_contact_step
  * @param nx cells along x, 8..512 @param ny cells along y, 8..512
  * @param progress NULL: none @param user handed to progress

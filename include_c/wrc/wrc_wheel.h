@@ -3,7 +3,8 @@
  * Part of wrc.h, which includes it; the conventions there (structs, statuses, classes) hold here.
  *
  * Nothing here chooses a contact point: every strip of the rail's surface has its own normal, overlap and slip, and the
- * strips' forces are summed in track axes. The wrench is therefore continuous in the whole pose; tread, gauge corner and
+ * strips' forces are summed in track axes. The wrench is therefore continuous in the whole pose; tread, gauge corner
+ * and
  * flange are one problem, and two-point contact is nothing special.
  *
  * @par Frames, origins, signs (SI: m, N, rad, s)
@@ -15,50 +16,47 @@
  *             |    |_|        |                        |_|    |       O        nominal place (0, 0, -r0)
  *             |    | |        +--> y                   | |    |       W        nominal place (0, +-s, -r0), right +, left -
  *             |  W-+-|--------O------------------------|-+-W  |                s = flange_back_distance / 2 + 0.070
- *             |    | |        |                        | |    |       r0       config.wheel_radius, at the tape circle
+ *             |    | |        |                        | |    |       r0       config.wheelset.wheel_radius, at the tape circle
  *              \__/\_|        v z                      |_/\__/        P        origin of the rail's profile
- *              --P---                                   ---P--                 (config.profile_placement)
+ *              --P---                                   ---P--                 (config.track.placement)
  *
- *  - Pose of a wheel: the reference point (O or W, wrc_wheel_state.reference) is displaced from its nominal place by (y, z):
+ *  - Pose of a wheel: the reference point (O or W, wrc_wheel_state.reference) is displaced from its nominal place by
+ *    (y, z):
  *    z > 0 is down, into the rail. Where it is along x does not matter.
- *  - Orientation: R = Rx(roll) Rz(yaw): first roll about the track's x axis, then yaw about the rolled z axis, right-hand
+ *  - Orientation: R = Rx(roll) Rz(yaw): first roll about the track's x axis, then yaw about the rolled z axis,
+ *    right-hand
  *    rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right. Pitch does not matter. Or any rotation
- *    matrix of the host with track = R * body and the body's y along the axle, to the right, with or without the pitch in it.
+ *    matrix of the host with track = R * body and the body's y along the axle, to the right, with or without the pitch
+ *    in it.
  *  - Velocity: of the reference point, in track axes. Angular velocity: whole, the turning about the axle included
  *    (forward rolling: its y component is about -v / r0 < 0), in track axes or in those of R.
  *  - Pose of a rail: P displaced by (y, z) and the profile turned about P by roll, right-hand rule about x.
- *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down has
- *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference point.
+ *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down
+ *    has
+ *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference
+ *    point.
  *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; each wheel has its
  *    own contact, which knows its side.
  *
  * @par Recipe
  * @code
- *   wrc_profile wheel_profile = {sizeof wheel_profile, WRC_PROFILE_S1002};
- *   wrc_profile rail_profile = {sizeof rail_profile, WRC_PROFILE_60E1};
- *   wrc_config config;
- *   config.struct_size = sizeof config;
- *   wrc_config_init(&config);
- *   config.rail_inclination = 1.0 / 40.0;
- *   config.wheel = &wheel_profile;
- *   config.rail = &rail_profile;
+ *   wrc_config config = wrc_config_default();
+ *   config.wheel.kind = WRC_PROFILE_S1002;
+ *   config.rail.kind = WRC_PROFILE_60E1;
+ *   config.track.rail_inclination = 1.0 / 40.0;
  *   wrc_model* model = NULL;
  *   wrc_contact* contact[2] = {NULL, NULL};
  *   if (wrc_model_create(&config, NULL, &model) < 0) ...                // wrc_config_check() says why
  *   for (side = 0; side < 2; ++side) wrc_contact_create(model, side, NULL, &contact[side]);
  *
- *   wrc_wheel_state wheel;
- *   wheel.struct_size = sizeof wheel;
- *   wrc_wheel_state_init(&wheel);
- *   wrc_friction friction = {sizeof friction, 0, 0.3};
- *   wrc_wheel_input input = {sizeof input, WRC_PRESCRIBE_HEIGHT, &wheel, NULL, &friction};
- *   wrc_wrench wrench;
- *   wrench.struct_size = sizeof wrench;
+ *   wrc_wheel_input input = wrc_wheel_input_default();
+ *   wrc_wrench wrench = wrc_wrench_default();
  *   // in every evaluation of the right-hand side, from here on without allocation:
- *   wheel.y = y;                       wheel.z = z;                     // of the wheelset's middle; z > 0 down
- *   wheel.roll = roll;                 wheel.yaw = yaw;
- *   wheel.velocity[0] = v;             wheel.velocity[1] = dy_dt;             wheel.velocity[2] = dz_dt;
- *   wheel.angular_velocity[0] = wx;    wheel.angular_velocity[1] = wy;        wheel.angular_velocity[2] = wz;
+ *   wrc_wheel_state* wheel = &input.wheel;
+ *   wheel->y = y;                      wheel->z = z;                    // of the wheelset's middle; z > 0 down
+ *   wheel->roll = roll;                wheel->yaw = yaw;
+ *   wheel->velocity[0] = v;            wheel->velocity[1] = dy_dt;            wheel->velocity[2] = dz_dt;
+ *   wheel->angular_velocity[0] = wx;   wheel->angular_velocity[1] = wy;       wheel->angular_velocity[2] = wz;
  *   for (side = 0; side < 2; ++side) {
  *     int32_t status = wrc_contact_wrench(contact[side], &input, &wrench);  // < 0: wrc_contact_last_error() says why
  *     for (i = 0; i < 3; ++i) force[i] += wrench.force[i], moment[i] += wrench.moment[i];
@@ -90,11 +88,9 @@ enum wrc_wheel_prescribed {
 
 /** Where a wheel or wheelset is and how it moves, against the ground. */
 typedef struct wrc_wheel_state {
-  uint32_t struct_size;       /**< sizeof this struct, 104 or more */
   int32_t reference;          /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment
                                    [WRC_REFERENCE_WHEELSET] */
   int32_t angular_axes;       /**< enum wrc_axes: of angular_velocity [WRC_AXES_TRACK] */
-  uint32_t reserved;          /**< 0 */
   double y;                   /**< displacement of the reference point to the right, -0.2..0.2 m [0]. Did you pass mm? */
   double z;                   /**< the same downwards, -0.5..0.2 m with WRC_PRESCRIBE_HEIGHT [0]. Too small: did you pass
                                    mm? Too large: did you pass mm, or a height above the rail? 0 is the nominal height,
@@ -110,11 +106,11 @@ typedef struct wrc_wheel_state {
 } wrc_wheel_state;
 
 /** Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel runs along a rail
- * that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular velocity and
- * orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in these axes then. */
+ * that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular velocity
+ * and
+ * orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in these axes
+ * then. */
 typedef struct wrc_rail_state {
-  uint32_t struct_size; /**< sizeof this struct, 56 or more */
-  uint32_t reserved;    /**< 0 */
   double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0]. Did you pass mm? */
   double z;             /**< the same downwards, -0.2..0.2 m [0]. Did you pass mm? */
   double roll;          /**< rotation about that origin and the x axis, -0.5..0.5 rad [0]. Did you pass degrees or mrad? */
@@ -123,23 +119,24 @@ typedef struct wrc_rail_state {
   double roll_velocity; /**< about x, -200..200 rad/s [0]. Did you pass degrees or mrad? */
 } wrc_rail_state;
 
-/** What wrc_contact_wrench() reads. Pointers are the caller's and only read during the call. */
+/** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only
+ * read during the call. */
 typedef struct wrc_wheel_input {
-  uint32_t struct_size;         /**< sizeof this struct, 48 or more */
-  int32_t prescribed;           /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
-  const wrc_wheel_state* wheel; /**< where the wheel is and how it moves [required] */
-  const wrc_rail_state* rail;   /**< NULL: undisplaced and at rest [NULL] */
-  const wrc_friction* friction; /**< of each strip at its own sliding speed; zones count from the rail profile's origin
-                                     (WRC_ZONES_RAIL_PROFILE) and lie on the rail; NULL: frictionless [NULL] */
-  double vertical_load;         /**< the whole vertical force on the wheel, creep forces included, upwards positive,
-                                     1e2..1e6 N with WRC_PRESCRIBE_VERTICAL_LOAD, 0 else [0]. Negative: the load is
-                                     positive where the rail pushes the wheel upwards. Too small: did you pass kN? near
-                                     lift-off prescribe the height instead. Too large: did you pass a pressure, or grams?
-                                     Else: the height is prescribed */
-  double damping;               /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the
-                                     strip's own overlap grows, 0..10 s/m with WRC_PRESCRIBE_HEIGHT, 0 else [0].
-                                     Negative: damping takes energy out. Too large: it is not a viscous constant: that
-                                     over 3/2 of the force it was found at. Else: a prescribed load is the whole load */
+  uint32_t struct_size;  /**< sizeof this struct, 256 or more */
+  int32_t prescribed;    /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
+  wrc_wheel_state wheel; /**< where the wheel is and how it moves */
+  wrc_rail_state rail;   /**< where the rail is and how it moves */
+  wrc_friction friction; /**< of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep
+                              forces; zones count from the rail profile's origin (WRC_ZONES_RAIL_PROFILE) and lie on the
+                              rail */
+  double vertical_load;  /**< the whole vertical force on the wheel, creep forces included, upwards positive, 1e2..1e6 N
+                              with WRC_PRESCRIBE_VERTICAL_LOAD, 0 else [0]. Negative: the load is positive where the rail
+                              pushes the wheel upwards. Too small: did you pass kN? near lift-off prescribe the height
+                              instead. Too large: did you pass a pressure, or grams? Else: the height is prescribed */
+  double damping;        /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the strip's
+                              own overlap grows, 0..10 s/m with WRC_PRESCRIBE_HEIGHT, 0 else [0]. Negative: damping takes
+                              energy out. Too large: it is not a viscous constant: that over 3/2 of the force it was
+                              found at. Else: a prescribed load is the whole load */
 } wrc_wheel_input;
 
 /** What passes between a wheel and its rail. All zero, but for z, where they do not touch. */
@@ -208,8 +205,6 @@ enum wrc_wrench_input {
  * held: with WRC_PRESCRIBE_VERTICAL_LOAD the height follows all other inputs, and the column of z is zero; otherwise that
  * of the load. */
 typedef struct wrc_wrench_sensitivities {
-  uint32_t struct_size; /**< sizeof this struct, 960 or more */
-  uint32_t reserved;    /**< 0 */
   double wrench[6][17]; /**< rows force x, y, z [N], moment x, y, z [N m], track axes; columns enum wrc_wrench_input */
   double z[17];         /**< of wrc_wrench.z; columns the same */
 } wrc_wrench_sensitivities;
@@ -218,12 +213,18 @@ typedef struct wrc_wrench_sensitivities {
  * As those of wrc.h.
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_wheel_state_init(wrc_wheel_state* wheel); /**< Defaults of a wheel's state. */
-WRC_API int32_t wrc_rail_state_init(wrc_rail_state* rail);    /**< Defaults of a rail's state. */
-WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults of a wheel's input. */
-WRC_API int32_t wrc_wrench_init(wrc_wrench* wrench);          /**< Defaults of a wrench. */
-WRC_API int32_t wrc_region_init(wrc_region* region);          /**< Defaults of a region. */
-WRC_API int32_t wrc_wrench_sensitivities_init(wrc_wrench_sensitivities* sensitivities); /**< Defaults of derivatives. */
+WRC_API int32_t wrc_wheel_state_init(wrc_wheel_state* state); /**< Defaults: wheel's state. */
+WRC_API int32_t wrc_rail_state_init(wrc_rail_state* rail); /**< Defaults: rail's state. */
+WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults: wheel's input. */
+WRC_API int32_t wrc_wrench_init(wrc_wrench* wrench); /**< Defaults: wrench. */
+WRC_API int32_t wrc_region_init(wrc_region* region); /**< Defaults: region. */
+/** @cond */
+WRC_DEFAULT(wrc_wheel_state)
+WRC_DEFAULT(wrc_rail_state)
+WRC_DEFAULT_SIZED(wrc_wheel_input)
+WRC_DEFAULT_SIZED(wrc_wrench)
+WRC_DEFAULT_SIZED(wrc_region)
+/** @endcond */
 /** @} */
 
 /** The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the results of the
@@ -231,8 +232,10 @@ WRC_API int32_t wrc_wrench_sensitivities_init(wrc_wrench_sensitivities* sensitiv
  * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _BEYOND_GAP (deeper than 2 mm: continued with the
- * stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there is room for;
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _BEYOND_GAP (deeper than 2 mm: continued with
+ * the
+ * stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there is
+ * room for;
  * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
  * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */
@@ -281,7 +284,8 @@ WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t 
  * its value.
  * @param contact as for wrc_contact_wrench()
  * @param in WRC_FLAT_WHEEL_INPUTS numbers: reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
- * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0: none),
+ * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0:
+ * none),
  * prescribed, vertical load [N], damping [s/m]
  * @param[out] out WRC_FLAT_WHEEL_OUTPUTS numbers: force x, y, z [N], moment x, y, z [N m], on the rail force x, y, z,
  * moment x, y, z, then z [m], normal force [N], area [m^2], peak pressure [Pa], power [W], regions

@@ -8,8 +8,9 @@
 
 namespace wrc::abi {
 
-/// Reads and checks the caller's friction for a tangential method. The zones of the result are the caller's
-/// arrays.
-Fault read_friction(const wrc_friction* theirs, const TangentialMethod& method, Friction& friction);
+/// Translates friction whose members have been checked, and checks it for a tangential method. `of`: what
+/// messages call it. The zones of the result are the caller's arrays.
+Fault read_friction(const wrc_friction& checked, const char* of, const TangentialMethod& method,
+                    Friction& friction);
 
 }  // namespace wrc::abi

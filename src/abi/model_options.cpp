@@ -18,10 +18,8 @@ Fault check_no_smoothing(const wrc_profile& profile, const char* name) {
           .cause = "only points are smoothed; standard profiles are exact"};
 }
 
-Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& source) {
-  wrc_profile profile;
-  const Fault fault = read(theirs, name, profile);
-  if (fault.failed()) return fault;
+/// `name`: what messages call it.
+Fault read_profile(const wrc_profile& profile, const char* name, ProfileSource& source) {
   switch (profile.kind) {
     case WRC_PROFILE_S1002:
       source.kind = ProfileSource::Kind::s1002;
@@ -32,12 +30,30 @@ Fault read_profile(const wrc_profile* theirs, const char* name, ProfileSource& s
     case WRC_PROFILE_UIC60_BENCHMARK:
       source.kind = ProfileSource::Kind::rail_uic60_benchmark;
       return check_no_smoothing(profile, name);
+    case WRC_PROFILE_NONE:
+      return {.status = WRC_ERROR_PROFILE,
+              .field = name,
+              .cause = "WRC_PROFILE_NONE beside the other body's profile: give both, or neither"};
     default:  // WRC_PROFILE_POINTS
       break;
   }
   source = {ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y, profile.z,
             profile.smoothing};
   return {};
+}
+
+/// Points without a kind would go unread.
+Fault check_no_points(const wrc_profile& profile, const char* name) {
+  if (profile.kind != WRC_PROFILE_NONE ||
+      (profile.count == 0 && profile.y == nullptr && profile.z == nullptr))
+    return {};
+  return {.status = WRC_ERROR_PROFILE,
+          .field = name,
+          .cause = "it has points, but its kind is not WRC_PROFILE_POINTS"};
+}
+
+bool has_profiles(const wrc_config& config) {
+  return config.wheel.kind != WRC_PROFILE_NONE || config.rail.kind != WRC_PROFILE_NONE;
 }
 
 bool is_wheel(ProfileSource::Kind kind) {
@@ -69,14 +85,14 @@ static_assert(WRC_PATCH_MODEL_PATCH_SDEC == 0 && WRC_PATCH_MODEL_PATCH_ELLIPSE =
               WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE == 2 && WRC_PATCH_MODEL_ELLIPSE_AT_POINT == 3);
 
 Fault read_methods(const wrc_config& config, ModelOptions& options) {
-  options.normal_method = normal_method(config.normal_method);
-  options.tangential_method = tangential_method(config.tangential_method);
+  options.normal_method = normal_method(config.normal.method);
+  options.tangential_method = tangential_method(config.tangential.method);
   if (options.normal_method == nullptr || options.tangential_method == nullptr)
     return {.status = WRC_ERROR_INTERNAL, .field = "config", .cause = "a method without a row in its table"};
-  options.patch_model = patch_models[config.patch_model];
-  options.regularisation = static_cast<SecondCriterion>(config.regularisation);
-  options.traction_bound = static_cast<TractionBound>(config.traction_bound);
-  options.flexibility = static_cast<FlexibilityForm>(config.flexibility);
+  options.patch_model = patch_models[config.tangential.patch_model];
+  options.regularisation = static_cast<SecondCriterion>(config.tangential.regularisation);
+  options.traction_bound = static_cast<TractionBound>(config.tangential.bound);
+  options.flexibility = static_cast<FlexibilityForm>(config.tangential.flexibility);
   const InstructionSet best = best_instruction_set();
   options.instruction_set = config.instruction_set == WRC_INSTRUCTIONS_BEST
                                 ? best
@@ -90,58 +106,73 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
 /// a mistake of the caller's.
 Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   const wrc_config untouched = defaults<wrc_config>();
+  const wrc_config_normal& normal = config.normal;
+  const wrc_config_tangential& tangential = config.tangential;
   const struct {
     Option option;
     const char* field;
     double value, untouched;
   } each[] = {
-      {Option::load_tolerance, "config.load_tolerance", config.load_tolerance, untouched.load_tolerance},
-      {Option::warm_start, "config.warm_start", static_cast<double>(config.warm_start),
-       static_cast<double>(untouched.warm_start)},
-      {Option::patch_model, "config.patch_model", static_cast<double>(config.patch_model),
-       static_cast<double>(untouched.patch_model)},
-      {Option::traction_bound, "config.traction_bound", static_cast<double>(config.traction_bound),
-       static_cast<double>(untouched.traction_bound)},
-      {Option::flexibility, "config.flexibility", static_cast<double>(config.flexibility),
-       static_cast<double>(untouched.flexibility)},
+      {Option::max_iterations, "config.normal.max_iterations", static_cast<double>(normal.max_iterations),
+       static_cast<double>(untouched.normal.max_iterations)},
+      {Option::max_sweeps, "config.normal.max_sweeps", static_cast<double>(normal.max_sweeps),
+       static_cast<double>(untouched.normal.max_sweeps)},
+      {Option::load_tolerance, "config.normal.load_tolerance", normal.load_tolerance,
+       untouched.normal.load_tolerance},
+      {Option::warm_start, "config.normal.warm_start", static_cast<double>(normal.warm_start),
+       static_cast<double>(untouched.normal.warm_start)},
+      {Option::patch_model, "config.tangential.patch_model", static_cast<double>(tangential.patch_model),
+       static_cast<double>(untouched.tangential.patch_model)},
+      {Option::traction_bound, "config.tangential.bound", static_cast<double>(tangential.bound),
+       static_cast<double>(untouched.tangential.bound)},
+      {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
+       static_cast<double>(untouched.tangential.flexibility)},
   };
   const auto read = [&](Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);
   };
   for (const auto& [option, field, value, default_value] : each)
     if (value != default_value && !read(option)) return unsupported(field, value, readers_of(option));
-  if (config.force_table != nullptr && !read(Option::force_table))
+  if (tangential.force_table != nullptr && !read(Option::force_table))
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.force_table",
+            .field = "config.tangential.force_table",
             .cause = readers_of(Option::force_table)};
-  if (config.wheel != nullptr || config.rail != nullptr) return {};
-  constexpr const char* placed =
-      "the model has no profiles to place: what the caller hands over is taken as it is";
-  if (config.flange_back_distance != untouched.flange_back_distance)
-    return unsupported("config.flange_back_distance", config.flange_back_distance, placed, "m");
-  if (config.track_gauge != untouched.track_gauge)
-    return unsupported("config.track_gauge", config.track_gauge, placed, "m");
-  if (config.gauge_depth != untouched.gauge_depth)
-    return unsupported("config.gauge_depth", config.gauge_depth, placed, "m");
-  if (config.rail_inclination != untouched.rail_inclination)
-    return unsupported("config.rail_inclination", config.rail_inclination, placed);
+  if (has_profiles(config)) return {};
+  const struct {
+    const char* field;
+    double value, untouched;
+    const char* unit;
+  } placed[] = {
+      {"config.wheelset.flange_back_distance", config.wheelset.flange_back_distance,
+       untouched.wheelset.flange_back_distance, "m"},
+      {"config.track.gauge", config.track.gauge, untouched.track.gauge, "m"},
+      {"config.track.gauge_depth", config.track.gauge_depth, untouched.track.gauge_depth, "m"},
+      {"config.track.rail_inclination", config.track.rail_inclination, untouched.track.rail_inclination, ""},
+      {"config.track.placement", static_cast<double>(config.track.placement),
+       static_cast<double>(untouched.track.placement), ""},
+  };
+  for (const auto& [field, value, default_value, unit] : placed)
+    if (value != default_value)
+      return unsupported(field, value,
+                         "the model has no profiles to place: what the caller hands over is taken as it is",
+                         unit);
   return {};
 }
 
 /// The header of the force table tells how much memory the model needs.
-Fault read_table(const wrc_config& config, ModelOptions& options) {
-  if (config.force_table == nullptr) {
+Fault read_table(const char* file, ModelOptions& options) {
+  if (file == nullptr) {
     return {.status = WRC_ERROR_NULL,
-            .field = "config.force_table",
+            .field = "config.tangential.force_table",
             .cause = "this tangential method needs the file of the force table"};
   }
-  options.force_table = config.force_table;
-  return read_force_table_axes(config.force_table, options.force_table_axes);
+  options.force_table = file;
+  return read_force_table_axes(file, options.force_table_axes);
 }
 
 }  // namespace
 
-static_assert(member<wrc_config>("max_patches").high == patch_capacity);
+static_assert(member<wrc_config>("grid.max_patches").high == patch_capacity);
 
 Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   wrc_config config;
@@ -151,30 +182,32 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   fault = read_methods(config, options);
   if (fault.failed()) return fault;
 
-  fault = check_unread(config, options);
+  fault = first_of({check_unread(config, options), check_no_points(config.wheel, "config.wheel"),
+                    check_no_points(config.rail, "config.rail")});
   if (fault.failed()) return fault;
-  options.track.by_origin = config.profile_placement == WRC_PLACEMENT_ORIGIN;
-  options.sizes = {.strips = config.strips, .cells = config.cells, .gap_rows = config.gap_rows};
-  options.max_iterations =
-      config.max_iterations > 0 ? config.max_iterations : options.normal_method->iterations;
-  options.max_patches = config.max_patches;
-  options.warm_start = config.warm_start != 0;
-  options.material = {config.shear_modulus, config.poisson};
-  options.load_tolerance = config.load_tolerance;
-  options.gap_limit = config.gap_limit;
-  options.shear_yield = config.shear_yield;
-  options.wheelset.nominal_radius = config.wheel_radius;
-  options.wheelset.flange_back_distance = config.flange_back_distance;
-  options.track.gauge = config.track_gauge;
-  options.track.gauge_depth = config.gauge_depth;
-  options.track.rail_inclination = config.rail_inclination;
-  options.track.rail_origin = config.rail_origin;
+  options.sizes = {
+      .strips = config.grid.strips, .cells = config.grid.cells, .gap_rows = config.grid.gap_rows};
+  options.max_patches = config.grid.max_patches;
+  options.gap_limit = config.grid.gap_limit;
+  options.max_iterations = config.normal.max_iterations;
+  options.max_sweeps = config.normal.max_sweeps;
+  options.warm_start = config.normal.warm_start != 0;
+  options.load_tolerance = config.normal.load_tolerance;
+  options.material = {config.material.shear_modulus, config.material.poisson};
+  options.shear_yield = config.material.shear_yield;
+  options.wheelset.nominal_radius = config.wheelset.wheel_radius;
+  options.wheelset.flange_back_distance = config.wheelset.flange_back_distance;
+  options.track = {.gauge = config.track.gauge,
+                   .gauge_depth = config.track.gauge_depth,
+                   .rail_inclination = config.track.rail_inclination,
+                   .by_origin = config.track.placement == WRC_PLACEMENT_ORIGIN,
+                   .rail_origin = config.track.rail_origin};
 
   if (options.tangential_method->reads.has(Option::force_table)) {
-    fault = read_table(config, options);
+    fault = read_table(config.tangential.force_table, options);
     if (fault.failed()) return fault;
   }
-  if (config.wheel == nullptr && config.rail == nullptr) return {};  // the host hands over gaps
+  if (!has_profiles(config)) return {};  // the host hands over gaps
   fault = read_profile(config.wheel, "config.wheel", options.wheel);
   if (fault.failed()) return fault;
   fault = read_profile(config.rail, "config.rail", options.rail);
@@ -185,11 +218,12 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   if (!is_rail(options.rail.kind)) {
     return {.status = WRC_ERROR_PROFILE, .field = "config.rail", .cause = "this is a wheel profile"};
   }
-  if (options.rail.kind == ProfileSource::Kind::rail_uic60_benchmark && config.rail_inclination != 0.0) {
+  if (options.rail.kind == ProfileSource::Kind::rail_uic60_benchmark &&
+      config.track.rail_inclination != 0.0) {
     return {
         .status = WRC_ERROR_UNSUPPORTED,
-        .field = "config.rail_inclination",
-        .value = config.rail_inclination,
+        .field = "config.track.rail_inclination",
+        .value = config.track.rail_inclination,
         .unit = "",
         .cause = "WRC_PROFILE_UIC60_BENCHMARK is canted 1:40 already: leave it 0, or take WRC_PROFILE_60E1"};
   }

@@ -58,29 +58,22 @@ struct Reporter {
   }
 };
 
-Fault read_grid(const wrc_grid* theirs, halfspace::Grid& grid) {
-  wrc_grid ours;
-  const Fault fault = read(theirs, "grid", ours);
-  if (fault.failed()) return fault;
-  grid = {.nx = static_cast<int>(ours.nx),
-          .ny = static_cast<int>(ours.ny),
-          .dx = ours.dx,
-          .dy = ours.dy,
-          .x0 = ours.x0,
-          .y0 = ours.y0};
-  return fault;
+halfspace::Grid grid_of(const wrc_grid& checked) {
+  return {.nx = static_cast<int>(checked.nx),
+          .ny = static_cast<int>(checked.ny),
+          .dx = checked.dx,
+          .dy = checked.dy,
+          .x0 = checked.x0,
+          .y0 = checked.y0};
 }
 
 /// Combined constants of two materials: 1/G and nu/G are the means of the bodies'.
-Fault read_materials(const wrc_materials* theirs, Material& material) {
-  wrc_materials ours;
-  const Fault fault = read_or_defaults(theirs, "materials", ours);
-  if (fault.failed()) return fault;
-  const double inverse = 0.5 * (1.0 / ours.shear_modulus_1 + 1.0 / ours.shear_modulus_2);
-  material.shear_modulus = 1.0 / inverse;
-  material.poisson =
-      0.5 * (ours.poisson_1 / ours.shear_modulus_1 + ours.poisson_2 / ours.shear_modulus_2) / inverse;
-  return fault;
+Material material_of(const wrc_materials& checked) {
+  const double inverse = 0.5 * (1.0 / checked.shear_modulus_1 + 1.0 / checked.shear_modulus_2);
+  const double poisson =
+      0.5 * (checked.poisson_1 / checked.shear_modulus_1 + checked.poisson_2 / checked.shear_modulus_2) /
+      inverse;
+  return {1.0 / inverse, poisson};
 }
 
 /// A field of one number per cell.
@@ -103,14 +96,9 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   wrc_exact_normal_problem ours;
   Fault fault = read(theirs, "problem", ours);
   if (fault.failed()) return fault;
-  halfspace::Grid grid;
-  fault = read_grid(ours.grid, grid);
-  if (fault.failed()) return fault;
+  const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());
-  Material material;
-  fault = read_materials(ours.materials, material);
-  if (fault.failed()) return fault;
-
+  const Material material = material_of(ours.materials);
   halfspace::GapProblem problem;
   fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
@@ -138,24 +126,19 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   wrc_exact_rolling_problem ours;
   Fault fault = read(theirs, "problem", ours);
   if (fault.failed()) return fault;
-  halfspace::Grid grid;
-  fault = read_grid(ours.grid, grid);
-  if (fault.failed()) return fault;
+  const halfspace::Grid grid = grid_of(ours.grid);
   const std::size_t cells = grid.cells();
   for (double* each : {solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y}) {
     zero_field(each, cells);
   }
-  Material material;
-  wrc_creepage creepage;
-  fault = first_of({read_materials(ours.materials, material), read(ours.creepage, "creepage", creepage)});
-  if (fault.failed()) return fault;
-
+  const Material material = material_of(ours.materials);
+  const wrc_creepage& creepage = ours.creepage;
   halfspace::RollingProblem problem;
   fault = first_of(
       {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
-       check(creepage.speed, "creepage.speed", "m/s", 0.0, fastest_rolling,
+       check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, fastest_rolling,
              "the exact solver rolls along x: mirror the problem"),
-       check(creepage.other_way, "creepage.other_way", "", 0.0, 0.0, nullptr,
+       check(creepage.other_way, "problem.creepage.other_way", "", 0.0, 0.0, nullptr,
              "the exact solver rolls one way only")});
   if (fault.failed()) return fault;
   if (ours.adhesion == WRC_ADHESION_FULL) {
@@ -425,8 +408,9 @@ using wrc::Fault;
 extern "C" {
 
 int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
-  wrc::halfspace::Grid ours;
-  const Fault fault = abi::read_grid(grid, ours);
+  wrc_grid theirs;
+  const Fault fault = abi::read(grid, "grid", theirs);
+  const wrc::halfspace::Grid ours = abi::grid_of(theirs);
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
   if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;

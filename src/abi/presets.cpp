@@ -14,7 +14,7 @@ namespace {
 
 struct Preset {
   const char* name;
-  int32_t tangential_method, patch_model, traction_bound, flexibility, regularisation;
+  int32_t method, patch_model, bound, flexibility, regularisation;
 };
 
 constexpr Preset presets[] = {
@@ -46,11 +46,12 @@ Fault use(wrc_config* config, const char* name) {
     return {.status = WRC_ERROR_UNSUPPORTED, .field = "name", .cause = known_names};
   wrc_config ours = abi::defaults<wrc_config>();
   std::memcpy(&ours, config, config->struct_size);  // not checked: other members may not be set yet
-  ours.tangential_method = preset->tangential_method;
-  ours.patch_model = preset->patch_model;
-  ours.traction_bound = preset->traction_bound;
-  ours.flexibility = preset->flexibility;
-  ours.regularisation = preset->regularisation;
+  wrc_config_tangential& tangential = ours.tangential;
+  tangential.method = preset->method;
+  tangential.patch_model = preset->patch_model;
+  tangential.bound = preset->bound;
+  tangential.flexibility = preset->flexibility;
+  tangential.regularisation = preset->regularisation;
   abi::write(ours, config);
   return {};
 }

@@ -4,6 +4,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
 
 namespace wrc::abi {
@@ -12,22 +13,16 @@ namespace {
 // ------------------------------------------------------------------------------------------------ reading
 // arguments
 
-Fault read_pose(const wrc_pose* theirs, Pose& pose) {
-  wrc_pose ours;
-  const Fault fault = read(theirs, "pose", ours);
-  pose = {.lateral = flush_subnormals(ours.lateral),
-          .roll = flush_subnormals(ours.roll),
-          .yaw = flush_subnormals(ours.yaw)};
-  return fault;
+Pose pose_of(const wrc_pose& checked) {
+  return {.lateral = flush_subnormals(checked.lateral),
+          .roll = flush_subnormals(checked.roll),
+          .yaw = flush_subnormals(checked.yaw)};
 }
 
-Fault read_load(const wrc_load* theirs, Load& load) {
-  wrc_load ours;
-  const Fault fault = read(theirs, "load", ours);
-  load = ours.prescribed == WRC_PRESCRIBE_LOAD
-             ? Load{Prescribed::load, ours.normal_force}
-             : Load{Prescribed::approach, ours.approach, ours.approach_velocity, ours.damping};
-  return fault;
+Load load_of(const wrc_load& checked) {
+  return checked.prescribed == WRC_PRESCRIBE_LOAD
+             ? Load{Prescribed::load, checked.normal_force}
+             : Load{Prescribed::approach, checked.approach, checked.approach_velocity, checked.damping};
 }
 
 // What wrc_contact_creepages() makes of a motion is within what wrc_contact_tangential() takes.
@@ -38,23 +33,24 @@ static_assert(member<wrc_creepage>("speed").high == fastest_rolling);
 static_assert(member<wrc_creepage>("other_way").high == largest_share_of_other_way);
 static_assert(member<wrc_motion>("speed").high == fastest_rolling);
 
-Fault read_creepage(const wrc_creepage* theirs, Creepage& creepage, Rolling& rolling) {
-  wrc_creepage ours;
-  const Fault fault = read(theirs, "creepage", ours);
-  creepage = {flush_subnormals(ours.longitudinal), flush_subnormals(ours.lateral),
-              flush_subnormals(ours.spin)};
-  const double speed = flush_subnormals(ours.speed);
-  rolling = {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(ours.other_way)};
-  return fault;
+Creepage creepage_of(const wrc_creepage& checked) {
+  return {flush_subnormals(checked.longitudinal), flush_subnormals(checked.lateral),
+          flush_subnormals(checked.spin)};
+}
+
+Rolling rolling_of(const wrc_creepage& checked) {
+  const double speed = flush_subnormals(checked.speed);
+  return {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(checked.other_way)};
 }
 
 /// Positions of rows or of the elements in them. `spacing`: what their distance is called.
-Fault check_increasing(const double* y, std::uint32_t count, const char* field, const char* spacing,
-                       const char* cause) {
+Fault check_increasing(const double* y, std::uint32_t count, const char* of, const char* field,
+                       const char* spacing, const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
     if (y[j] > y[j - 1] && y[j] - y[j - 1] < row_spacing_least) {
       return {.status = WRC_ERROR_GAP,
               .index = static_cast<std::int32_t>(j),
+              .of = of,
               .field = spacing,
               .value = y[j] - y[j - 1],
               .unit = "m",
@@ -65,6 +61,7 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* field, 
     if (!(y[j] > y[j - 1])) {
       return {.status = WRC_ERROR_GAP,
               .index = static_cast<std::int32_t>(j),
+              .of = of,
               .field = field,
               .value = y[j],
               .unit = "m",
@@ -74,26 +71,36 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* field, 
   return {};
 }
 
-Fault take_gap(Contact& contact, const wrc_gap* theirs) {
+Fault check_stride(const wrc_gap& gap, const char* of) {
+  if (gap.row_stride >= gap.columns && gap.row_stride <= 1'000'000'000'000) return {};
+  return {.status = WRC_ERROR_RANGE,
+          .of = of,
+          .field = "row_stride",
+          .value = static_cast<double>(gap.row_stride),
+          .unit = "",
+          .low = static_cast<double>(gap.columns),
+          .high = 1e12,
+          .cause = "rows overlap: the stride is in elements"};
+}
+
+Fault take_gap(Contact& contact, const wrc_gap* theirs, const char* of) {
   wrc_gap gap;
-  Fault fault = read(theirs, "gap", gap);
+  Fault fault = read(theirs, of, gap);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  fault = first_of({check(member<wrc_gap>("rows"), "gap", gap.rows, room),
-                    check_increasing(gap.y, gap.rows, "gap.y", "spacing of gap.y",
+  fault = first_of({check(member<wrc_gap>("rows"), of, gap.rows, room),
+                    check_increasing(gap.y, gap.rows, of, "y", "y: spacing",
                                      "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::int32_t>(gap.rows);
 
   if (gap.columns > 0) {
-    fault =
-        first_of({check(static_cast<double>(gap.row_stride), "gap.row_stride", "",
-                        static_cast<double>(gap.columns), 1e12, "rows overlap: the stride is in elements"),
-                  check_increasing(gap.x, gap.columns, "gap.x", "spacing of gap.x",
-                                   "columns must be in order of strictly increasing x")});
+    fault = first_of(
+        {check_stride(gap, of), check_increasing(gap.x, gap.columns, of, "x", "x: spacing",
+                                                 "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
-      fault = check_all(member<wrc_gap>("h"), "gap", gap.h + j * gap.row_stride, gap.columns);
+      fault = check_all(member<wrc_gap>("h"), of, gap.h + j * gap.row_stride, gap.columns);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -134,11 +141,11 @@ Fault take_strips(Contact& contact, const wrc_strips* theirs) {
                                           .peak = const_cast<double*>(strips.peak)});
 }
 
-Fault take_patch(Contact& contact, const wrc_patch* theirs) {
-  wrc_patch patch;
-  const Fault fault = read(theirs, "patch", patch);
+Fault take_ellipse(Contact& contact, const wrc_ellipse* theirs) {
+  wrc_ellipse ellipse;
+  const Fault fault = read(theirs, "ellipse", ellipse);
   if (fault.failed()) return fault;
-  return take_double_ellipse(contact, Sdec{patch.a, patch.b, patch.psi}, patch.normal_force);
+  return take_double_ellipse(contact, Sdec{ellipse.a, ellipse.b, ellipse.psi}, ellipse.normal_force);
 }
 
 // ------------------------------------------------------------------------------------------------- writing
@@ -157,19 +164,26 @@ wrc_contact_point point_of(const Contact& contact) {
   return ours;
 }
 
-/// `extent` and `shape`: of one patch, or of the whole contact and the patch that speaks for its shape.
-wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patch& shape,
-                   std::int32_t strips) {
-  wrc_patch ours{};
+/// The equivalent double ellipse of one patch, with its load.
+wrc_ellipse ellipse_of(const Patch& patch) {
+  return {.a = patch.sdec.a,
+          .b = patch.sdec.b,
+          .psi = patch.sdec.psi,
+          .y = patch.y_contact,
+          .normal_force = patch.extent.normal_force};
+}
+
+wrc_normal_solution normal_of(const Contact& contact) {
+  wrc_normal_solution ours{};
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
-  ours.strips = strips;
-  ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
+  const StripTotals& extent = contact.extent;
   ours.patches = contact.patches;
-  ours.a = shape.sdec.a;
-  ours.b = shape.sdec.b;
-  ours.psi = shape.sdec.psi;
+  ours.strips = contact.strips;
+  ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
+  ours.ellipse = ellipse_of(contact.patch[contact.main_patch]);
   ours.normal_force = extent.normal_force;
+  ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
   ours.stiffness = contact.normal.stiffness;
   ours.peak_pressure = extent.peak_pressure;
   ours.area = extent.area;
@@ -177,12 +191,12 @@ wrc_patch patch_of(const Contact& contact, const StripTotals& extent, const Patc
   ours.width = extent.y_max - extent.y_min;
   ours.y_min = extent.y_min;
   ours.y_max = extent.y_max;
-  ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
   return ours;
 }
 
-wrc_patch patch_of(const Contact& contact) {
-  return patch_of(contact, contact.extent, contact.patch[contact.main_patch], contact.strips);
+/// Bits of enum wrc_available that hold for what is made of the cells.
+std::uint32_t of_tractions(const Contact& contact) {
+  return gives_fields(contact) ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U;
 }
 
 wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, double normal_force) {
@@ -194,6 +208,7 @@ wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, dou
   ours.mz = forces.mz;
   ours.power = forces.power_per_speed * contact.rolling.speed;
   ours.adhesion_fraction = forces.adhesion_fraction;
+  ours.available = of_tractions(contact);
   return ours;
 }
 
@@ -201,76 +216,85 @@ wrc_forces forces_of(const Contact& contact) {
   return forces_of(contact, contact.forces, contact.extent.normal_force);
 }
 
+/// One patch; its place is in the track frame, where the contact plane is the tangent plane at the contact
+/// point.
+wrc_patch patch_of(const Contact& contact, const Patch& patch) {
+  wrc_patch ours = empty<wrc_patch>();
+  ours.strips = patch.count;
+  ours.ellipse = ellipse_of(patch);
+  if (contact.reached >= Stage::tangential)
+    ours.forces = forces_of(contact, patch.forces, patch.extent.normal_force);
+  ours.peak_pressure = patch.extent.peak_pressure;
+  ours.area = patch.extent.area;
+  ours.length = patch.extent.length;
+  ours.width = patch.extent.y_max - patch.extent.y_min;
+  ours.y_min = patch.extent.y_min;
+  ours.y_max = patch.extent.y_max;
+  if (contact.posed && contact.pressed) {
+    const auto [sine, cosine] = sine_cosine(contact.point.angle);
+    ours.available = WRC_AVAILABLE_PLACE;
+    ours.point[0] = contact.point.x;
+    ours.point[1] = contact.point.y + cosine * patch.y_contact;
+    ours.point[2] = contact.point.z + sine * patch.y_contact;
+    ours.normal[1] = -sine;
+    ours.normal[2] = cosine;
+  }
+  return ours;
+}
+
 wrc_damage damage_of(const Contact& contact) {
   wrc_damage ours{};
   if (!contact.touching) return ours;
   ours.power = contact.damage.power;
-  ours.peak_power_density = contact.damage.peak_power_density;
   ours.t_gamma = contact.damage.t_gamma;
   ours.t_gamma_no_spin = contact.damage.t_gamma_no_spin;
   ours.utilisation = contact.damage.utilisation;
   ours.load_factor = contact.damage.load_factor;
   ours.shakedown_limit = contact.damage.shakedown_limit;
   ours.fatigue_index = contact.damage.fatigue_index;
+  ours.available = of_tractions(contact);
+  if (ours.available == 0) return ours;
+  ours.peak_power_density = contact.damage.peak_power_density;
   ours.local_fatigue_index = contact.damage.local_fatigue_index;
   return ours;
-}
-
-/// struct_size of the local results is that of today's structs; write() keeps the caller's.
-template <typename Struct>
-void give(Struct ours, Struct* theirs) {
-  ours.struct_size = sizeof(Struct);
-  write(ours, theirs);
 }
 
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
-/// The outputs of a step, zeroed; as read from the caller's struct.
-Fault clear_outputs(const wrc_output* output, wrc_output& out) {
-  const Fault fault = read(output, "output", out);
-  if (fault.failed()) return fault;
-  return first_of({clear(out.point), clear(out.patch), clear(out.forces), clear(out.damage)});
-}
-
-Fault solve_step(Contact& contact, const wrc_input* input, const wrc_output& out) {
+Fault solve_step(Contact& contact, const wrc_input* input) {
   wrc_input in;
   Fault outcome = read(input, "input", in);
   if (outcome.failed()) return outcome;
-  if (in.pose == nullptr && in.gap == nullptr) {
-    return {.status = WRC_ERROR_NULL, .field = "input", .cause = "give a pose, or a gap of your own"};
-  }
-  Load load;
-  Creepage creepage;
   Friction friction;
-  Rolling rolling;
-  outcome = first_of({read_load(in.load, load), read_creepage(in.creepage, creepage, rolling),
-                      read_friction(in.friction, *contact.model->options.tangential_method, friction)});
+  outcome = read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction);
   if (outcome.failed()) return outcome;
-  if (in.pose != nullptr) {
-    Pose pose;
-    outcome = read_pose(in.pose, pose);
-    if (!outcome.failed()) keep_worst(outcome, find_gap(contact, pose));
+  if (in.gap != nullptr) {
+    outcome = take_gap(contact, in.gap, "input.gap");
   } else {
-    outcome = take_gap(contact, in.gap);
+    keep_worst(outcome, find_gap(contact, pose_of(in.pose)));
   }
-  if (!outcome.failed()) keep_worst(outcome, solve_normal(contact, load));
+  if (!outcome.failed()) keep_worst(outcome, solve_normal(contact, load_of(in.load)));
   if (!outcome.failed()) keep_worst(outcome, regularise_patch(contact));
-  if (!outcome.failed()) keep_worst(outcome, solve_tangential(contact, creepage, friction, rolling));
+  if (!outcome.failed())
+    keep_worst(outcome,
+               solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage)));
   if (!outcome.failed()) keep_worst(outcome, assess_damage(contact));
-  if (outcome.failed()) return outcome;
-
-  if (in.pose != nullptr) give(point_of(contact), out.point);
-  give(patch_of(contact), out.patch);
-  give(forces_of(contact), out.forces);
-  give(damage_of(contact), out.damage);
   return outcome;
 }
 
-std::int32_t step(wrc_contact* handle, const wrc_input* input, const wrc_output* output) {
-  wrc_output out;
-  const Fault cleared = clear_outputs(output, out);
-  return call(handle, cleared, [&](Contact& contact) { return solve_step(contact, input, out); });
+std::int32_t step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
+  return call(handle, clear(output), [&](Contact& contact) {
+    const Fault outcome = solve_step(contact, input);
+    if (outcome.failed() || output == nullptr) return outcome;
+    wrc_output ours = empty<wrc_output>();
+    if (contact.posed) ours.point = point_of(contact);
+    ours.normal = normal_of(contact);
+    ours.forces = forces_of(contact);
+    ours.damage = damage_of(contact);
+    write(ours, output);
+    return outcome;
+  });
 }
 
 /// Where a field lies and how long it is.
@@ -337,11 +361,11 @@ extern "C" {
 
 int32_t wrc_contact_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
   return abi::call(handle, abi::clear(point), [&](Contact& contact) {
-    wrc::Pose ours;
-    Fault outcome = abi::read_pose(pose, ours);
+    wrc_pose ours;
+    Fault outcome = abi::read(pose, "pose", ours);
     if (outcome.failed()) return outcome;
-    outcome = wrc::find_gap(contact, ours);
-    if (!outcome.failed()) abi::give(abi::point_of(contact), point);
+    outcome = wrc::find_gap(contact, abi::pose_of(ours));
+    if (!outcome.failed()) abi::write(abi::point_of(contact), point);
     return outcome;
   });
 }
@@ -368,45 +392,48 @@ int32_t wrc_contact_creepages(wrc_contact* handle, const wrc_motion* motion, wrc
     result.speed = rigid.rolling_speed;
     result.other_way = rigid.other_way;
     result.approach_velocity = rigid.normal_velocity;
-    abi::give(result, creepage);
+    abi::write(result, creepage);
     return outcome;
   });
 }
 
-int32_t wrc_contact_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load, wrc_patch* patch) {
-  return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
-    wrc::Load ours;
-    Fault outcome = abi::read_load(load, ours);
-    if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap);
-    if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, ours));
+int32_t wrc_contact_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load,
+                           wrc_normal_solution* normal) {
+  return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
+    wrc_load ours;
+    Fault outcome = abi::read(load, "load", ours);
+    if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
+    if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
+    if (!outcome.failed()) abi::write(abi::normal_of(contact), normal);
     return outcome;
   });
 }
 
-int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_patch* patch) {
-  return abi::call(handle, abi::clear(patch), [&](Contact& contact) {
+int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_normal_solution* normal) {
+  return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
     Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::give(abi::patch_of(contact), patch);
+    if (!outcome.failed()) abi::write(abi::normal_of(contact), normal);
     return outcome;
   });
 }
 
-int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_patch* patch, const wrc_creepage* creepage,
+int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces) {
   return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
-    wrc::Creepage ours;
+    wrc_creepage ours;
+    wrc_friction theirs;
     wrc::Friction law;
-    wrc::Rolling rolling;
     Fault outcome =
-        abi::first_of({abi::read_creepage(creepage, ours, rolling),
-                       abi::read_friction(friction, *contact.model->options.tangential_method, law)});
-    if (!outcome.failed() && patch != nullptr) outcome = abi::take_patch(contact, patch);
-    if (!outcome.failed()) keep_worst(outcome, wrc::solve_tangential(contact, ours, law, rolling));
-    if (!outcome.failed()) abi::give(abi::forces_of(contact), forces);
+        abi::first_of({abi::read(creepage, "creepage", ours), abi::read(friction, "friction", theirs)});
+    if (!outcome.failed())
+      outcome = abi::read_friction(theirs, "friction", *contact.model->options.tangential_method, law);
+    if (!outcome.failed() && ellipse != nullptr) outcome = abi::take_ellipse(contact, ellipse);
+    if (!outcome.failed())
+      keep_worst(outcome, wrc::solve_tangential(contact, abi::creepage_of(ours), law, abi::rolling_of(ours)));
+    if (!outcome.failed()) abi::write(abi::forces_of(contact), forces);
     return outcome;
   });
 }
@@ -414,7 +441,7 @@ int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_patch* patch, cons
 int32_t wrc_contact_damage(wrc_contact* handle, wrc_damage* damage) {
   return abi::call(handle, abi::clear(damage), [&](Contact& contact) {
     const Fault outcome = wrc::assess_damage(contact);
-    if (!outcome.failed()) abi::give(abi::damage_of(contact), damage);
+    if (!outcome.failed()) abi::write(abi::damage_of(contact), damage);
     return outcome;
   });
 }
@@ -424,7 +451,7 @@ int32_t wrc_contact_step(wrc_contact* handle, const wrc_input* input, wrc_output
 }
 
 int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
-                               uint64_t input_stride, const wrc_output* outputs, uint64_t output_stride,
+                               uint64_t input_stride, wrc_output* outputs, uint64_t output_stride,
                                int32_t* statuses) {
   // An array that is missing is a NULL in every step, so that what there is of outputs gets zeroed.
   const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
@@ -444,49 +471,43 @@ int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out
   return abi::call(handle, {}, [&](Contact& contact) -> Fault {
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
     if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
-    wrc_pose pose = abi::defaults<wrc_pose>();
-    pose.lateral = in[0];
-    pose.roll = in[1];
-    pose.yaw = in[2];
-    wrc_load load = abi::defaults<wrc_load>();
-    load.normal_force = in[3];
-    wrc_creepage creepage = abi::defaults<wrc_creepage>();
-    creepage.longitudinal = in[4];
-    creepage.lateral = in[5];
-    creepage.spin = in[6];
-    wrc_friction friction = abi::defaults<wrc_friction>();
-    friction.coefficient = in[7];
     wrc_input input = abi::defaults<wrc_input>();
-    input.pose = &pose;
-    input.load = &load;
-    input.creepage = &creepage;
-    input.friction = &friction;
-    const wrc_output nothing = abi::defaults<wrc_output>();
-    const Fault outcome = abi::solve_step(contact, &input, nothing);
+    input.pose.lateral = in[0];
+    input.pose.roll = in[1];
+    input.pose.yaw = in[2];
+    input.load.normal_force = in[3];
+    input.creepage.longitudinal = in[4];
+    input.creepage.lateral = in[5];
+    input.creepage.spin = in[6];
+    input.friction.coefficient = in[7];
+    const Fault outcome = abi::solve_step(contact, &input);
     if (outcome.failed()) return outcome;
     const wrc_forces forces = abi::forces_of(contact);
-    const wrc_patch patch = abi::patch_of(contact);
-    const double values[WRC_FLAT_OUTPUTS] = {
-        forces.fx,    forces.fy,      forces.fn,           forces.mz,
-        forces.power, patch.approach, patch.peak_pressure, patch.area,
-        patch.a,      patch.b,        patch.psi,           abi::damage_of(contact).fatigue_index};
+    const wrc_normal_solution normal = abi::normal_of(contact);
+    const double values[WRC_FLAT_OUTPUTS] = {forces.fx,
+                                             forces.fy,
+                                             forces.fn,
+                                             forces.mz,
+                                             forces.power,
+                                             normal.approach,
+                                             normal.peak_pressure,
+                                             normal.area,
+                                             normal.ellipse.a,
+                                             normal.ellipse.b,
+                                             normal.ellipse.psi,
+                                             abi::damage_of(contact).fatigue_index};
     std::copy_n(values, WRC_FLAT_OUTPUTS, out);
     return outcome;
   });
 }
 
-int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch, wrc_forces* forces) {
-  const Fault cleared = abi::first_of({abi::clear(patch), abi::clear(forces)});
-  return abi::call(handle, cleared, [&](Contact& contact) -> Fault {
+int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch) {
+  return abi::call(handle, abi::clear(patch), [&](Contact& contact) -> Fault {
+    if (patch == nullptr) return {.status = WRC_ERROR_NULL, .field = "patch"};
     if (contact.patches == 0)
       return {.status = WRC_ERROR_SEQUENCE, .field = "patch", .cause = "there is no patch yet"};
     const Fault outcome = abi::check(static_cast<double>(index), "index", "", 0.0, contact.patches - 1.0);
-    if (outcome.failed()) return outcome;
-    const wrc::Patch& one = contact.patch[index];
-    abi::give(abi::patch_of(contact, one.extent, one, one.count), patch);
-    if (contact.reached >= wrc::Stage::tangential) {
-      abi::give(abi::forces_of(contact, one.forces, one.extent.normal_force), forces);
-    }
+    if (!outcome.failed()) abi::write(abi::patch_of(contact, contact.patch[index]), patch);
     return outcome;
   });
 }
@@ -512,7 +533,7 @@ int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t fiel
   ours.count[1] = cells ? elements : 1;
   ours.stride[0] = cells ? elements : 1;
   ours.stride[1] = 1;
-  abi::give(ours, view);
+  abi::write(ours, view);
   return WRC_OK;
 }
 

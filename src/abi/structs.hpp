@@ -32,16 +32,20 @@ constexpr Struct defaults() {
 /// Is the caller's struct_size one we know? Larger than ours is a newer header than this library.
 template <typename Struct>
 Fault check_size(const Struct& theirs) {
-  if constexpr (!Description<Struct>::versioned) return {};
-  if (theirs.struct_size >= Description<Struct>::first && theirs.struct_size <= sizeof(Struct)) return {};
-  return {
-      .status = WRC_ERROR_STRUCT_SIZE,
-      .field = Description<Struct>::name,
-      .value = static_cast<double>(theirs.struct_size),
-      .unit = "bytes",
-      .low = static_cast<double>(Description<Struct>::first),
-      .high = static_cast<double>(sizeof(Struct)),
-      .cause = "set struct_size = sizeof the struct before its init; is the library older than the header?"};
+  if constexpr (Description<Struct>::versioned) {
+    if (theirs.struct_size < Description<Struct>::first || theirs.struct_size > sizeof(Struct))
+      return {.status = WRC_ERROR_STRUCT_SIZE,
+              .field = Description<Struct>::name,
+              .value = static_cast<double>(theirs.struct_size),
+              .unit = "bytes",
+              .low = static_cast<double>(Description<Struct>::first),
+              .high = static_cast<double>(sizeof(Struct)),
+              .cause =
+                  "begin with its _default(), or set struct_size = sizeof the struct before its _init(); is "
+                  "the library "
+                  "older than the header?"};
+  }
+  return {};
 }
 
 /// Why `value` of that member is refused. `of`: what the caller knows the struct as.

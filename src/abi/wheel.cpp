@@ -24,8 +24,8 @@ void rotation_of_axle(const double (&axle)[3], double (&rotation)[3][3]) {
 }
 
 Fault check_rotation(const double* r) {
-  Fault fault = check_all(r, 9, "wheel.rotation", "", -1.001, 1.001, "these are not cosines between axes",
-                          "these are not cosines between axes");
+  Fault fault = check_all(r, 9, "input.wheel.rotation", "", -1.001, 1.001,
+                          "these are not cosines between axes", "these are not cosines between axes");
   if (fault.failed()) return fault;
   constexpr double tolerance = 1e-6;
   double furthest = 0.0;  // of R R^T from 1
@@ -69,15 +69,13 @@ Fault check_rotation(const double* r) {
   return {};
 }
 
-Fault read_wheel(const wrc_wheel_state* theirs, bool height_read, HostedWheel& hosted) {
-  wrc_wheel_state ours;
-  Fault fault = read(theirs, "wheel", ours);
-  if (fault.failed()) return fault;
-  if (height_read) fault = check(member<wrc_wheel_state>("z"), "wheel", ours.z);
+Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostedWheel& hosted) {
+  Fault fault;
+  if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
   if (!fault.failed() && ours.rotation != nullptr) {
     constexpr const char* not_both = "give roll and yaw or a rotation, not both";
-    fault = first_of({check(ours.roll, "wheel.roll", "rad", 0.0, 0.0, not_both, not_both),
-                      check(ours.yaw, "wheel.yaw", "rad", 0.0, 0.0, not_both, not_both),
+    fault = first_of({check(ours.roll, "input.wheel.roll", "rad", 0.0, 0.0, not_both, not_both),
+                      check(ours.yaw, "input.wheel.yaw", "rad", 0.0, 0.0, not_both, not_both),
                       check_rotation(ours.rotation)});
   }
   if (fault.failed()) return fault;
@@ -112,29 +110,26 @@ Fault read_wheel(const wrc_wheel_state* theirs, bool height_read, HostedWheel& h
   return {};
 }
 
-Fault read_rail(const wrc_rail_state* theirs, RailMotion& rail) {
-  wrc_rail_state ours;
-  const Fault fault = read_or_defaults(theirs, "rail", ours);
-  rail = {.y = flush_subnormals(ours.y),
-          .z = flush_subnormals(ours.z),
-          .roll = flush_subnormals(ours.roll),
-          .velocity_y = flush_subnormals(ours.y_velocity),
-          .velocity_z = flush_subnormals(ours.z_velocity),
-          .velocity_roll = flush_subnormals(ours.roll_velocity)};
-  return fault;
+RailMotion rail_of(const wrc_rail_state& checked) {
+  return {.y = flush_subnormals(checked.y),
+          .z = flush_subnormals(checked.z),
+          .roll = flush_subnormals(checked.roll),
+          .velocity_y = flush_subnormals(checked.y_velocity),
+          .velocity_z = flush_subnormals(checked.z_velocity),
+          .velocity_roll = flush_subnormals(checked.roll_velocity)};
 }
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
-Fault read_hosted_friction(const wrc_friction* theirs, HostedWheel& hosted) {
-  hosted.frictionless = theirs == nullptr;
+Fault read_hosted_friction(const wrc_friction& ours, HostedWheel& hosted) {
+  hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
   if (hosted.frictionless) return {};
-  const Fault fault =
-      read_friction(theirs, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted.friction);
+  const Fault fault = read_friction(ours, "input.friction", *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM),
+                                    hosted.friction);
   if (fault.failed()) return fault;
   if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame != ZoneFrame::rail)
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "friction.zone_frame",
-            .value = static_cast<double>(theirs->zone_frame),
+            .field = "input.friction.zone_frame",
+            .value = static_cast<double>(ours.zone_frame),
             .unit = "",
             .cause = "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE"};
   return {};
@@ -147,9 +142,9 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   Fault fault = read(theirs, "input", ours);
   if (fault.failed()) return fault;
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
-  fault = first_of({read_wheel(ours.wheel, height, hosted), read_rail(ours.rail, hosted.rail),
-                    read_hosted_friction(ours.friction, hosted)});
+  fault = first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, hosted)});
   if (fault.failed()) return fault;
+  hosted.rail = rail_of(ours.rail);
   hosted.load_prescribed = !height;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
@@ -202,7 +197,7 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
 
 wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
   static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
-  wrc_wrench_sensitivities ours = empty<wrc_wrench_sensitivities>();
+  wrc_wrench_sensitivities ours{};
   std::copy_n(&slopes.wrench[0][0], 6 * hosted_inputs, &ours.wrench[0][0]);
   std::copy_n(slopes.z, hosted_inputs, ours.z);
   return ours;
@@ -287,27 +282,21 @@ int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* o
               .unit = "",
               .cause = "it stands for one of an enumeration: 0 or 1"};
     }
-    wrc_wheel_state wheel = abi::defaults<wrc_wheel_state>();
-    wheel.reference = static_cast<int32_t>(in[0]);
-    wheel.y = in[1];
-    wheel.z = in[2];
-    wheel.roll = in[3];
-    wheel.yaw = in[4];
-    std::copy_n(in + 5, 3, wheel.velocity);
-    std::copy_n(in + 8, 3, wheel.angular_velocity);
-    wrc_rail_state rail = abi::defaults<wrc_rail_state>();
-    rail.y = in[11];
-    rail.z = in[12];
-    rail.roll = in[13];
-    rail.y_velocity = in[14];
-    rail.z_velocity = in[15];
-    rail.roll_velocity = in[16];
-    wrc_friction friction = abi::defaults<wrc_friction>();
-    friction.coefficient = in[17];
     wrc_wheel_input input = abi::defaults<wrc_wheel_input>();
-    input.wheel = &wheel;
-    input.rail = &rail;
-    input.friction = in[17] == 0.0 ? nullptr : &friction;
+    input.wheel.reference = static_cast<int32_t>(in[0]);
+    input.wheel.y = in[1];
+    input.wheel.z = in[2];
+    input.wheel.roll = in[3];
+    input.wheel.yaw = in[4];
+    std::copy_n(in + 5, 3, input.wheel.velocity);
+    std::copy_n(in + 8, 3, input.wheel.angular_velocity);
+    input.rail.y = in[11];
+    input.rail.z = in[12];
+    input.rail.roll = in[13];
+    input.rail.y_velocity = in[14];
+    input.rail.z_velocity = in[15];
+    input.rail.roll_velocity = in[16];
+    input.friction.coefficient = in[17];
     input.prescribed = static_cast<int32_t>(in[18]);
     input.vertical_load = in[19];
     input.damping = in[20];

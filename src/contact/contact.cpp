@@ -90,7 +90,7 @@ Fault find_patches(Contact& contact) {
     }
     if (contact.patches == contact.model->options.max_patches) {
       return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "config.max_patches",
+              .field = "config.grid.max_patches",
               .value = static_cast<double>(contact.patches),
               .unit = "patches"};
     }
@@ -325,7 +325,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
              .field = "gap",
              .cause =
                  "no patch of finite size and pressure: is the gap flat, or far more slender than "
-                 "config.strips can resolve?"};
+                 "config.grid.strips can resolve?"};
   if (fault.failed()) {
     back_to(contact, Stage::gap);
     return fault;

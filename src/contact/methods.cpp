@@ -35,7 +35,7 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
                             array(contact, Array::start_length_squared),
                             array(contact, Array::start_shift)};
   const auto solve = [&](const NormalProblem& posed) {
-    return solve_strip_halfspace(posed, {.max_sweeps = options.max_iterations}, *contact.model->influence,
+    return solve_strip_halfspace(posed, {.max_sweeps = options.max_sweeps}, *contact.model->influence,
                                  workspace, start, strips, contact.normal);
   };
   bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
@@ -61,32 +61,31 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
 
 constexpr NormalMethod normal_methods[] = {
     {.is = WRC_ENUMERATOR(WRC_NORMAL_HERTZ),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_hertz(problem, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_KIK_PIOTROWSKI),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_kik_piotrowski(problem, {}, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_ekp(problem, {EkpScale::area}, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP_ELLIPSE),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_ekp(problem, {EkpScale::ellipse}, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_ANALYN),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_analyn(problem, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIPES),
-     .reads = Option::load_tolerance,
+     .reads = {Option::max_iterations, Option::load_tolerance},
      .solve = [](Contact& c, const NormalProblem& problem,
                  Strips& strips) { return solve_stripes(problem, strips, c.normal); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIP_HALFSPACE),
-     .reads = Option::warm_start,  // the load is met to rounding
-     .iterations = StripHalfspaceOptions{}.max_sweeps,
+     .reads = {Option::max_sweeps, Option::warm_start},  // the load is met to rounding
      .half_space = true,
      .workspace = strip_halfspace_workspace,
      .solve = solve_from_start},

@@ -15,6 +15,8 @@ struct Contact;
 
 /// Options of wrc_config and wrc_friction that some methods read and others do not.
 enum class Option {
+  max_iterations,
+  max_sweeps,
   load_tolerance,
   warm_start,
   patch_model,
@@ -45,8 +47,6 @@ struct Enumerator {
 struct NormalMethod {
   Enumerator is;  ///< of enum wrc_normal_method
   OptionSet reads{};
-  std::int32_t iterations =
-      60;  ///< cap where the configuration leaves it to the method: steps of the load search
   /// Needs the influence table in the model; with profiles such a model also solves a wheel on a rail.
   bool half_space = false;
   std::int64_t (*workspace)(std::int32_t strips) = nullptr;  ///< in the contact [bytes]; nullptr: none

@@ -44,7 +44,7 @@ struct ModelOptions {
   InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
   ArraySizes sizes;
   std::int32_t max_patches = 0;
-  std::int32_t max_iterations = 0;
+  std::int32_t max_iterations = 0, max_sweeps = 0;
   bool warm_start = false;  ///< of the strip half-space solver
   Material material;
   double load_tolerance = 0.0;  ///< relative

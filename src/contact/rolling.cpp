@@ -335,7 +335,7 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
   }
   if (!gives_fields(contact)) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.tangential_method",
+            .field = "config.tangential.method",
             .cause = "this method has no tractions to wear by: choose another, or use T-gamma"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};

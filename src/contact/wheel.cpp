@@ -94,7 +94,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
         .status = WRC_ERROR_UNSUPPORTED,
         .field = "contact",
         .cause = model.has_geometry
-                     ? "a wheel on a rail needs a model of config.normal_method = "
+                     ? "a wheel on a rail needs a model of config.normal.method = "
                        "WRC_NORMAL_STRIP_HALFSPACE"
                      : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
   }
@@ -155,7 +155,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
         .status = WRC_ERROR_UNSUPPORTED,
         .field = "contact",
         .cause =
-            "wrc_contact_wrench needs a model of config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+            "wrc_contact_wrench needs a model of config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM"};
   }
 
   if (slopes && !hosted.frictionless) {

@@ -31,7 +31,8 @@ Fault find_gauge_face(const Profile& profile, const ProfileTop& top, double dept
         .unit = "m",
         .low = depth,
         .high = profile_reach,
-        .cause = "it ends above config.gauge_depth, where the gauge is measured: add points further down"};
+        .cause =
+            "it ends above config.track.gauge_depth, where the gauge is measured: add points further down"};
   }
   double low = profile.y[i], high = profile.y[i + 1];
   for (int k = 0; k < 60; ++k) {

@@ -24,8 +24,8 @@ void prescribe_approach(ReferenceWheel& wheel, double approach) {
 /// The load of all strips in the contact [N].
 double load_of_strips(const ReferenceWheel& wheel) {
   double load = 0.0;
-  for (int32_t k = 0; k < wheel.patch.patches; ++k) {
-    wrc_view width = made<wrc_view>(wrc_view_init), half = width, peak = width;
+  for (int32_t k = 0; k < wheel.normal.patches; ++k) {
+    wrc_view width{}, half = width, peak = width;
     wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
     wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_HALF, &half);
     wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
@@ -39,8 +39,8 @@ TEST(BeyondGap, NoStateOfTheFieldsRangeFails) {
   for (int32_t method = 0; method < methods; ++method)
     for (const double gap_limit : {1e-4, 1e-3}) {
       ReferenceWheel wheel;
-      wheel.config.normal_method = method;
-      wheel.config.gap_limit = gap_limit;
+      wheel.config.normal.method = method;
+      wheel.config.grid.gap_limit = gap_limit;
       wheel.creepage.longitudinal = -10.0;  // everything slides
       for (const double lateral : {-6e-3, -0.3e-3, 0.0, 3e-3, 5e-3, 5.8e-3, 6.2e-3, 6.6e-3, 7e-3})
         for (const double yaw : {0.0, 15e-3}) {
@@ -51,7 +51,7 @@ TEST(BeyondGap, NoStateOfTheFieldsRangeFails) {
           const auto agrees = [&](int32_t status) {
             EXPECT_GE(status, WRC_OK);
             EXPECT_GT(wheel.forces.fn, 0.0);
-            EXPECT_NEAR(wheel.forces.fn, wheel.patch.normal_force, 1e-9 * wheel.forces.fn);
+            EXPECT_NEAR(wheel.forces.fn, wheel.normal.normal_force, 1e-9 * wheel.forces.fn);
             EXPECT_NEAR(load_of_strips(wheel), wheel.forces.fn, 1e-9 * wheel.forces.fn);
             EXPECT_NEAR(wheel.damage.power, wheel.forces.power, 1e-6 * wheel.forces.power);
             EXPECT_NEAR(std::hypot(wheel.forces.fx, wheel.forces.fy), 0.35 * wheel.forces.fn,
@@ -61,7 +61,7 @@ TEST(BeyondGap, NoStateOfTheFieldsRangeFails) {
             prescribe_approach(wheel, approach);
             const int32_t status = wheel.step();
             agrees(status);
-            EXPECT_EQ(wheel.patch.approach, approach);
+            EXPECT_EQ(wheel.normal.approach, approach);
             if (approach > gap_limit) {
               EXPECT_EQ(status, WRC_FLAG_BEYOND_GAP) << approach;
             }
@@ -83,16 +83,16 @@ TEST(BeyondGap, LoadAndApproachGoOnInOneLineFromTheBorder) {
       // The strip solver ends its sweeps at half a per cent of the area, which leaves this of the load.
       const double exact = method == WRC_NORMAL_STRIP_HALFSPACE ? 1e-3 : 1e-8;
       ReferenceWheel wheel;
-      wheel.config.normal_method = method;
-      wheel.config.gap_limit = limit;
+      wheel.config.normal.method = method;
+      wheel.config.grid.gap_limit = limit;
       wheel.pose.lateral = lateral;
       prescribe_approach(wheel, limit);
       ASSERT_GE(wheel.step(), WRC_OK);
-      const double border = wheel.patch.normal_force, peak = wheel.patch.peak_pressure,
-                   area = wheel.patch.area;
+      const double border = wheel.normal.normal_force, peak = wheel.normal.peak_pressure,
+                   area = wheel.normal.area;
       prescribe_approach(wheel, 1.5 * limit);
       ASSERT_EQ(wheel.step(), WRC_FLAG_BEYOND_GAP);
-      const double stiffness = wheel.patch.stiffness;
+      const double stiffness = wheel.normal.stiffness;
       EXPECT_GE(stiffness, border / limit);
       EXPECT_LE(stiffness, 6.0 * border / limit);
 
@@ -110,20 +110,20 @@ TEST(BeyondGap, LoadAndApproachGoOnInOneLineFromTheBorder) {
         }
         before = load;
         if (i <= 0) continue;
-        EXPECT_NEAR(wheel.patch.peak_pressure, peak * load / border, 1e-9 * peak);
-        EXPECT_NEAR(wheel.patch.area, area, 1e-12 * area);
+        EXPECT_NEAR(wheel.normal.peak_pressure, peak * load / border, 1e-9 * peak);
+        EXPECT_NEAR(wheel.normal.area, area, 1e-12 * area);
         prescribe_load(wheel, load);
         EXPECT_GE(wheel.step(), WRC_OK);
-        EXPECT_NEAR(wheel.patch.approach, share * limit, exact * limit);
+        EXPECT_NEAR(wheel.normal.approach, share * limit, exact * limit);
       }
       double approach_before = 0.0;
       for (int i = -100; i <= 100; ++i) {
         prescribe_load(wheel, border * (1.0 + 1e-5 * i));
         ASSERT_GE(wheel.step(), WRC_OK);
         if (approach_before > 0.0) {
-          EXPECT_NEAR(wheel.patch.approach, approach_before, (1e-4 + exact) * limit) << i;
+          EXPECT_NEAR(wheel.normal.approach, approach_before, (1e-4 + exact) * limit) << i;
         }
-        approach_before = wheel.patch.approach;
+        approach_before = wheel.normal.approach;
       }
     }
 }
@@ -133,7 +133,7 @@ TEST(BeyondGap, NothingLeapsWhereThePoseCrossesTheBorder) {
   for (int32_t method = 0; method < methods; ++method) {
     SCOPED_TRACE(method);
     ReferenceWheel wheel;
-    wheel.config.normal_method = method;
+    wheel.config.normal.method = method;
     prescribe_approach(wheel, 0.74e-3);
     int beyond = 0, within = 0;
     double before = 0.0;

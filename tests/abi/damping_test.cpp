@@ -21,31 +21,31 @@ class Damping : public ReferenceContact {
 TEST_F(Damping, WithoutVelocityChangesNoBit) {
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_forces still = forces;
-  const wrc_patch still_patch = patch;
+  const wrc_normal_solution still_normal = normal;
   load.damping = 0.5;
   ASSERT_EQ(step(), WRC_OK) << error();
   EXPECT_EQ(forces.fn, still.fn);
   EXPECT_EQ(forces.fx, still.fx);
   EXPECT_EQ(forces.power, still.power);
-  EXPECT_EQ(patch.peak_pressure, still_patch.peak_pressure);
-  EXPECT_EQ(patch.stiffness, still_patch.stiffness);
-  EXPECT_EQ(patch.damping_force, 0.0);
+  EXPECT_EQ(normal.peak_pressure, still_normal.peak_pressure);
+  EXPECT_EQ(normal.stiffness, still_normal.stiffness);
+  EXPECT_EQ(normal.damping_force, 0.0);
 }
 
 TEST_F(Damping, ScalesForcePressureAndTheirConsequencesAlike) {
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_forces still = forces;
-  const wrc_patch still_patch = patch;
+  const wrc_normal_solution still_normal = normal;
   load.damping = 0.2;
   load.approach_velocity = 0.5;
   ASSERT_EQ(step(), WRC_OK) << error();
   const double factor = 1.0 + 1.5 * 0.2 * 0.5;
   EXPECT_NEAR(forces.fn, factor * still.fn, 1e-12 * forces.fn);
-  EXPECT_NEAR(patch.normal_force, forces.fn, 1e-12 * forces.fn);
-  EXPECT_NEAR(patch.damping_force, forces.fn - still.fn, 1e-9 * forces.fn);
-  EXPECT_NEAR(patch.peak_pressure, factor * still_patch.peak_pressure, 1e-12 * patch.peak_pressure);
-  EXPECT_NEAR(patch.stiffness, factor * still_patch.stiffness, 1e-12 * patch.stiffness);
-  EXPECT_EQ(patch.area, still_patch.area);
+  EXPECT_NEAR(normal.normal_force, forces.fn, 1e-12 * forces.fn);
+  EXPECT_NEAR(normal.damping_force, forces.fn - still.fn, 1e-9 * forces.fn);
+  EXPECT_NEAR(normal.peak_pressure, factor * still_normal.peak_pressure, 1e-12 * normal.peak_pressure);
+  EXPECT_NEAR(normal.stiffness, factor * still_normal.stiffness, 1e-12 * normal.stiffness);
+  EXPECT_EQ(normal.area, still_normal.area);
   EXPECT_NEAR(forces.power, damage.power, 1e-9 * forces.power);
 
   // At full sliding the creep force is friction times the whole force.
@@ -70,7 +70,7 @@ TEST_F(Damping, NeverPullsAndFadesToNothing) {
     EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
     EXPECT_EQ(forces.fn, 0.0);
     EXPECT_EQ(forces.fx, 0.0);
-    EXPECT_EQ(patch.damping_force, 0.0);
+    EXPECT_EQ(normal.damping_force, 0.0);
   }
   load.approach_velocity = 20.0;
   load.damping = 10.0;
@@ -83,7 +83,7 @@ TEST_F(Damping, LeavesAPrescribedLoadAlone) {
   load.damping = 0.2;
   load.approach_velocity = 0.5;
   expect_works();
-  EXPECT_EQ(patch.damping_force, 0.0);
+  EXPECT_EQ(normal.damping_force, 0.0);
 }
 
 TEST_F(Damping, IsChecked) {
@@ -100,32 +100,10 @@ TEST_F(Damping, IsChecked) {
   expect_refused(WRC_ERROR_NOT_FINITE, {"load.approach_velocity"});
 }
 
-/// A caller that knows load, patch and creepage as first published: what lies behind them is neither read nor
-/// written.
-TEST_F(Damping, HonoursOlderStructs) {
-  load.damping = nan_value;
-  load.approach_velocity = nan_value;
-  load.struct_size = offsetof(wrc_load, approach_velocity);
-  patch.damping_force = 4711.0;
-  patch.struct_size = offsetof(wrc_patch, damping_force);
-  ASSERT_EQ(step(), WRC_OK) << error();
-  EXPECT_GT(forces.fn, 0.0);
-  EXPECT_EQ(patch.damping_force, 4711.0);
-  EXPECT_EQ(patch.struct_size, offsetof(wrc_patch, damping_force));
-
-  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
-  motion.speed = 20.0;
-  motion.pitch_rate = -20.0 / 0.46;
-  creepage.approach_velocity = 4711.0;
-  creepage.struct_size = offsetof(wrc_creepage, approach_velocity);
-  ASSERT_EQ(wrc_contact_creepages(contact, &motion, &creepage), WRC_OK) << error();
-  EXPECT_EQ(creepage.approach_velocity, 4711.0);
-}
-
 TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
   pose.lateral = -5e-3;  // an inclined contact plane
   ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK) << error();
-  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  wrc_motion motion = wrc_motion_default();
   motion.vertical_velocity = 0.3;
   motion.lateral_velocity = -0.2;
   ASSERT_EQ(wrc_contact_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
@@ -147,12 +125,12 @@ TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
     for (int i = 0; i < 4000; ++i) {
       load.approach = approach + 0.5 * step_size * velocity;
       load.approach_velocity = velocity;
-      EXPECT_GE(wrc_contact_normal(contact, nullptr, &load, &patch), WRC_OK) << error();
-      rebound.least_force = std::fmin(rebound.least_force, patch.normal_force);
+      EXPECT_GE(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK) << error();
+      rebound.least_force = std::fmin(rebound.least_force, normal.normal_force);
       const double before = velocity;
-      velocity -= step_size * patch.normal_force / mass;
+      velocity -= step_size * normal.normal_force / mass;
       approach = load.approach + 0.5 * step_size * velocity;
-      rebound.dissipated += step_size * patch.damping_force * 0.5 * (velocity + before);
+      rebound.dissipated += step_size * normal.damping_force * 0.5 * (velocity + before);
       if (approach < 0.0) break;
     }
     rebound.restitution = -velocity / speed;

@@ -9,15 +9,15 @@
 namespace {
 
 ReferenceWheel& ellipse(ReferenceWheel& wheel) {
-  wheel.config.normal_method = WRC_NORMAL_EKP_ELLIPSE;
+  wheel.config.normal.method = WRC_NORMAL_EKP_ELLIPSE;
   return wheel;
 }
 
 TEST(EkpEllipse, HasTheReferenceProgramsNumbers) {
   ReferenceWheel wheel;
-  ellipse(wheel).config.shear_modulus = 82e9;
-  wheel.config.poisson = 0.28;
-  wheel.config.strips = 200;
+  ellipse(wheel).config.material.shear_modulus = 82e9;
+  wheel.config.material.poisson = 0.28;
+  wheel.config.grid.strips = 200;
   // Of 80 kN. At 5.5 mm the reference's grid is felt; at 5 mm the overlap has two regions.
   const struct {
     double lateral, yaw, approach, peak, area;
@@ -33,10 +33,10 @@ TEST(EkpEllipse, HasTheReferenceProgramsNumbers) {
     wheel.pose.yaw = row.yaw;
     ASSERT_EQ(wheel.step(), WRC_OK);
     const double coarse = row.lateral == 5.5 ? 8.0 : 1.0;
-    EXPECT_NEAR(1e6 * wheel.patch.approach, row.approach, coarse * 2e-4 * row.approach);
-    EXPECT_NEAR(1e-6 * wheel.patch.peak_pressure, row.peak, coarse * 3e-4 * row.peak);
-    EXPECT_NEAR(1e6 * wheel.patch.area, row.area, (coarse > 1.0 ? 2e-3 : 1e-3) * row.area);
-    EXPECT_EQ(wheel.patch.patches, row.lateral == 5.0 ? 2 : 1);
+    EXPECT_NEAR(1e6 * wheel.normal.approach, row.approach, coarse * 2e-4 * row.approach);
+    EXPECT_NEAR(1e-6 * wheel.normal.peak_pressure, row.peak, coarse * 3e-4 * row.peak);
+    EXPECT_NEAR(1e6 * wheel.normal.area, row.area, (coarse > 1.0 ? 2e-3 : 1e-3) * row.area);
+    EXPECT_EQ(wheel.normal.patches, row.lateral == 5.0 ? 2 : 1);
   }
 }
 
@@ -53,13 +53,13 @@ TEST(EkpEllipse, LoadRisesWithTheApproachWhereRegionsComeInAndJoin) {
     for (double approach = from; approach < to; approach += step) {
       wheel.load.approach = approach;
       ASSERT_EQ(wheel.step(), WRC_OK);
-      EXPECT_GT(wheel.patch.normal_force, before) << approach;
+      EXPECT_GT(wheel.normal.normal_force, before) << approach;
       if (before > 0.0) {
-        EXPECT_LT(wheel.patch.normal_force, before * (1.0 + 10.0 * step / approach)) << approach;
+        EXPECT_LT(wheel.normal.normal_force, before * (1.0 + 10.0 * step / approach)) << approach;
       }
-      before = wheel.patch.normal_force;
-      changes += patches != 0 && wheel.patch.patches != patches;
-      patches = wheel.patch.patches;
+      before = wheel.normal.normal_force;
+      changes += patches != 0 && wheel.normal.patches != patches;
+      patches = wheel.normal.patches;
     }
   };
   scan(2e-6, 150e-6, 50e-9);

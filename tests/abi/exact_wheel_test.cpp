@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "made.hpp"
 #include "reference_contact.hpp"
 #include "wrc/wrc_offline.h"
 
@@ -15,29 +14,25 @@ namespace {
 /// S1002 on the benchmark UIC60 as the reference results have them: frictionless, 80 kN.
 class ExactWheel : public testing::Test {
  protected:
-  wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init);
-  wrc_profile rail_profile = made<wrc_profile>(wrc_profile_init);
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  wrc_exact_wrench_options options = made<wrc_exact_wrench_options>(wrc_exact_wrench_options_init);
-  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init), fast = made<wrc_wrench>(wrc_wrench_init);
+  wrc_config config = wrc_config_default();
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wrc_friction& friction = input.friction;
+  wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+  wrc_wrench wrench = wrc_wrench_default(), fast = wrc_wrench_default();
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
   ExactWheel() {
-    wheel_profile.kind = WRC_PROFILE_S1002;
-    rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.wheel = &wheel_profile;
-    config.rail = &rail_profile;
-    config.shear_modulus = 82e9;
-    config.poisson = 0.28;
-    config.profile_placement = WRC_PLACEMENT_ORIGIN;
-    config.rail_origin = 0.7605325577;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.material.shear_modulus = 82e9;
+    config.material.poisson = 0.28;
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = 0.7605325577;
     wheel.velocity[0] = 20.0;
     wheel.angular_velocity[1] = -20.0 / 0.46;
-    input.wheel = &wheel;
+    friction.coefficient = 0.0;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 80e3;
     options.cell_x = options.cell_s = 4e-4;
@@ -79,7 +74,7 @@ TEST_F(ExactWheel, LateralForcesAreThoseOfConformalTheory) {
 }
 
 TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
-  input.friction = &friction;
+  friction = wrc_friction_default();
   wheel.y = 3e-3;
   wheel.yaw = 2e-3;
   for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
@@ -101,7 +96,7 @@ TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
 
 // The mirror image of a pose has the mirror image of the wrench; the height found gives the load it came of.
 TEST_F(ExactWheel, SidesAreMirrorImagesAndHeightGivesTheLoadBack) {
-  input.friction = &friction;
+  friction = wrc_friction_default();
   wheel.y = 5e-3;
   wheel.yaw = 3e-3;
   wheel.angular_velocity[2] = 0.02;
@@ -139,7 +134,7 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   options.influence = 2;
   expect(WRC_ERROR_UNSUPPORTED, {"options.influence = 2", "WRC_INFLUENCE_TURNED (0), _PLAIN (1)"});
   options.influence = WRC_INFLUENCE_TURNED;
-  input.friction = &friction;
+  friction = wrc_friction_default();
   wheel.velocity[0] = -20.0;
   expect(WRC_ERROR_RANGE, {"forwards"});
   wheel.velocity[0] = 20.0;

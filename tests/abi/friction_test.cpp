@@ -13,25 +13,25 @@
 
 namespace {
 
-/// Does the published method read config.traction_bound and config.flexibility?
+/// Does the published method read config.tangential.bound and config.tangential.flexibility?
 bool marches(int32_t preset) { return presets[preset].method == WRC_TANGENTIAL_FASTSIM; }
 
 /// Rolling at 30 m/s, solved by a method that is quick; one model per test.
 class Wheel : public ReferenceWheel {
  public:
   Wheel() {
-    config.normal_method = WRC_NORMAL_EKP;
+    config.normal.method = WRC_NORMAL_EKP;
     creepage.speed = 30.0;
   }
   /// With the bound friction * pressure.
   void choose(int32_t preset) {
     choose_tangential(config, preset);
-    if (marches(preset)) config.traction_bound = WRC_BOUND_ELLIPTIC;
+    if (marches(preset)) config.tangential.bound = WRC_BOUND_ELLIPTIC;
   }
   /// Refused by name; the law of the defaults works afterwards.
   void expect_law_refused(int32_t status, const char* words) {
     expect_refused(status, {words});
-    friction = made<wrc_friction>(wrc_friction_init);
+    friction = wrc_friction_default();
     EXPECT_EQ(step(), WRC_OK);
   }
   void set_zones(const std::vector<double>& y, const std::vector<double>& mu, int32_t frame) {
@@ -41,25 +41,22 @@ class Wheel : public ReferenceWheel {
     friction.zone_frame = frame;
   }
   std::vector<double> field(int32_t id) {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
 };
 
-TEST(FrictionInterface, OldStructsAndOldInitializersMeanConstantFriction) {
+TEST(FrictionInterface, ZeroMeansZero) {
   Wheel wheel;
   ASSERT_EQ(wheel.step(), WRC_OK);
-  const wrc_forces expected = wheel.forces;
-  wheel.friction.struct_size = 16;  // the first published version ends after the coefficient
-  wheel.friction.kind = 77;
-  ASSERT_EQ(wheel.step(), WRC_OK);
-  EXPECT_EQ(std::memcmp(&expected, &wheel.forces, sizeof expected), 0);
+  wheel.friction.slope_reduction = 0.0;
+  EXPECT_EQ(wheel.step(), WRC_ERROR_RANGE);
   wheel.friction = wrc_friction{};
-  wheel.friction.struct_size = sizeof(wrc_friction);
-  wheel.friction.coefficient = 0.35;  // zeros in everything else
-  ASSERT_EQ(wheel.step(), WRC_OK);
-  EXPECT_EQ(std::memcmp(&expected, &wheel.forces, sizeof expected), 0);
+  wheel.friction.coefficient = 0.35;
+  wheel.friction.slope_reduction = 1.0;
+  EXPECT_EQ(wheel.step(), WRC_ERROR_UNSUPPORTED);  // what constant friction does not read is not the default
+  EXPECT_NE(wheel.error().find("friction.kinetic_ratio = 0"), std::string::npos) << wheel.error();
 }
 
 TEST(FrictionInterface, BadLawsAreNamed) {
@@ -159,7 +156,7 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
     EXPECT_TRUE(wet && dry) << lateral;
   }
 
-  wrc_patch own = made<wrc_patch>(wrc_patch_init);
+  wrc_ellipse own = wrc_ellipse_default();
   own.a = 5e-3;
   own.b = 6e-3;
   own.normal_force = 80e3;
@@ -180,11 +177,11 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
       if (form != WRC_FLEXIBILITY_SEPARATE && !marches(method)) continue;
       Wheel wheel;
       wheel.choose(method);
-      wheel.config.flexibility = form;
+      wheel.config.tangential.flexibility = form;
       for (int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_FRICTION_STATIC_KINETIC}) {
         for (bool zoned : {false, true}) {
           for (double size : {0.3, 1.0, 30.0}) {
-            wheel.friction = made<wrc_friction>(wrc_friction_init);
+            wheel.friction = wrc_friction_default();
             wheel.friction.coefficient = 0.35;
             wheel.friction.kind = kind;
             if (kind == WRC_FRICTION_STATIC_KINETIC) wheel.friction.half_speed = 0.05;
@@ -280,7 +277,7 @@ TEST(FrictionInterface, ExactCheckUsesTheStripsFriction) {
   wheel.creepage.longitudinal = -2e-3;
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);
-  wrc_exact_check_result result = made<wrc_exact_check_result>(wrc_exact_check_result_init);
+  wrc_exact_check_result result = wrc_exact_check_result_default();
   ASSERT_EQ(wrc_exact_check(wheel.contact, 32, 40, nullptr, nullptr, &result), WRC_OK) << wheel.error();
   EXPECT_LT(result.force_error, 0.04);  // constant 0.35 would be 0.2 off
 }

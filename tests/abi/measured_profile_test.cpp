@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace {
@@ -23,7 +22,7 @@ constexpr Pair pairs[] = {
     {WRC_PROFILE_UIC60_BENCHMARK, 0.0}, {WRC_PROFILE_60E1, 1.0 / 40.0}, {WRC_PROFILE_60E1, 1.0 / 20.0}};
 
 wrc_profile standard(int32_t kind) {
-  wrc_profile profile = made<wrc_profile>(wrc_profile_init);
+  wrc_profile profile = wrc_profile_default();
   profile.kind = kind;
   return profile;
 }
@@ -32,10 +31,10 @@ wrc_profile standard(int32_t kind) {
 class Bodies {
  public:
   Bodies(const wrc_profile& wheel, const wrc_profile& rail, double inclination) {
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    config.wheel = &wheel;
-    config.rail = &rail;
-    config.rail_inclination = inclination;
+    wrc_config config = wrc_config_default();
+    config.wheel = wheel;
+    config.rail = rail;
+    config.track.rail_inclination = inclination;
     char text[256] = "";
     EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
     EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
@@ -50,7 +49,7 @@ class Bodies {
 
   /// The curve as the model holds it.
   std::vector<std::vector<double>> curve(int32_t body, double* deviation = nullptr) const {
-    wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
+    wrc_view y{}, z = wrc_view{};
     EXPECT_EQ(wrc_model_profile(model, WRC_SIDE_RIGHT, body, &y, &z, deviation), WRC_OK);
     return {{y.data, y.data + y.count[0]}, {z.data, z.data + z.count[0]}};
   }
@@ -91,7 +90,8 @@ struct Points {
     }
   }
   wrc_profile profile(double smoothing) const {
-    wrc_profile points = made<wrc_profile>(wrc_profile_init);
+    wrc_profile points = wrc_profile_default();
+    points.kind = WRC_PROFILE_POINTS;
     points.count = static_cast<uint32_t>(y.size());
     points.y = y.data();
     points.z = z.data();
@@ -109,20 +109,20 @@ struct Sweep {
 
 Sweep sweep(const Bodies& bodies) {
   Sweep result;
-  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_load load = wrc_load_default();
   load.normal_force = 80e3;
   int32_t patches = 0;
   for (int i = 0; i <= 600; ++i) {
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = -7e-3 + 20e-6 * i;
-    wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+    wrc_normal_solution normal{};
     EXPECT_GE(wrc_contact_geometry(bodies.contact, &pose, nullptr), 0);
-    EXPECT_GE(wrc_contact_normal(bodies.contact, nullptr, &load, &patch), 0);
-    result.changes += i > 0 && patch.patches != patches;
-    patches = patch.patches;
+    EXPECT_GE(wrc_contact_normal(bodies.contact, nullptr, &load, &normal), 0);
+    result.changes += i > 0 && normal.patches != patches;
+    patches = normal.patches;
     if (i > 0)
-      result.largest_jump = std::max(result.largest_jump, std::fabs(patch.area / result.area.back() - 1.0));
-    result.area.push_back(patch.area);
+      result.largest_jump = std::max(result.largest_jump, std::fabs(normal.area / result.area.back() - 1.0));
+    result.area.push_back(normal.area);
   }
   return result;
 }
@@ -201,14 +201,15 @@ TEST(MeasuredProfiles, TooLongASmoothingIsRefusedByName) {
   for (int i = 0; i < 40; ++i) y.push_back(-0.060 + 0.5e-3 * i), z.push_back(0.028);
   for (int i = 1; i < 60; ++i) y.push_back(y[39] + 1e-6 * i), z.push_back(0.028 - 0.5e-3 * i * 28.0 / 30.0);
   for (int i = 0; i < 80; ++i) y.push_back(-0.030 + 1e-3 * i), z.push_back(0.0);
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = standard(WRC_PROFILE_60E1);
+  wrc_profile wheel = wrc_profile_default(), rail = standard(WRC_PROFILE_60E1);
+  wheel.kind = WRC_PROFILE_POINTS;
   wheel.count = static_cast<uint32_t>(y.size());
   wheel.y = y.data();
   wheel.z = z.data();
   wheel.smoothing = 0.02;
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.wheel = &wheel;
-  config.rail = &rail;
+  wrc_config config = wrc_config_default();
+  config.wheel = wheel;
+  config.rail = rail;
   char text[256];
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_PROFILE);
   EXPECT_NE(std::string(text).find("smoothing"), std::string::npos) << text;

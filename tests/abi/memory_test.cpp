@@ -63,7 +63,7 @@ void counting_release(void* user, void* memory) {
 }
 
 TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
-  wrc_allocator allocator = made<wrc_allocator>(wrc_allocator_init);
+  wrc_allocator allocator = wrc_allocator_default();
   Counter counter;
   allocator.user = &counter;
   allocator.allocate = counting_allocate;
@@ -83,11 +83,11 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
     EXPECT_EQ(counter.live, 0);
   }
   counter = {0, 1000};
-  config.poisson = 9.0;
+  config.material.poisson = 9.0;
   wrc_model* own = nullptr;
   EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_RANGE);
   EXPECT_EQ(counter.live, 0);
-  config.poisson = 0.25;
+  config.material.poisson = 0.25;
   allocator.release = nullptr;
   EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_NULL);
 }
@@ -136,7 +136,7 @@ TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
   EXPECT_LE(2 * bytes, of_contact);
   // Work space of the wheel step lies behind the two copies of the state; without it they are all there is.
   wrc_config plain = config;
-  plain.normal_method = WRC_NORMAL_EKP;
+  plain.normal.method = WRC_NORMAL_EKP;
   wrc_model* without = nullptr;
   uint64_t state = 0, whole = 0;
   ASSERT_EQ(wrc_model_create(&plain, nullptr, &without), WRC_OK);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "made.hpp"
+#include "not_finite.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace offline_helpers {
@@ -23,7 +23,7 @@ struct Listener {
 
 /// n x n cells over the box [-x, x] x [-y, y].
 inline wrc_grid grid_over(double x, double y, uint32_t n) {
-  wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+  wrc_grid grid = wrc_grid_default();
   grid.nx = grid.ny = n;
   grid.dx = 2.0 * x / n;
   grid.dy = 2.0 * y / n;

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "made.hpp"
 #include "presets.hpp"
 #include "wrc/wrc.h"
 
@@ -23,14 +22,15 @@ struct Motion {
 /// One wheel of a wheelset on its rail.
 class Wheel {
  public:
-  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_config config = wrc_config_default();
   int32_t on = WRC_SIDE_RIGHT;
-  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_load load = wrc_load_default();
   double friction = 0.3, speed = 20.0;
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_output output = wrc_output_default();
+  wrc_contact_point& point = output.point;
+  wrc_normal_solution& normal = output.normal;
+  wrc_forces& forces = output.forces;
+  wrc_damage& damage = output.damage;
 
   Wheel() { load.normal_force = 80e3; }
   ~Wheel() { release(); }
@@ -39,11 +39,11 @@ class Wheel {
 
   int32_t roll(const Motion& motion) {
     make();
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = motion.lateral;
     pose.yaw = motion.yaw;
     pose.roll = motion.roll;
-    return step(&pose, nullptr, motion);
+    return step(pose, nullptr, motion);
   }
   /// On a gap h = y^2 / (2 R) that is the same on both sides of y = 0.
   int32_t roll_on_symmetric_gap(const Motion& motion) {
@@ -55,28 +55,28 @@ class Wheel {
       height[j] = 0.5 * y[j] * y[j] / 0.3;
       curvature[j] = 1.0 / 0.46;
     }
-    wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+    wrc_gap gap = wrc_gap_default();
     gap.rows = rows;
     gap.y = y;
     gap.height = height;
     gap.curvature = curvature;
-    return step(nullptr, &gap, motion);
+    return step(wrc_pose_default(), &gap, motion);
   }
-  int32_t roll_on(const wrc_patch& own, const Motion& motion) {
+  int32_t roll_on(const wrc_ellipse& own, const Motion& motion) {
     make();
     const wrc_creepage creepage = creepage_of(motion);
     const wrc_friction mu = friction_of();
     return wrc_contact_tangential(contact_, &own, &creepage, &mu, &forces);
   }
   wrc_view field(int32_t id, int32_t of_patch = 0) const {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     EXPECT_EQ(wrc_contact_field(contact_, of_patch, id, &view), WRC_OK) << id;
     return view;
   }
   /// Integral of a field of cells over all patches.
   double integral(int32_t id) const {
     double sum = 0.0;
-    for (int32_t k = 0; k < patch.patches; ++k) {
+    for (int32_t k = 0; k < normal.patches; ++k) {
       const wrc_view values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
                      half = field(WRC_FIELD_STRIP_HALF, k);
       for (uint64_t j = 0; j < values.count[1]; ++j)
@@ -91,12 +91,9 @@ class Wheel {
  private:
   void make() {
     if (contact_ != nullptr) return;
-    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_60E1;
-    config.rail_inclination = 0.025;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    config.track.rail_inclination = 0.025;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_60E1;
     ASSERT_EQ(wrc_model_create(&config, nullptr, &model_), WRC_OK);
     ASSERT_EQ(wrc_contact_create(model_, on, nullptr, &contact_), WRC_OK);
   }
@@ -105,7 +102,7 @@ class Wheel {
     wrc_model_destroy(model_);
   }
   wrc_creepage creepage_of(const Motion& motion) const {
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = motion.longitudinal;
     creepage.lateral = motion.side;
     creepage.spin = motion.spin;
@@ -113,15 +110,12 @@ class Wheel {
     return creepage;
   }
   wrc_friction friction_of() const {
-    wrc_friction mu = made<wrc_friction>(wrc_friction_init);
+    wrc_friction mu = wrc_friction_default();
     mu.coefficient = friction;
     return mu;
   }
-  int32_t step(const wrc_pose* pose, const wrc_gap* gap, const Motion& motion) {
-    const wrc_creepage creepage = creepage_of(motion);
-    const wrc_friction mu = friction_of();
-    const wrc_input input = {sizeof input, 0, pose, gap, &load, &creepage, &mu};
-    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
+  int32_t step(const wrc_pose& pose, const wrc_gap* gap, const Motion& motion) {
+    const wrc_input input = {sizeof input, 0, pose, gap, load, creepage_of(motion), friction_of()};
     return wrc_contact_step(contact_, &input, &output);
   }
 
@@ -135,7 +129,7 @@ struct Methods {
 class Physics : public testing::TestWithParam<Methods> {
  protected:
   void choose(Wheel& wheel) const {
-    wheel.config.normal_method = GetParam().normal;
+    wheel.config.normal.method = GetParam().normal;
     choose_tangential(wheel.config, GetParam().tangential);
   }
 };
@@ -177,15 +171,16 @@ TEST_P(Physics, LeftWheelIsTheMirrorImageOfTheRight) {
     // how far is left depends on its path, 5e-4 of the peak at most.
     const bool iterated = GetParam().normal == WRC_NORMAL_STRIP_HALFSPACE;
     const double share = iterated ? 5e-4 : 1e-7;
-    const double force = share * right.forces.fn, moment = force * right.patch.length;
+    const double force = share * right.forces.fn, moment = force * right.normal.length;
     EXPECT_NEAR(right.forces.fx, left.forces.fx, force);
     EXPECT_NEAR(right.forces.fy, -left.forces.fy, force);
     EXPECT_NEAR(right.forces.mz, -left.forces.mz, moment);
     // Strong spin multiplies what is left of the borders' asymmetry.
     EXPECT_NEAR(right.forces.power, left.forces.power, 4.0 * share * right.forces.power + 1e-9);
-    EXPECT_NEAR(right.patch.y_min, -left.patch.y_max, iterated ? 1e-6 : 1e-9);
-    EXPECT_NEAR(right.patch.psi, -left.patch.psi, iterated ? 5e-4 : 1e-6);
-    EXPECT_NEAR(right.patch.peak_pressure, left.patch.peak_pressure, 10.0 * share * left.patch.peak_pressure);
+    EXPECT_NEAR(right.normal.y_min, -left.normal.y_max, iterated ? 1e-6 : 1e-9);
+    EXPECT_NEAR(right.normal.ellipse.psi, -left.normal.ellipse.psi, iterated ? 5e-4 : 1e-6);
+    EXPECT_NEAR(right.normal.peak_pressure, left.normal.peak_pressure,
+                10.0 * share * left.normal.peak_pressure);
     EXPECT_NEAR(right.point.y, -left.point.y, 1e-9);
     EXPECT_NEAR(right.point.angle, -left.point.angle, 1e-9);
     EXPECT_NEAR(right.point.x, left.point.x, 1e-9);
@@ -212,16 +207,16 @@ TEST_P(Physics, ASymmetricGapGivesASymmetricFieldUnderPureLongitudinalCreepage) 
   choose(wheel);
   ASSERT_GE(wheel.roll_on_symmetric_gap({0.0, 0.0, 0.0, 8e-4, 0.0, 0.0}), 0);
   EXPECT_NEAR(wheel.forces.fy, 0.0, 1e-6 * std::fabs(wheel.forces.fx));
-  EXPECT_NEAR(wheel.forces.mz, 0.0, 1e-6 * std::fabs(wheel.forces.fx) * wheel.patch.width);
-  EXPECT_NEAR(wheel.patch.psi, 0.0, 1e-6);
+  EXPECT_NEAR(wheel.forces.mz, 0.0, 1e-6 * std::fabs(wheel.forces.fx) * wheel.normal.width);
+  EXPECT_NEAR(wheel.normal.ellipse.psi, 0.0, 1e-6);
   const wrc_view traction = wheel.field(WRC_FIELD_TRACTION_X), pressure = wheel.field(WRC_FIELD_PRESSURE);
   const uint64_t strips = traction.count[1];
   for (uint64_t i = 0; i < traction.count[0]; ++i) {
     for (uint64_t j = 0; j < strips / 2; ++j) {
       const uint64_t here = i * traction.stride[0] + j * traction.stride[1];
       const uint64_t there = i * traction.stride[0] + (strips - 1 - j) * traction.stride[1];
-      ASSERT_NEAR(traction.data[here], traction.data[there], 1e-5 * 0.3 * wheel.patch.peak_pressure);
-      ASSERT_NEAR(pressure.data[here], pressure.data[there], 1e-5 * wheel.patch.peak_pressure);
+      ASSERT_NEAR(traction.data[here], traction.data[there], 1e-5 * 0.3 * wheel.normal.peak_pressure);
+      ASSERT_NEAR(pressure.data[here], pressure.data[there], 1e-5 * wheel.normal.peak_pressure);
     }
   }
 }
@@ -235,21 +230,21 @@ TEST_P(Physics, LoadFromApproachFromLoadIsTheSame) {
     wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
     wheel.load.normal_force = load;
     ASSERT_GE(wheel.roll({}), 0);
-    const double peak = wheel.patch.peak_pressure;
-    wheel.load.approach = wheel.patch.approach;
+    const double peak = wheel.normal.peak_pressure;
+    wheel.load.approach = wheel.normal.approach;
     wheel.load.prescribed = WRC_PRESCRIBE_APPROACH;
     ASSERT_GE(wheel.roll({}), 0);
     // The half-space method ends when a sweep moves less than 0.5 % of its area.
     const bool iterated = GetParam().normal == WRC_NORMAL_STRIP_HALFSPACE;
     EXPECT_NEAR(wheel.forces.fn, load, (iterated ? 5e-3 : 1e-6) * load);
-    EXPECT_NEAR(wheel.patch.peak_pressure, peak, (iterated ? 1e-2 : 1e-6) * peak);
+    EXPECT_NEAR(wheel.normal.peak_pressure, peak, (iterated ? 1e-2 : 1e-6) * peak);
   }
 }
 
 TEST_P(Physics, ThePressureFieldCarriesTheLoad) {
   Wheel wheel;
   choose(wheel);
-  wheel.config.cells = 200;
+  wheel.config.grid.cells = 200;
   ASSERT_GE(wheel.roll({0.001, 0.0, 0.0, 1e-3, 0.0, 0.1}), 0);
   EXPECT_NEAR(wheel.integral(WRC_FIELD_PRESSURE), wheel.forces.fn,
               3e-4 * wheel.forces.fn);  // midpoint rule at the edge of an ellipse: 200^-1.5
@@ -272,7 +267,7 @@ TEST_P(Physics, PowerIsTheIntegralOfItsField) {
 TEST_P(Physics, PowerIsForceTimesCreepage) {
   Wheel wheel;
   choose(wheel);
-  wheel.config.cells = 256;
+  wheel.config.grid.cells = 256;
   for (const Motion& m :
        {Motion{0.001, 0.0, 0.0, 2e-3, 0.0, 0.0}, Motion{0.001, 0.0, 0.0, 0.0, -2e-3, 0.0},
         Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.0}, Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.2},
@@ -321,12 +316,12 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
   Wheel soft, stiff;
   choose(soft);
   choose(stiff);
-  stiff.config.shear_modulus = 2.0 * soft.config.shear_modulus;
+  stiff.config.material.shear_modulus = 2.0 * soft.config.material.shear_modulus;
   stiff.load.normal_force = 2.0 * soft.load.normal_force;
   const Motion m{0.002, 0.0, 0.0, 1e-3, -5e-4, 0.2};
   ASSERT_GE(soft.roll(m), 0);
   ASSERT_GE(stiff.roll(m), 0);
-  EXPECT_NEAR(stiff.patch.area, soft.patch.area, 1e-8 * soft.patch.area);
+  EXPECT_NEAR(stiff.normal.area, soft.normal.area, 1e-8 * soft.normal.area);
   EXPECT_NEAR(stiff.forces.fx, 2.0 * soft.forces.fx, 1e-7 * std::fabs(soft.forces.fx));
   EXPECT_NEAR(stiff.forces.fy, 2.0 * soft.forces.fy, 1e-7 * std::fabs(soft.forces.fy));
   EXPECT_NEAR(stiff.forces.mz, 2.0 * soft.forces.mz, 1e-7 * std::fabs(soft.forces.mz));
@@ -334,19 +329,20 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
 
 TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
   Wheel wheel;
-  wheel.config.tangential_method = WRC_TANGENTIAL_FASTSIM;
-  wheel.config.strips = 200;
-  wheel.config.cells = 200;
+  wheel.config.tangential.method = WRC_TANGENTIAL_FASTSIM;
+  wheel.config.grid.strips = 200;
+  wheel.config.grid.cells = 200;
   wheel.friction = 2.0;
   for (double psi : {0.0, 0.3, -0.5}) {
-    wrc_patch own = made<wrc_patch>(wrc_patch_init);
+    wrc_ellipse own = wrc_ellipse_default();
     own.a = 6e-3;
     own.b = 4e-3;
     own.psi = psi;
     own.normal_force = 100e3;
-    wrc_coefficients c = made<wrc_coefficients>(wrc_coefficients_init);
-    ASSERT_EQ(wrc_linear_coefficients(own.a / own.b, psi, wheel.config.poisson, &c), WRC_OK);
-    const double stiffness = wheel.config.shear_modulus * own.a * own.b, length = std::sqrt(own.a * own.b);
+    wrc_coefficients c{};
+    ASSERT_EQ(wrc_linear_coefficients(own.a / own.b, psi, wheel.config.material.poisson, &c), WRC_OK);
+    const double stiffness = wheel.config.material.shear_modulus * own.a * own.b,
+                 length = std::sqrt(own.a * own.b);
     const double small = 1e-8;
     ASSERT_GE(wheel.roll_on(own, {0.0, 0.0, 0.0, small, 0.0, 0.0}), 0);
     EXPECT_NEAR(-wheel.forces.fx / small, stiffness * c.c11s, 2e-3 * stiffness * c.c11s) << psi;
@@ -368,7 +364,7 @@ TEST(Continuity, NoStepOfALateralScanFails) {
     for (int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
       Wheel wheel;
       wheel.on = side;
-      wheel.config.normal_method = method;
+      wheel.config.normal.method = method;
       double area_before = 0.0, fy_before = 0.0, largest_area = 0.0, largest_fy = 0.0, at_area = 0.0,
              at_fy = 0.0;
       int capped = 0;
@@ -379,12 +375,12 @@ TEST(Continuity, NoStepOfALateralScanFails) {
         capped += status == WRC_FLAG_ITERATION_CAP;
         EXPECT_NEAR(wheel.forces.fn, 80e3, 1e-3) << "method " << method << " at " << 1e3 * lateral << " mm";
         if (i > -120) {
-          const double area = std::fabs(wheel.patch.area - area_before) / area_before;
+          const double area = std::fabs(wheel.normal.area - area_before) / area_before;
           const double fy = std::fabs(wheel.forces.fy - fy_before) / (wheel.friction * wheel.forces.fn);
           if (area > largest_area) largest_area = area, at_area = lateral;
           if (fy > largest_fy) largest_fy = fy, at_fy = lateral;
         }
-        area_before = wheel.patch.area;
+        area_before = wheel.normal.area;
         fy_before = wheel.forces.fy;
       }
       std::printf(
@@ -399,8 +395,8 @@ TEST(Continuity, NoStepOfALateralScanFails) {
 /// A start that stays in the frame of the contact point lies beside the patch when the point leaps.
 TEST(WarmStart, FollowsThePatchWhereTheFirstTouchLeapsAcrossTheTread) {
   Wheel warm, cold;
-  for (Wheel* const wheel : {&warm, &cold}) wheel->config.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
-  warm.config.warm_start = 1;
+  for (Wheel* const wheel : {&warm, &cold}) wheel->config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
+  warm.config.normal.warm_start = 1;
   int leaps = 0;
   double before = 0.0;
   for (int i = 0; i <= 160; ++i) {
@@ -412,10 +408,10 @@ TEST(WarmStart, FollowsThePatchWhereTheFirstTouchLeapsAcrossTheTread) {
     ++leaps;
     ASSERT_GE(cold.roll(motion), 0);
     std::printf("leap at %.2f mm: %d sweeps warm, %d cold\n", 1e3 * motion.lateral,
-                static_cast<int>(warm.patch.iterations), static_cast<int>(cold.patch.iterations));
-    EXPECT_LE(warm.patch.iterations, 3) << motion.lateral;
-    EXPECT_NEAR(warm.patch.approach, cold.patch.approach, 2e-3 * cold.patch.approach) << motion.lateral;
-    EXPECT_NEAR(warm.patch.area, cold.patch.area, 1e-2 * cold.patch.area) << motion.lateral;
+                static_cast<int>(warm.normal.iterations), static_cast<int>(cold.normal.iterations));
+    EXPECT_LE(warm.normal.iterations, 3) << motion.lateral;
+    EXPECT_NEAR(warm.normal.approach, cold.normal.approach, 2e-3 * cold.normal.approach) << motion.lateral;
+    EXPECT_NEAR(warm.normal.area, cold.normal.area, 1e-2 * cold.normal.area) << motion.lateral;
   }
   EXPECT_GT(leaps, 0);
 }

@@ -7,23 +7,24 @@
 #include <string>
 #include <vector>
 
-#include "made.hpp"
+#include "not_finite.hpp"
 #include "wrc/wrc.h"
 
 /// The wheel itself, made when it first steps: what is changed in its configuration before counts.
 class ReferenceWheel {
  public:
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init);
-  wrc_profile rail = made<wrc_profile>(wrc_profile_init);
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_config config = wrc_config_default();
+  wrc_profile &wheel = config.wheel, &rail = config.rail;
+  wrc_input input = wrc_input_default();
+  wrc_pose& pose = input.pose;
+  wrc_load& load = input.load;
+  wrc_creepage& creepage = input.creepage;
+  wrc_friction& friction = input.friction;
+  wrc_output output = wrc_output_default();
+  wrc_contact_point& point = output.point;
+  wrc_normal_solution& normal = output.normal;
+  wrc_forces& forces = output.forces;
+  wrc_damage& damage = output.damage;
   int32_t side = WRC_SIDE_RIGHT;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
@@ -31,8 +32,6 @@ class ReferenceWheel {
   ReferenceWheel() {
     wheel.kind = WRC_PROFILE_S1002;
     rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.wheel = &wheel;
-    config.rail = &rail;
     load.normal_force = 80e3;
     creepage.longitudinal = -0.49e-3;
     creepage.lateral = -0.22e-3;
@@ -55,8 +54,6 @@ class ReferenceWheel {
   }
   int32_t step() {
     if (model == nullptr) create();
-    const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-    wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
     return wrc_contact_step(contact, &input, &output);
   }
   std::string error() const {
@@ -79,9 +76,9 @@ class ReferenceWheel {
     EXPECT_EQ(point.rolling_radius, 0.0);
     EXPECT_EQ(forces.fx, 0.0);
     EXPECT_EQ(forces.fn, 0.0);
-    EXPECT_EQ(patch.area, 0.0);
+    EXPECT_EQ(normal.area, 0.0);
     EXPECT_EQ(damage.power, 0.0);
-    EXPECT_EQ(forces.struct_size, sizeof forces);
+    EXPECT_EQ(output.struct_size, sizeof output);
   }
   void expect_works() {
     ASSERT_EQ(step(), WRC_OK) << error();

@@ -20,7 +20,7 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
     create();
   }
   std::vector<double> field(int32_t id) const {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     std::vector<double> values;
     if (wrc_contact_field(contact, 0, id, &view) != WRC_OK) return values;
     for (uint64_t i = 0; i < view.count[0]; ++i)
@@ -40,7 +40,7 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
       half.push_back(5e-3 * std::sqrt(1.05 - s * s));
       peak.push_back(9e8 * std::sqrt(1.05 - s * s) * (1.0 + 0.2 * s));
     }
-    wrc_strips strips = made<wrc_strips>(wrc_strips_init);
+    wrc_strips strips = wrc_strips_default();
     strips.count = 12;
     strips.y = y.data();
     strips.width = width.data();
@@ -51,13 +51,13 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
   }
   int32_t roll() { return wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces); }
 
-  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
-  wrc_creepage kinematic = made<wrc_creepage>(wrc_creepage_init);
+  wrc_motion motion = wrc_motion_default();
+  wrc_creepage kinematic = wrc_creepage_default();
 
   /// Geometry and normal problem of the pose, once for many motions.
   void press() {
     ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
-    ASSERT_EQ(wrc_contact_normal(contact, nullptr, &load, &patch), WRC_OK);
+    ASSERT_EQ(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK);
   }
   /// From the motion to the forces, as a host goes.
   int32_t move() {
@@ -72,7 +72,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
   for (int32_t method = 0; method < tangential_methods; ++method) {
     create_with(method);
     for (const double size : {0.2, 1.0, 30.0}) {
-      creepage = made<wrc_creepage>(wrc_creepage_init);
+      creepage = wrc_creepage_default();
       creepage.longitudinal = 1e-3 * size;
       creepage.lateral = -0.6e-3 * size;
       creepage.spin = 0.3 * size;
@@ -142,7 +142,7 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
   for (const int32_t method : {preset_strip_fastsim, preset_fastsim_sdec, preset_modified_fastsim}) {
     create_with(method);
     for (const double other_way : {0.0, 0.3, 0.5}) {
-      creepage = made<wrc_creepage>(wrc_creepage_init);
+      creepage = wrc_creepage_default();
       creepage.longitudinal = -0.49e-3;
       creepage.lateral = -0.22e-3;
       creepage.spin = 0.29;
@@ -150,16 +150,14 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
       creepage.other_way = other_way;
       const wrc_creepage at = creepage;
       ASSERT_GE(step(), 0) << error();
-      wrc_sensitivity found = made<wrc_sensitivity>(wrc_sensitivity_init);
+      wrc_sensitivity found{};
       ASSERT_GE(wrc_contact_sensitivities(contact, &found), 0) << error();
-      for (int input = 0; input < 3; ++input) {
-        const double h = input == 2 ? 2e-4 : 1e-6;
+      for (int of = 0; of < 3; ++of) {
+        const double h = of == 2 ? 2e-4 : 1e-6;
         wrc_forces ends[2];
         for (int end = 0; end < 2; ++end) {
           creepage = at;
-          (input == 0   ? creepage.longitudinal
-           : input == 1 ? creepage.lateral
-                        : creepage.spin) += end == 0 ? -h : h;
+          (of == 0 ? creepage.longitudinal : of == 1 ? creepage.lateral : creepage.spin) += end == 0 ? -h : h;
           ASSERT_GE(roll(), 0);
           ends[end] = forces;
         }
@@ -168,8 +166,8 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
         for (int r = 0; r < 3; ++r) {
           // What the larger of the two derivatives of this input is, moments over the patch's size.
           const double scale = std::max(std::fabs(slope[0]), std::fabs(slope[1])) * (r == 2 ? 5e-3 : 1.0);
-          EXPECT_NEAR(found.forces[r][input], slope[r], 0.01 * scale)
-              << method << ", row " << r << ", input " << input << ", " << other_way;
+          EXPECT_NEAR(found.forces[r][of], slope[r], 0.01 * scale)
+              << method << ", row " << r << ", input " << of << ", " << other_way;
         }
       }
     }
@@ -180,7 +178,7 @@ TEST_F(RollingWay, StepsDifferentiateBackwardsToo) {
   create();
   pose.lateral = 2e-3;
   pose.yaw = 5e-3;
-  wrc_step_sensitivity forward = made<wrc_step_sensitivity>(wrc_step_sensitivity_init), backwards = forward;
+  wrc_step_sensitivity forward{}, backwards = forward;
   ASSERT_EQ(step(), WRC_OK);
   ASSERT_EQ(wrc_contact_step_sensitivities(contact, &forward), WRC_OK);
   pose.yaw *= -1.0;
@@ -244,7 +242,7 @@ TEST_F(RollingWay, ForcesGoThroughStandstillWithoutAJump) {
   };
   using Forces = std::array<double, 3>;
   const auto forces_at = [&](const Rates& rates, double speed) {
-    motion = made<wrc_motion>(wrc_motion_init);
+    motion = wrc_motion_default();
     motion.speed = speed;
     motion.lateral_velocity = rates.lateral;
     motion.yaw_rate = rates.yaw;
@@ -309,7 +307,7 @@ TEST_F(RollingWay, AWheelThatSlidesAtRestIsBrakedByFriction) {
       // The wheel's point slides by `velocity` in this direction while V = 0.
       const double angle = k * std::acos(-1.0) / 8.0;
       const double vx = velocity * std::cos(angle), vy = velocity * std::sin(angle);
-      motion = made<wrc_motion>(wrc_motion_init);
+      motion = wrc_motion_default();
       motion.speed = 0.5 * vx;
       motion.pitch_rate = 0.5 * vx / point.rolling_radius;
       motion.lateral_velocity = vy / std::cos(point.angle);
@@ -322,7 +320,7 @@ TEST_F(RollingWay, AWheelThatSlidesAtRestIsBrakedByFriction) {
     }
   }
   // Slowly it is held as by a damper: a tenth of friction at a hundredth of a millimetre per second or so.
-  motion = made<wrc_motion>(wrc_motion_init);
+  motion = wrc_motion_default();
   motion.lateral_velocity = 1e-5;
   ASSERT_EQ(move(), WRC_FLAG_CREEPAGES_LIMITED);
   EXPECT_LT(forces.fy, -0.01 * limit);
@@ -357,8 +355,8 @@ TEST_F(RollingWay, LockedAndSpinningWheelsSlideAsTheyShould) {
 }
 
 TEST_F(RollingWay, NoMotionGivesCreepagesThatAreRefused) {
-  config.tangential_method = WRC_TANGENTIAL_FASTSIM;
-  config.strips = config.cells = 8;
+  config.tangential.method = WRC_TANGENTIAL_FASTSIM;
+  config.grid.strips = config.grid.cells = 8;
   create();
   std::mt19937_64 numbers(7);
   const auto between = [&](double most) {  // every order of magnitude, both signs, the ends, zero

@@ -24,7 +24,7 @@ class Sensitivities : public ReferenceContact {
 };
 
 TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
-  wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_sensitivity s{};
   EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
@@ -50,24 +50,24 @@ TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
 }
 
 TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
-  wrc_step_sensitivity s = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  wrc_step_sensitivity s{};
   EXPECT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
   ASSERT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_OK) << error();
   EXPECT_EQ(before, state());
-  EXPECT_NEAR(s.by_load[3] * patch.stiffness, 1.0, 0.01);  // the compliance, found another way
+  EXPECT_NEAR(s.by_load[3] * normal.stiffness, 1.0, 0.01);  // the compliance, found another way
 
-  const auto differences = [&](double& input, double width) {
-    const double middle = input;
+  const auto differences = [&](double& number, double width) {
+    const double middle = number;
     double ends[2][4];
     for (int end = 0; end < 2; ++end) {
-      input = middle + (end == 0 ? -width : width);
+      number = middle + (end == 0 ? -width : width);
       EXPECT_EQ(step(), WRC_OK);
-      const double values[4] = {forces.fx, forces.fy, forces.mz, patch.approach};
+      const double values[4] = {forces.fx, forces.fy, forces.mz, normal.approach};
       for (int r = 0; r < 4; ++r) ends[end][r] = values[r];
     }
-    input = middle;
+    number = middle;
     std::vector<double> d;
     for (int r = 0; r < 4; ++r) d.push_back((ends[1][r] - ends[0][r]) / (2.0 * width));
     return d;
@@ -81,15 +81,15 @@ TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
 }
 
 TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
-  wrc_patch own = made<wrc_patch>(wrc_patch_init);
+  wrc_ellipse own = wrc_ellipse_default();
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;
   ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
-  wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_sensitivity s{};
   EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_OK) << error();
   EXPECT_LT(s.forces[0][0], 0.0);
-  wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  wrc_step_sensitivity of_step{};
   EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_ERROR_SEQUENCE);
   EXPECT_NE(error().find("wrc_contact_normal"), std::string::npos) << error();
 }
@@ -98,8 +98,8 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   load.prescribed = WRC_PRESCRIBE_APPROACH;
   load.approach = -1e-3;
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
-  wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
-  wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  wrc_sensitivity s{};
+  wrc_step_sensitivity of_step{};
   EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(s.forces[0][0], 0.0);
@@ -122,14 +122,14 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
         Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
     SCOPED_TRACE(presets[choice.preset].name);
     choose_tangential(config, choice.preset);
-    config.flexibility = choice.flexibility;
+    config.tangential.flexibility = choice.flexibility;
     friction.kind = choice.friction;
     friction.slope_fall = slope_fall_for(choice.preset);
     creepage.speed = 20.0;
     create();
     ASSERT_GE(step(), 0) << error();
     const std::vector<char> before = state();
-    wrc_sensitivity s = made<wrc_sensitivity>(wrc_sensitivity_init);
+    wrc_sensitivity s{};
     ASSERT_GE(wrc_contact_sensitivities(contact, &s), 0) << error();
     EXPECT_EQ(state(), before);
 

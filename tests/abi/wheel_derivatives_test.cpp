@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference_contact.hpp"
@@ -17,22 +18,19 @@ constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
 /// S1002 on the benchmark UIC60 with a little of everything.
 class WheelDerivatives : public testing::TestWithParam<int32_t> {
  protected:
-  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
-  wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wrc_rail_state& rail = input.rail;
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench_sensitivities found{};
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
   WheelDerivatives() {
-    wrc_profile wheel_profile = made<wrc_profile>(wrc_profile_init), rail_profile = wheel_profile;
-    wheel_profile.kind = WRC_PROFILE_S1002;
-    rail_profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    config.wheel = &wheel_profile;
-    config.rail = &rail_profile;
+    wrc_config config = wrc_config_default();
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    input.friction.coefficient = 0.0;
     EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
     EXPECT_EQ(wrc_contact_create(model, GetParam(), nullptr, &contact), WRC_OK);
     wheel.roll = -0.7e-3;
@@ -49,8 +47,6 @@ class WheelDerivatives : public testing::TestWithParam<int32_t> {
     rail.y_velocity = 0.01;
     rail.z_velocity = -0.01;
     rail.roll_velocity = 0.02;
-    input.wheel = &wheel;
-    input.rail = &rail;
   }
   ~WheelDerivatives() override {
     wrc_contact_destroy(contact);
@@ -80,8 +76,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t> {
   /// At the lateral position, pressed by a load: the height is found, then given.
   void press(double y, double load) {
     wheel.y = y;
-    const wrc_friction* const given = input.friction;
-    input.friction = nullptr;
+    const double coefficient = std::exchange(input.friction.coefficient, 0.0);
     input.damping = 0.0;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = load;
@@ -89,7 +84,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t> {
     wheel.z = wrench.z;
     input.prescribed = WRC_PRESCRIBE_HEIGHT;
     input.vertical_load = 0.0;
-    input.friction = given;
+    input.friction.coefficient = coefficient;
   }
 
   /// Errors of a column over the largest entries of their rows among columns of places, or of velocities.
@@ -174,7 +169,7 @@ TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
 
 TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
   press(1e-3, 80e3);
-  wrc_wrench alone = made<wrc_wrench>(wrc_wrench_init);
+  wrc_wrench alone = wrc_wrench_default();
   ASSERT_EQ(wrc_contact_wrench(contact, &input, &alone), WRC_OK);
   ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, nullptr), WRC_OK);
   for (int i = 0; i < 3; ++i) {
@@ -185,7 +180,7 @@ TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
   EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found), WRC_FLAG_NO_CONTACT);
   for (const auto& row : found.wrench)
     for (const double entry : row) EXPECT_EQ(entry, 0.0);
-  input.friction = &friction;
+  input.friction = wrc_friction_default();
   EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found), WRC_ERROR_UNSUPPORTED);
 }
 

@@ -33,7 +33,7 @@ constexpr Case cases[] = {
 };
 
 int32_t instruction_set() {
-  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_config config = wrc_config_default();
   config.instruction_set = WRC_INSTRUCTIONS_AVX2;
   return wrc_config_check(&config, nullptr, 0) == WRC_OK ? WRC_INSTRUCTIONS_AVX2 : WRC_INSTRUCTIONS_BEST;
 }
@@ -58,13 +58,14 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
         wheel.geometry();
         break;
       case Case::normal:
-        wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch);
+        wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
         break;
       case Case::tangential:
-        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+                               &wheel.output.forces);
         break;
       default:
-        wrc_contact_damage(wheel.contact, &wheel.damage);
+        wrc_contact_damage(wheel.contact, &wheel.output.damage);
         break;
     }
   }

@@ -73,7 +73,7 @@ Report compare_conformal(const Csv& file, const Options& options) {
             "%8.0f%s%s\n",
             rows.number, setting, angle, 100.0 * force_error,
             100.0 * (loaded.wrench.peak_pressure / peak - 1.0), 100.0 * height_error,
-            1e6 * (loaded.wrench.z - at_height.wheel.z), loaded.wrench.force[0], loaded.wrench.force[1],
+            1e6 * (loaded.wrench.z - at_height.input.wheel.z), loaded.wrench.force[0], loaded.wrench.force[1],
             loaded.wrench.force[2], force[0], force[1], force[2],
             status > 0 ? (std::string(" ") + wrc_status_name(status)).c_str() : "",
             height_status > 0 ? (std::string(" at z ") + wrc_status_name(height_status)).c_str() : "");

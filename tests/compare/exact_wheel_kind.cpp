@@ -22,9 +22,6 @@ void add_errors(std::map<std::string, Errors>& errors, std::size_t number, const
 }
 
 int32_t solve_exactly(WheelCase& wheel, const Solver& solver, const wrc_exact_wrench_options& options) {
-  wheel.input.wheel = &wheel.wheel;
-  wheel.input.rail = &wheel.rail;
-  wheel.input.friction = wheel.friction.coefficient > 0.0 ? &wheel.friction : nullptr;
   return wrc_exact_wrench(solver.contact(), &wheel.input, &options, &wheel.wrench);
 }
 
@@ -48,7 +45,7 @@ void against_reference(const Csv& file, const CaseRows& rows, const Solver& solv
   const auto number = static_cast<std::size_t>(rows.number);
   const std::string setting = file.text(rows.first, "setting");
   const std::string variant = setting + (rows.last - rows.first > 1 ? ", two patches" : "");
-  wrc_exact_wrench_options how = made<wrc_exact_wrench_options>(wrc_exact_wrench_options_init);
+  wrc_exact_wrench_options how = wrc_exact_wrench_options_default();
   how.collocation = WRC_COLLOCATION_REFERENCE;
   how.influence = setting == "conformal" ? WRC_INFLUENCE_PLAIN : WRC_INFLUENCE_TURNED;
   how.cell_x = how.cell_s = options.cell;
@@ -69,14 +66,14 @@ void against_reference(const Csv& file, const CaseRows& rows, const Solver& solv
   const Vector force = vector_of(file, rows.first, "Fx_total_N", "Fy_total_N", "Fz_total_N");
   add_errors(report.errors[variant], number, solved, force,
              vector_of(file, rows.first, "Mx_ws_Nm", "My_ws_Nm", "Mz_ws_Nm"), peak, area, power);
-  if (options.list) print(rows.number, variant.c_str(), solved, force, peak, solved.wheel.z);
+  if (options.list) print(rows.number, variant.c_str(), solved, force, peak, solved.input.wheel.z);
 }
 
 /// The real-time solution of the case's pose against the exact one.
 void against_exact(const Csv& file, const CaseRows& rows, const Solver& solver, const Options& options,
                    Report& report) {
   const auto number = static_cast<std::size_t>(rows.number);
-  wrc_exact_wrench_options how = made<wrc_exact_wrench_options>(wrc_exact_wrench_options_init);
+  wrc_exact_wrench_options how = wrc_exact_wrench_options_default();
   how.cell_x = how.cell_s = options.cell;
   WheelCase exact = wheel_case(file, rows.first), solved = wheel_case(file, rows.first);
   const int32_t exact_status = solve_exactly(exact, solver, how);

@@ -11,16 +11,16 @@ namespace {
 /// The patch of one row on a grid of strips x cells, by the standard variant.
 wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
                  const std::string& name) {
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.shear_modulus = 1e6 * file(row, "G_MPa");
-  config.poisson = file(row, "nu");
-  config.strips = strips;
-  config.cells = cells;
+  wrc_config config = wrc_config_default();
+  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.material.poisson = file(row, "nu");
+  config.grid.strips = strips;
+  config.grid.cells = cells;
   const Solver solver(config);
   const Rolling rolling = rolling_of(file, row);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  const int32_t status =
-      wrc_contact_tangential(solver.contact(), &rolling.patch, &rolling.creepage, &rolling.friction, &forces);
+  wrc_forces forces{};
+  const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
+                                                &rolling.friction, &forces);
   if (status < 0) report.fail(row, name, solver.reason(status));
   return forces;
 }
@@ -30,7 +30,7 @@ wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells
 Report compare_grid(const Csv& file, const Names& only) {
   constexpr int32_t finest = 512;
   constexpr int32_t sizes[] = {16, 24, 32, 48, 64, 96, 128};
-  const wrc_config standard = made<wrc_config>(wrc_config_init);
+  const wrc_config standard = wrc_config_default();
   Report report;
   report.kind = "grid";
   report.rows = file.rows();
@@ -41,8 +41,8 @@ Report compare_grid(const Csv& file, const Names& only) {
   };
   std::vector<Grid> grids;
   for (int32_t size : sizes) grids.push_back({std::to_string(size) + "x" + std::to_string(size), size, size});
-  report.default_variant = std::to_string(standard.strips) + "x" + std::to_string(standard.cells);
-  grids.push_back({report.default_variant, standard.strips, standard.cells});
+  report.default_variant = std::to_string(standard.grid.strips) + "x" + std::to_string(standard.grid.cells);
+  grids.push_back({report.default_variant, standard.grid.strips, standard.grid.cells});
   grids = chosen(grids, only);
   for (const Grid& grid : grids) report.variants.push_back(grid.name);
 

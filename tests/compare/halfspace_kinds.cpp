@@ -10,15 +10,15 @@ namespace compare {
 namespace {
 
 /// Semi-elliptic pressure of a double ellipse at the cell centres, as the reference has it.
-std::vector<double> pressure_at_centres(const wrc_patch& patch, const wrc_grid& grid) {
+std::vector<double> pressure_at_centres(const wrc_ellipse& ellipse, const wrc_grid& grid) {
   const double pi = 3.14159265358979323846;
-  const double peak = 1.5 * patch.normal_force / (pi * patch.a * patch.b);
+  const double peak = 1.5 * ellipse.normal_force / (pi * ellipse.a * ellipse.b);
   std::vector<double> pressure;
   for (uint32_t j = 0; j < grid.ny; ++j) {
     const double y = grid.y0 + j * grid.dy;
-    const double eta = y / (patch.b * (1.0 + (y > 0.0 ? patch.psi : -patch.psi)));
+    const double eta = y / (ellipse.b * (1.0 + (y > 0.0 ? ellipse.psi : -ellipse.psi)));
     for (uint32_t i = 0; i < grid.nx; ++i) {
-      const double xi = (grid.x0 + i * grid.dx) / patch.a;
+      const double xi = (grid.x0 + i * grid.dx) / ellipse.a;
       pressure.push_back(peak * std::sqrt(std::fmax(0.0, 1.0 - xi * xi - eta * eta)));
     }
   }
@@ -26,7 +26,7 @@ std::vector<double> pressure_at_centres(const wrc_patch& patch, const wrc_grid& 
 }
 
 wrc_materials materials_of(double shear_modulus, double poisson) {
-  wrc_materials materials = made<wrc_materials>(wrc_materials_init);
+  wrc_materials materials = wrc_materials_default();
   materials.shear_modulus_1 = materials.shear_modulus_2 = shear_modulus;
   materials.poisson_1 = materials.poisson_2 = poisson;
   return materials;
@@ -55,31 +55,31 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
     report.variants.emplace_back(variant.name);
     for (std::size_t row = 0; row < file.rows(); ++row) {
       const Rolling rolling = rolling_of(file, row);
-      const wrc_patch& patch = rolling.patch;
-      wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+      const wrc_ellipse& ellipse = rolling.ellipse;
+      wrc_grid grid = wrc_grid_default();
       grid.nx = static_cast<uint32_t>(variant.refinement * file(row, "nx"));
       grid.ny = static_cast<uint32_t>(variant.refinement * file(row, "ny"));
-      grid.dx = 2.0 * patch.a / grid.nx;
-      grid.dy = 2.0 * patch.b / grid.ny;
-      grid.x0 = -patch.a + 0.5 * grid.dx;
-      grid.y0 = -patch.b * (1.0 - patch.psi) + 0.5 * grid.dy;
-      const std::vector<double> pressure = pressure_at_centres(patch, grid);
+      grid.dx = 2.0 * ellipse.a / grid.nx;
+      grid.dy = 2.0 * ellipse.b / grid.ny;
+      grid.x0 = -ellipse.a + 0.5 * grid.dx;
+      grid.y0 = -ellipse.b * (1.0 - ellipse.psi) + 0.5 * grid.dy;
+      const std::vector<double> pressure = pressure_at_centres(ellipse, grid);
       const wrc_materials materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
-      wrc_exact_rolling_problem problem = made<wrc_exact_rolling_problem>(wrc_exact_rolling_problem_init);
+      wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
       problem.collocation = variant.collocation;
-      problem.materials = &materials;
-      problem.grid = &grid;
+      problem.materials = materials;
+      problem.grid = grid;
       problem.pressure = pressure.data();
       problem.coefficient = rolling.friction.coefficient;
-      problem.creepage = &rolling.creepage;
-      wrc_exact_rolling_solution solution = made<wrc_exact_rolling_solution>(wrc_exact_rolling_solution_init);
+      problem.creepage = rolling.creepage;
+      wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
       char text[256];
       const int32_t status = wrc_exact_rolling(&problem, &solution, text, sizeof text);
       if (status < 0) {
         report.fail(row, variant.name, text);
         continue;
       }
-      const double limit = rolling.friction.coefficient * patch.normal_force;
+      const double limit = rolling.friction.coefficient * ellipse.normal_force;
       auto& errors = report.errors[variant.name];
       errors["force"].add(
           row, std::hypot(solution.fx - file(row, "Fx_N"), solution.fy - file(row, "Fy_N")) / limit);
@@ -95,13 +95,10 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
 }
 
 Report compare_halfspace_normal(const Csv& file, const Names& only) {
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-  wheel.kind = WRC_PROFILE_S1002;
-  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.gap_rows = 1024;
-  config.wheel = &wheel;
-  config.rail = &rail;
+  wrc_config config = wrc_config_default();
+  config.grid.gap_rows = 1024;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   const Solver solver(config);
 
   Report report;
@@ -117,10 +114,10 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
   auto& errors = report.errors["exact"];
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t head = cases[i].first;
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = 1e-3 * file(head, "y_ws_mm");
     pose.yaw = file(head, "yaw_rad");
-    wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+    wrc_contact_point point{};
     int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
     if (status < 0) {
       report.fail(i, "exact", solver.reason(status));
@@ -129,7 +126,7 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
     // The reference's 0.2 mm cells over its patch and a margin, on its rows.
     const double shift = reference_shift(file, cases[i], point);
     const double size = 0.2e-3;
-    wrc_grid grid = made<wrc_grid>(wrc_grid_init);
+    wrc_grid grid = wrc_grid_default();
     const double low = 1e-3 * file(head, "row_y_mm"), high = 1e-3 * file(cases[i].last - 1, "row_y_mm");
     grid.nx = 100;
     grid.ny = static_cast<uint32_t>(std::lround((high - low) / size)) + 21;
@@ -142,11 +139,11 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
       report.fail(i, "exact", solver.reason(status));
       continue;
     }
-    wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
     problem.normal_force = file(head, "Fn_N");
-    problem.grid = &grid;
+    problem.grid = grid;
     problem.gap = gap.data();
-    wrc_exact_normal_solution solution = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+    wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
     solution.pressure = pressure.data();
     char text[256];
     status = wrc_exact_normal(&problem, &solution, text, sizeof text);

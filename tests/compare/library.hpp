@@ -6,23 +6,22 @@
 #include <string>
 
 #include "csv.hpp"
-#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace compare {
 
 /// Inputs of wrc_contact_tangential for one row of a file with the columns of sdec_cases.csv.
 struct Rolling {
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_creepage creepage = wrc_creepage_default();
+  wrc_friction friction = wrc_friction_default();
 };
 inline Rolling rolling_of(const Csv& file, std::size_t row) {
   Rolling rolling;
-  rolling.patch.a = 1e-3 * file(row, "a_mm");
-  rolling.patch.b = 1e-3 * file(row, "b_mm");
-  rolling.patch.psi = file(row, "psi");
-  rolling.patch.normal_force = 1e3 * file(row, "N_kN");
+  rolling.ellipse.a = 1e-3 * file(row, "a_mm");
+  rolling.ellipse.b = 1e-3 * file(row, "b_mm");
+  rolling.ellipse.psi = file(row, "psi");
+  rolling.ellipse.normal_force = 1e3 * file(row, "N_kN");
   rolling.creepage.longitudinal = file(row, "cx");
   rolling.creepage.lateral = file(row, "cy");
   rolling.creepage.spin = file(row, "phi_per_m");

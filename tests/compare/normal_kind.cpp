@@ -19,7 +19,7 @@ const std::vector<Variant> every_variant = {
 };
 
 wrc_view view_of(const Solver& solver, int32_t patch, int32_t field) {
-  wrc_view view = made<wrc_view>(wrc_view_init);
+  wrc_view view{};
   if (wrc_contact_field(solver.contact(), patch, field, &view) != WRC_OK)
     throw std::runtime_error("field not available");
   return view;
@@ -44,10 +44,7 @@ LineLoad computed_line_load(const Solver& solver, int32_t patches) {
 }  // namespace
 
 Report compare_normal(const Csv& file, const Names& only) {
-  const wrc_config standard = made<wrc_config>(wrc_config_init);
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-  wheel.kind = WRC_PROFILE_S1002;
-  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  const wrc_config standard = wrc_config_default();
   const std::vector<Case> cases = find_cases(file);
 
   Report report;
@@ -56,34 +53,34 @@ Report compare_normal(const Csv& file, const Names& only) {
   report.measures = {"peak_pressure", "area", "approach", "line_load"};
   for (const Variant& variant : chosen(every_variant, only)) {
     report.variants.emplace_back(variant.name);
-    if (variant.method == standard.normal_method) report.default_variant = variant.name;
+    if (variant.method == standard.normal.method) report.default_variant = variant.name;
     wrc_config config = standard;  // G = 80 GPa, nu = 0.25, R = 460 mm: those of the reference
-    config.normal_method = variant.method;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    config.normal.method = variant.method;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     const Solver solver(config);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const std::size_t head = cases[i].first;
-      wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+      wrc_pose pose = wrc_pose_default();
       pose.lateral = 1e-3 * file(head, "y_ws_mm");
       pose.yaw = file(head, "yaw_rad");
-      wrc_load load = made<wrc_load>(wrc_load_init);
+      wrc_load load = wrc_load_default();
       load.normal_force = file(head, "Fn_N");
-      wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-      wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+      wrc_contact_point point{};
+      wrc_normal_solution normal{};
       int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
-      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &patch);
+      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &normal);
       if (status < 0) {
         report.fail(i, variant.name, solver.reason(status));
         continue;
       }
       auto& errors = report.errors[variant.name];
-      errors["peak_pressure"].add(i, patch.peak_pressure / (1e6 * file(head, "pmax_MPa")) - 1.0);
-      errors["area"].add(i, patch.area / (1e-6 * file(head, "area_mm2")) - 1.0);
-      errors["approach"].add(i, patch.approach / (1e-3 * file(head, "pen_mm")) - 1.0);
+      errors["peak_pressure"].add(i, normal.peak_pressure / (1e6 * file(head, "pmax_MPa")) - 1.0);
+      errors["area"].add(i, normal.area / (1e-6 * file(head, "area_mm2")) - 1.0);
+      errors["approach"].add(i, normal.approach / (1e-3 * file(head, "pen_mm")) - 1.0);
       const double shift = reference_shift(file, cases[i], point);
       errors["line_load"].add(
-          i, line_load_error(file, cases[i], computed_line_load(solver, patch.patches), shift));
+          i, line_load_error(file, cases[i], computed_line_load(solver, normal.patches), shift));
     }
   }
   return report;

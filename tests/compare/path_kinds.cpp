@@ -43,10 +43,10 @@ std::vector<Load> scan(const Csv& file, std::size_t row, const Solver& solver) {
   };
   std::vector<Load> loads;
   for (std::size_t k = 0; k <= steps; ++k) {
-    at.wheel.y = 1e-3 * between("y0_mm", "y1_mm", k);
-    at.wheel.z = 1e-3 * between("z0_mm", "z1_mm", k);
-    at.wheel.roll = between("roll0_rad", "roll1_rad", k);
-    at.wheel.yaw = between("yaw0_rad", "yaw1_rad", k);
+    at.input.wheel.y = 1e-3 * between("y0_mm", "y1_mm", k);
+    at.input.wheel.z = 1e-3 * between("z0_mm", "z1_mm", k);
+    at.input.wheel.roll = between("roll0_rad", "roll1_rad", k);
+    at.input.wheel.yaw = between("yaw0_rad", "yaw1_rad", k);
     loads.push_back(load_of(at, solver));
   }
   return loads;
@@ -178,11 +178,11 @@ Report compare_loop(const Csv& file, const Options& options) {
       int32_t spoilt = WRC_OK;
       for (std::size_t k = 0; k < steps; ++k) {
         const double t = 2.0 * 3.14159265358979323846 * static_cast<double>(k) / static_cast<double>(steps);
-        at.wheel.y = 1e-3 * (file(row, "y_centre_mm") + file(row, "y_amplitude_mm") * std::cos(t));
-        at.wheel.z = 1e-3 * (file(row, "z_centre_mm") + file(row, "z_amplitude_mm") * std::sin(t));
-        at.wheel.roll = file(row, "roll_amplitude_rad") * std::sin(2.0 * t);
+        at.input.wheel.y = 1e-3 * (file(row, "y_centre_mm") + file(row, "y_amplitude_mm") * std::cos(t));
+        at.input.wheel.z = 1e-3 * (file(row, "z_centre_mm") + file(row, "z_amplitude_mm") * std::sin(t));
+        at.input.wheel.roll = file(row, "roll_amplitude_rad") * std::sin(2.0 * t);
         loads.push_back(load_of(at, solver));
-        poses.push_back({at.wheel.y, at.wheel.z, at.wheel.roll});
+        poses.push_back({at.input.wheel.y, at.input.wheel.z, at.input.wheel.roll});
         if (loads.back().spoilt != WRC_OK) spoilt = loads.back().spoilt;
       }
       const double error = spoilt != WRC_OK ? 1.0 : loop_error(loads, poses);

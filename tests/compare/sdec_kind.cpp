@@ -45,7 +45,7 @@ std::vector<Variant> every_variant() {
 }  // namespace
 
 Report compare_sdec(const Csv& file, const Names& only) {
-  const wrc_config standard = made<wrc_config>(wrc_config_init);
+  const wrc_config standard = wrc_config_default();
   Report report;
   report.kind = "sdec";
   report.rows = file.rows();
@@ -58,21 +58,21 @@ Report compare_sdec(const Csv& file, const Names& only) {
     for (std::size_t row = 0; row < file.rows(); ++row) {
       wrc_config config = standard;
       choose_tangential(config, variant.preset);
-      config.traction_bound = variant.bound;
-      config.flexibility = variant.flexibility;
-      config.shear_modulus = 1e6 * file(row, "G_MPa");
-      config.poisson = file(row, "nu");
+      config.tangential.bound = variant.bound;
+      config.tangential.flexibility = variant.flexibility;
+      config.material.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.material.poisson = file(row, "nu");
       const Solver solver(config);
 
       const Rolling rolling = rolling_of(file, row);
-      wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-      const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.patch, &rolling.creepage,
+      wrc_forces forces{};
+      const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
                                                     &rolling.friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));
         continue;
       }
-      const double limit = rolling.friction.coefficient * rolling.patch.normal_force;
+      const double limit = rolling.friction.coefficient * rolling.ellipse.normal_force;
       auto& errors = report.errors[variant.name];
       errors["force"].add(row,
                           std::hypot(forces.fx - file(row, "Fx_N"), forces.fy - file(row, "Fy_N")) / limit);

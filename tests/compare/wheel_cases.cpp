@@ -55,7 +55,8 @@ const Solver& Pairs::of(const PairOptions& options) {
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
-    wrc_profile profile = made<wrc_profile>(wrc_profile_init);
+    wrc_profile profile = wrc_profile_default();
+    profile.kind = WRC_PROFILE_POINTS;
     profile.kind = WRC_PROFILE_POINTS;
     profile.count = static_cast<uint32_t>(given.y.size());
     profile.y = given.y.data();
@@ -63,16 +64,15 @@ const Solver& Pairs::of(const PairOptions& options) {
     profile.smoothing = options.smoothing;
     return profile;
   };
-  const wrc_profile wheel = profile_of(options.wheel), rail = profile_of(options.rail);
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.shear_modulus = options.shear_modulus;
-  config.poisson = options.poisson;
-  config.wheel_radius = options.radius;
-  config.profile_placement = WRC_PLACEMENT_ORIGIN;
-  config.rail_origin = 0.7605325577;
-  config.warm_start = options.warm ? 1 : 0;
-  config.wheel = &wheel;
-  config.rail = &rail;
+  wrc_config config = wrc_config_default();
+  config.material.shear_modulus = options.shear_modulus;
+  config.material.poisson = options.poisson;
+  config.wheelset.wheel_radius = options.radius;
+  config.track.placement = WRC_PLACEMENT_ORIGIN;
+  config.track.rail_origin = 0.7605325577;
+  config.normal.warm_start = options.warm ? 1 : 0;
+  config.wheel = profile_of(options.wheel);
+  config.rail = profile_of(options.rail);
   solver = std::make_unique<Solver>(config, options.side);
   return *solver;
 }
@@ -90,7 +90,7 @@ PairOptions pair_of(const Csv& file, std::size_t row) {
 
 WheelCase wheel_case(const Csv& file, std::size_t row) {
   WheelCase made_case;
-  wrc_wheel_state& wheel = made_case.wheel;
+  wrc_wheel_state& wheel = made_case.input.wheel;
   const auto if_there = [&](const char* column) { return file.has(column) ? file(row, column) : 0.0; };
   wheel.angular_axes = WRC_AXES_BODY;
   wheel.y = 1e-3 * if_there("y_ws_mm");
@@ -103,17 +103,17 @@ WheelCase wheel_case(const Csv& file, std::size_t row) {
   wheel.angular_velocity[0] = if_there("vroll_radps");
   wheel.angular_velocity[1] = if_there("vpitch_radps");
   wheel.angular_velocity[2] = if_there("vyaw_radps");
-  made_case.rail.y = 1e-3 * if_there("dy_rail_mm");
-  made_case.rail.z = 1e-3 * if_there("dz_rail_mm");
-  made_case.rail.roll = if_there("roll_rail_rad");
-  made_case.friction.coefficient = if_there("mu");
+  made_case.input.rail.y = 1e-3 * if_there("dy_rail_mm");
+  made_case.input.rail.z = 1e-3 * if_there("dz_rail_mm");
+  made_case.input.rail.roll = if_there("roll_rail_rad");
+  made_case.input.friction.coefficient = if_there("mu");
   return made_case;
 }
 
 std::vector<wrc_region> regions_of(const Solver& solver, const wrc_wrench& wrench) {
   std::vector<wrc_region> regions;
   for (int32_t i = 0; i < wrench.regions; ++i) {
-    regions.push_back(made<wrc_region>(wrc_region_init));
+    regions.push_back(wrc_region_default());
     if (wrc_contact_region(solver.contact(), i, &regions.back()) != WRC_OK)
       throw std::runtime_error("no such region");
   }

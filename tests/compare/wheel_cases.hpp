@@ -69,18 +69,10 @@ PairOptions pair_of(const Csv& file, std::size_t row);
 
 /// A wheel on a rail that can be changed before it is solved.
 struct WheelCase {
-  wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
 
-  int32_t solve(const Solver& solver) {
-    input.wheel = &wheel;
-    input.rail = &rail;
-    input.friction = friction.coefficient > 0.0 ? &friction : nullptr;
-    return wrc_contact_wrench(solver.contact(), &input, &wrench);
-  }
+  int32_t solve(const Solver& solver) { return wrc_contact_wrench(solver.contact(), &input, &wrench); }
   Vector force() const { return {wrench.force[0], wrench.force[1], wrench.force[2]}; }
   Vector moment() const { return {wrench.moment[0], wrench.moment[1], wrench.moment[2]}; }
 };

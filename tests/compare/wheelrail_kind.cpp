@@ -31,10 +31,7 @@ const std::vector<Variant> every_variant = {
 }  // namespace
 
 Report compare_wheelrail(const Csv& file, const Names& only) {
-  const wrc_config standard = made<wrc_config>(wrc_config_init);
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-  wheel.kind = WRC_PROFILE_S1002;
-  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  const wrc_config standard = wrc_config_default();
   Report report;
   report.kind = "wheelrail";
   report.rows = file.rows();
@@ -44,37 +41,37 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
     report.variants.emplace_back(variant.name);
     for (std::size_t row = 0; row < file.rows(); ++row) {
       wrc_config config = standard;
-      config.normal_method = variant.normal;
+      config.normal.method = variant.normal;
       choose_tangential(config, variant.tangential);
-      config.traction_bound = variant.bound;
-      config.shear_modulus = 1e6 * file(row, "G_MPa");
-      config.poisson = file(row, "nu");
-      config.wheel = &wheel;
-      config.rail = &rail;
+      config.tangential.bound = variant.bound;
+      config.material.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.material.poisson = file(row, "nu");
+      config.wheel.kind = WRC_PROFILE_S1002;
+      config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
       const Solver solver(config);
-      wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+      wrc_pose pose = wrc_pose_default();
       pose.lateral = 1e-3 * file(row, "y_ws_mm");
       pose.roll = file(row, "roll_rad");
       pose.yaw = file(row, "yaw_rad");
-      wrc_load load = made<wrc_load>(wrc_load_init);
+      wrc_load load = wrc_load_default();
       load.normal_force = file(row, "Fn_N");
-      wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+      wrc_friction friction = wrc_friction_default();
       friction.coefficient = file(row, "mu");
-      wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-      wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-      wrc_forces forces = made<wrc_forces>(wrc_forces_init);
+      wrc_contact_point point{};
+      wrc_normal_solution normal{};
+      wrc_forces forces{};
       int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
 
       // The file's creepages are those of the rail over the wheel, at the reference's contact location, and
       // so are its forces: with both signs changed they are ours. The creepage moves to our origin with the
       // spin.
-      wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+      wrc_creepage creepage = wrc_creepage_default();
       const double y = (1e-3 * file(row, "ycp_rail_mm") - point.y_rail) / std::cos(point.angle);
       creepage.spin = file(row, "cphi_per_m");
       creepage.longitudinal = file(row, "cksi") + creepage.spin * y;
       creepage.lateral = file(row, "ceta");
       creepage.speed = file(row, "vs_mps");
-      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &patch);
+      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &normal);
       if (status >= 0)
         status = wrc_contact_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
       if (status < 0) {
@@ -90,9 +87,9 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       const double balance = -(file(row, "Fx_N") * file(row, "cksi") + file(row, "Fy_N") * file(row, "ceta") +
                                file(row, "Mz_Nm") * file(row, "cphi_per_m"));
       errors["power_balance"].add(row, forces.power / (balance * file(row, "vs_mps")) - 1.0);
-      errors["peak_pressure"].add(row, patch.peak_pressure / (1e6 * file(row, "pmax_MPa")) - 1.0);
-      errors["area"].add(row, patch.area / (1e-6 * file(row, "area_mm2")) - 1.0);
-      errors["approach"].add(row, patch.approach / (1e-3 * file(row, "pen_mm")) - 1.0);
+      errors["peak_pressure"].add(row, normal.peak_pressure / (1e6 * file(row, "pmax_MPa")) - 1.0);
+      errors["area"].add(row, normal.area / (1e-6 * file(row, "area_mm2")) - 1.0);
+      errors["approach"].add(row, normal.approach / (1e-3 * file(row, "pen_mm")) - 1.0);
     }
   }
   return report;

@@ -114,6 +114,7 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   poison_one(choices, made.y);
   poison_one(choices, made.z);
   made.profile.kind = WRC_PROFILE_POINTS;
+  made.profile.kind = WRC_PROFILE_POINTS;
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
@@ -124,76 +125,83 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
 }  // namespace
 
 void make_wheel(Choices& choices, ProfilePoints& wheel) {
-  wheel.profile = made<wrc_profile>(wrc_profile_init);
+  wheel.profile = wrc_profile_default();
   wheel.profile.kind = WRC_PROFILE_S1002;
   if (choices.one_in(2)) make_points(choices, -0.070, 0.060, wheel_height, wheel);
 }
 
 void make_rail(Choices& choices, ProfilePoints& rail) {
-  rail.profile = made<wrc_profile>(wrc_profile_init);
+  rail.profile = wrc_profile_default();
   rail.profile.kind = choices.one_in(2) ? WRC_PROFILE_60E1 : WRC_PROFILE_UIC60_BENCHMARK;
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
 
 /// What the methods do not read is refused: as the library's defaults have it.
 static void leave_unread(wrc_config& config) {
-  const wrc_config untouched = made<wrc_config>(wrc_config_init);
-  if (config.normal_method == WRC_NORMAL_STRIP_HALFSPACE)
-    config.load_tolerance = untouched.load_tolerance;
-  else
-    config.warm_start = untouched.warm_start;
-  if (config.tangential_method != WRC_TANGENTIAL_FASTSIM) {
-    config.traction_bound = untouched.traction_bound;
-    config.flexibility = untouched.flexibility;
-    if (config.tangential_method != WRC_TANGENTIAL_FASTRIP) config.patch_model = untouched.patch_model;
+  const wrc_config untouched = wrc_config_default();
+  if (config.normal.method == WRC_NORMAL_STRIP_HALFSPACE) {
+    config.normal.max_iterations = untouched.normal.max_iterations;
+    config.normal.load_tolerance = untouched.normal.load_tolerance;
+  } else {
+    config.normal.max_sweeps = untouched.normal.max_sweeps;
+    config.normal.warm_start = untouched.normal.warm_start;
   }
-  if (config.wheel != nullptr) return;
-  config.flange_back_distance = untouched.flange_back_distance;
-  config.track_gauge = untouched.track_gauge;
-  config.gauge_depth = untouched.gauge_depth;
-  config.rail_inclination = untouched.rail_inclination;
+  if (config.tangential.method != WRC_TANGENTIAL_FASTSIM) {
+    config.tangential.bound = untouched.tangential.bound;
+    config.tangential.flexibility = untouched.tangential.flexibility;
+    if (config.tangential.method != WRC_TANGENTIAL_FASTRIP)
+      config.tangential.patch_model = untouched.tangential.patch_model;
+  }
+  if (config.wheel.kind != WRC_PROFILE_NONE) return;
+  config.wheelset.flange_back_distance = untouched.wheelset.flange_back_distance;
+  config.track.gauge = untouched.track.gauge;
+  config.track.gauge_depth = untouched.track.gauge_depth;
+  config.track.rail_inclination = untouched.track.rail_inclination;
+  config.track.placement = untouched.track.placement;
+  config.track.rail_origin = untouched.track.rail_origin;
 }
 
-wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile* wheel,
-                       const wrc_profile* rail) {
+wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile& wheel,
+                       const wrc_profile& rail) {
   // On a handful of strips and cells everything is at a border.
   if (choices.one_in(3)) finest = std::min(finest, 8);
   const auto count = [&](double low, double high) {
     return static_cast<std::int32_t>(choices.magnitude(low, high));
   };
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.normal_method = static_cast<std::int32_t>(choices.below(normal_methods));
-  config.regularisation = static_cast<std::int32_t>(choices.below(2));
+  wrc_config config = wrc_config_default();
+  config.normal.method = static_cast<std::int32_t>(choices.below(normal_methods));
+  config.tangential.regularisation = static_cast<std::int32_t>(choices.below(2));
   choose_tangential(config, static_cast<std::int32_t>(choices.below(tangential_methods)));
-  if (choices.one_in(8)) config.patch_model = static_cast<std::int32_t>(choices.below(4));
-  config.traction_bound = static_cast<std::int32_t>(choices.below(3));
-  config.flexibility = static_cast<std::int32_t>(choices.below(3));
-  config.strips = count(4.0, finest);
-  config.cells = count(4.0, finest);
-  config.gap_rows = count(8.0, 8.0 * finest);
-  config.max_patches = count(1.0, 16.0);
-  config.warm_start = static_cast<std::int32_t>(choices.below(2));
-  if (choices.one_in(2)) config.max_iterations = count(4.0, 1000.0);
-  if (choices.one_in(4)) config.shear_modulus = choices.magnitude(1e8, 1e12);
-  if (choices.one_in(4)) config.poisson = choices.between(0.0, 0.5);
-  if (choices.one_in(2)) config.load_tolerance = choices.magnitude(1e-14, 1e-2);
-  if (choices.one_in(2)) config.gap_limit = choices.magnitude(1e-5, 0.02);
-  if (choices.one_in(4)) config.shear_yield = choices.magnitude(1e6, 1e11);
-  if (choices.one_in(4)) config.wheel_radius = choices.magnitude(0.1, 1.5);
-  if (choices.one_in(8)) config.track_gauge = choices.between(1.0, 1.7);
-  if (choices.one_in(8)) config.flange_back_distance = config.track_gauge - choices.between(0.0, 0.2);
-  if (choices.one_in(8)) config.gauge_depth = choices.magnitude(5e-3, 0.04);
-  if (choices.one_in(2)) config.rail_inclination = 0.025;
-  if (choices.one_in(8)) config.rail_inclination = choices.between(-0.2, 0.2);
+  if (choices.one_in(8)) config.tangential.patch_model = static_cast<std::int32_t>(choices.below(4));
+  config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
+  config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
+  config.grid.strips = count(4.0, finest);
+  config.grid.cells = count(4.0, finest);
+  config.grid.gap_rows = count(8.0, 8.0 * finest);
+  config.grid.max_patches = count(1.0, 16.0);
+  config.normal.warm_start = static_cast<std::int32_t>(choices.below(2));
+  if (choices.one_in(2)) config.normal.max_iterations = config.normal.max_sweeps = count(4.0, 1000.0);
+  if (choices.one_in(4)) config.material.shear_modulus = choices.magnitude(1e8, 1e12);
+  if (choices.one_in(4)) config.material.poisson = choices.between(0.0, 0.5);
+  if (choices.one_in(2)) config.normal.load_tolerance = choices.magnitude(1e-14, 1e-2);
+  if (choices.one_in(2)) config.grid.gap_limit = choices.magnitude(1e-5, 0.02);
+  if (choices.one_in(4)) config.material.shear_yield = choices.magnitude(1e6, 1e11);
+  if (choices.one_in(4)) config.wheelset.wheel_radius = choices.magnitude(0.1, 1.5);
+  if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
+  if (choices.one_in(8))
+    config.wheelset.flange_back_distance = config.track.gauge - choices.between(0.0, 0.2);
+  if (choices.one_in(8)) config.track.gauge_depth = choices.magnitude(5e-3, 0.04);
+  if (choices.one_in(2)) config.track.rail_inclination = 0.025;
+  if (choices.one_in(8)) config.track.rail_inclination = choices.between(-0.2, 0.2);
   // Canted twice is refused: seldom here.
-  if (rail->kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.rail_inclination = 0.0;
+  if (rail.kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.track.rail_inclination = 0.0;
   if (choices.one_in(3)) {  // those of a wheel on a rail in one call
-    config.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
-    config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
+    config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
   }
   if (choices.one_in(4)) {
-    config.profile_placement = WRC_PLACEMENT_ORIGIN;
-    config.rail_origin = choices.one_in(2) ? 0.7605 : choices.between(0.2, 1.5);
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = choices.one_in(2) ? 0.7605 : choices.between(0.2, 1.5);
   }
   if (!choices.one_in(8)) {
     config.wheel = wheel;
@@ -204,7 +212,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile*
 }
 
 wrc_pose make_pose(Choices& choices) {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_pose pose = wrc_pose_default();
   const bool far = choices.one_in(4);
   pose.lateral = far ? choices.between(-0.1, 0.1) : choices.between(-0.008, 0.008);
   pose.roll = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
@@ -214,11 +222,11 @@ wrc_pose make_pose(Choices& choices) {
   return pose;
 }
 
-void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
-  wrc_wheel_state& wheel = structs.wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_rail_state& rail = structs.rail = made<wrc_rail_state>(wrc_rail_state_init);
-  wrc_friction& friction = structs.friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input& input = structs.input = made<wrc_wheel_input>(wrc_wheel_input_init);
+void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
+  wrc_wheel_input& input = made.input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wrc_rail_state& rail = input.rail;
+  wrc_friction& friction = input.friction;
   const bool far = choices.one_in(4);
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
   wheel.angular_axes = static_cast<std::int32_t>(choices.below(2));
@@ -235,10 +243,10 @@ void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
   if (choices.one_in(4)) {  // a turn by the pitch alone, as good as none
     const double sine = choices.between(-1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
     const double turn[9] = {cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine};
-    std::copy(turn, turn + 9, structs.rotation);
-    wheel.rotation = structs.rotation;
+    std::copy(turn, turn + 9, made.rotation);
+    wheel.rotation = made.rotation;
     wheel.roll = wheel.yaw = 0.0;
-    if (choices.one_in(8)) structs.rotation[choices.below(9)] = choices.poison();
+    if (choices.one_in(8)) made.rotation[choices.below(9)] = choices.poison();
   }
   rail.y = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
   rail.z = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
@@ -247,9 +255,8 @@ void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
   rail.z_velocity = choices.signed_magnitude(1e-9, 50.0);
   rail.roll_velocity = choices.signed_magnitude(1e-9, 200.0);
   friction.coefficient = choices.magnitude(1e-4, 2.0);
-  input.wheel = &wheel;
-  input.rail = choices.one_in(3) ? nullptr : &rail;
-  input.friction = choices.one_in(6) ? nullptr : &friction;
+  if (choices.one_in(3)) rail = wrc_rail_state_default();
+  if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(3)) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = choices.magnitude(1e2, 1e6);
@@ -270,7 +277,7 @@ void make_wheel_on_rail(Choices& choices, WheelStructs& structs) {
 }
 
 wrc_load make_load(Choices& choices) {
-  wrc_load load = made<wrc_load>(wrc_load_init);
+  wrc_load load = wrc_load_default();
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
     load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0) : choices.magnitude(1e-15, 0.01);
@@ -292,7 +299,7 @@ wrc_load make_load(Choices& choices) {
 }
 
 wrc_motion make_motion(Choices& choices) {
-  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+  wrc_motion motion = wrc_motion_default();
   motion.speed = choices.signed_magnitude(1e-6, 200.0);
   motion.lateral_velocity = choices.signed_magnitude(1e-9, 20.0);
   motion.vertical_velocity = choices.signed_magnitude(1e-9, 20.0);
@@ -304,7 +311,7 @@ wrc_motion make_motion(Choices& choices) {
 }
 
 wrc_wear_laws make_wear_laws(Choices& choices) {
-  wrc_wear_laws laws = made<wrc_wear_laws>(wrc_wear_laws_init);
+  wrc_wear_laws laws = wrc_wear_laws_default();
   double* const parameters = &laws.t_gamma_mild_end;
   const auto count = static_cast<std::uint32_t>(&laws.seizure_pressure - parameters) + 1;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -315,7 +322,7 @@ wrc_wear_laws make_wear_laws(Choices& choices) {
 }
 
 wrc_creepage make_creepage(Choices& choices) {
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_creepage creepage = wrc_creepage_default();
   const double most = choices.one_in(4) ? 10.0 : 0.1;
   creepage.longitudinal = choices.signed_magnitude(1e-15, most);
   creepage.lateral = choices.signed_magnitude(1e-15, most);
@@ -328,7 +335,7 @@ wrc_creepage make_creepage(Choices& choices) {
 
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
-  friction = made<wrc_friction>(wrc_friction_init);
+  friction = wrc_friction_default();
   friction.coefficient = choices.one_in(40) ? choices.poison() : choices.magnitude(1e-4, 2.0);
   friction.kind = static_cast<std::int32_t>(choices.below(3));
   if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 3 : -1;
@@ -369,14 +376,14 @@ double FrictionArrays::most() const {
                             : friction.coefficient;
 }
 
-wrc_patch make_patch(Choices& choices) {
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  patch.a = choices.magnitude(1e-6, 0.1);
-  patch.b = choices.magnitude(1e-6, 0.1);
-  patch.psi = choices.signed_magnitude(1e-12, 0.95);
-  patch.normal_force = choices.magnitude(1e-3, 1e7);
-  if (choices.one_in(40)) patch.a = choices.poison();
-  return patch;
+wrc_ellipse make_ellipse(Choices& choices) {
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  ellipse.a = choices.magnitude(1e-6, 0.1);
+  ellipse.b = choices.magnitude(1e-6, 0.1);
+  ellipse.psi = choices.signed_magnitude(1e-12, 0.95);
+  ellipse.normal_force = choices.magnitude(1e-3, 1e7);
+  if (choices.one_in(40)) ellipse.a = choices.poison();
+  return ellipse;
 }
 
 void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
@@ -433,7 +440,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
   if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
-  gap.gap = made<wrc_gap>(wrc_gap_init);
+  gap.gap = wrc_gap_default();
   gap.gap.rows = rows;
   gap.gap.y = gap.y.data();
   poison_one(choices, gap.y);
@@ -493,7 +500,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
   poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
-  strips.strips = made<wrc_strips>(wrc_strips_init);
+  strips.strips = wrc_strips_default();
   strips.strips.count = count;
   strips.strips.y = strips.y.data();
   strips.strips.width = strips.width.data();

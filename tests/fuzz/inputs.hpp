@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "choices.hpp"
-#include "made.hpp"
 #include "wrc/wrc.h"
 
 namespace hostile {
@@ -32,24 +31,21 @@ struct FrictionArrays {
 void make_wheel(Choices& choices, ProfilePoints& made);
 void make_rail(Choices& choices, ProfilePoints& made);
 /// At most `finest` strips and cells, 512 being what the interface allows.
-wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile* wheel,
-                       const wrc_profile* rail);
+wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile& wheel,
+                       const wrc_profile& rail);
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
 wrc_motion make_motion(Choices& choices);
 wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);
-wrc_patch make_patch(Choices& choices);
+wrc_ellipse make_ellipse(Choices& choices);
 /// A wheel on a rail, anywhere between the usual and the ends of the ranges.
-struct WheelStructs {
-  wrc_wheel_state wheel{};
-  wrc_rail_state rail{};
-  wrc_friction friction{};
-  wrc_wheel_input input{};  ///< points to these
+struct WheelOnRail {
+  wrc_wheel_input input{};  ///< may point to `rotation`
   double rotation[9] = {};
 };
-void make_wheel_on_rail(Choices& choices, WheelStructs& made);
+void make_wheel_on_rail(Choices& choices, WheelOnRail& made);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);
 void make_strips(Choices& choices, std::int32_t room, StripArrays& made);

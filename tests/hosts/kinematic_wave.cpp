@@ -43,15 +43,11 @@ const Vector5 scale = (Vector5() << 1e-5, 1e-5, 1e-4, 1e-4, 1e-4).finished();  /
 class Wheelset {
  public:
   Wheelset() {
-    wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, nullptr, nullptr, 0.0};
-    wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, nullptr, nullptr, 0.0};
-    wrc_config config;
-    config.struct_size = sizeof config;
-    wrc_config_init(&config);
-    config.shear_modulus = 82e9;
-    config.poisson = 0.28;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    wrc_config config = wrc_config_default();
+    config.material.shear_modulus = 82e9;
+    config.material.poisson = 0.28;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("no model");
     for (int side = 0; side < 2; ++side)
       if (wrc_contact_create(model_, side, nullptr, &contact_[side]) < 0)
@@ -69,17 +65,11 @@ class Wheelset {
 
   // Standing in the middle.
   Rolling at_rest() {
-    wrc_wheel_state wheel;
-    wheel.struct_size = sizeof wheel;
-    wrc_wheel_state_init(&wheel);
-    wrc_wheel_input input;
-    input.struct_size = sizeof input;
-    wrc_wheel_input_init(&input);
+    wrc_wheel_input input = wrc_wheel_input_default();
+    input.friction.coefficient = 0.0;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 0.5 * load;
-    input.wheel = &wheel;
-    wrc_wrench wrench;
-    wrench.struct_size = sizeof wrench;
+    wrc_wrench wrench = wrc_wrench_default();
     const int32_t status = wrc_contact_wrench(contact_[0], &input, &wrench);
     if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
     Rolling rolling;
@@ -93,9 +83,8 @@ class Wheelset {
     const Vector3d axle(-std::sin(yaw), cr * std::cos(yaw), sr * std::cos(yaw)), third(0.0, -sr, cr);
     const Vector3d angular = speed * (roll_rate * rolling.lateral_rate() * Vector3d::UnitX() +
                                       rolling.yaw_rate() * third - (1.0 + rolling.values[2]) / radius * axle);
-    wrc_wheel_state wheel;
-    wheel.struct_size = sizeof wheel;
-    wrc_wheel_state_init(&wheel);
+    wrc_wheel_input input = wrc_wheel_input_default();
+    wrc_wheel_state& wheel = input.wheel;
     wheel.y = y;
     wheel.z = rolling.height();
     wheel.roll = rolling.roll();
@@ -103,19 +92,10 @@ class Wheelset {
     wheel.velocity[0] = speed;
     wheel.velocity[1] = speed * rolling.lateral_rate();
     for (int i = 0; i < 3; ++i) wheel.angular_velocity[i] = angular[i];
-    wrc_friction law;
-    law.struct_size = sizeof law;
-    wrc_friction_init(&law);
-    law.coefficient = friction;
-    wrc_wheel_input input;
-    input.struct_size = sizeof input;
-    wrc_wheel_input_init(&input);
-    input.wheel = &wheel;
-    input.friction = &law;
+    input.friction.coefficient = friction;
     Vector3d force(0, 0, load), moment(0, 0, 0);
     for (int side = 0; side < 2; ++side) {
-      wrc_wrench wrench;
-      wrench.struct_size = sizeof wrench;
+      wrc_wrench wrench = wrc_wrench_default();
       const int32_t status = exact ? wrc_exact_wrench(contact_[side], &input, exact_options, &wrench)
                                    : wrc_contact_wrench(contact_[side], &input, &wrench);
       if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
@@ -129,8 +109,7 @@ class Wheelset {
   double radius_difference(const Rolling& rolling) {
     double difference = 0.0;
     for (int side = 0; side < 2; ++side) {
-      wrc_region region;
-      region.struct_size = sizeof region;
+      wrc_region region = wrc_region_default();
       if (wrc_contact_region(contact_[side], 0, &region) < 0) throw std::runtime_error("no region");
       difference -= (side == 0 ? 1.0 : -1.0) * region.creepage[0];
     }
@@ -235,9 +214,7 @@ int run(bool with_exact, double cell) {
       along, three, klingel, 100.0 * (klingel / along - 1.0));
   bool good = std::fabs(three / along - 1.0) < 0.015;
   if (with_exact) {
-    wrc_exact_wrench_options options;
-    options.struct_size = sizeof options;
-    wrc_exact_wrench_options_init(&options);
+    wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
     options.cell_x = options.cell_s = cell;
     wheelset.exact_options = &options;
     const double exact = three_poses(wheelset, guess, yaw, true);

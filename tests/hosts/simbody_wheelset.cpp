@@ -95,15 +95,11 @@ class Element {
 class WrcElement : public Element {
  public:
   WrcElement() {
-    wrc_profile wheel = {sizeof wheel, WRC_PROFILE_S1002, 0, 0, nullptr, nullptr, 0.0};
-    wrc_profile rail = {sizeof rail, WRC_PROFILE_UIC60_BENCHMARK, 0, 0, nullptr, nullptr, 0.0};
-    wrc_config config;
-    config.struct_size = sizeof config;
-    wrc_config_init(&config);
-    config.shear_modulus = shear_modulus;
-    config.poisson = poisson;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    wrc_config config = wrc_config_default();
+    config.material.shear_modulus = shear_modulus;
+    config.material.poisson = poisson;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("no model");
     for (int side = 0; side < 2; ++side)
       if (wrc_contact_create(model_, side, nullptr, &contact_[side]) < 0)
@@ -137,9 +133,8 @@ class WrcElement : public Element {
   wrc_wrench step(int side, const Motion& motion, int prescribed, double vertical_load) {
     double rotation[9];
     for (int i = 0; i < 9; ++i) rotation[i] = motion.rotation[i / 3][i % 3];
-    wrc_wheel_state wheel;
-    wheel.struct_size = sizeof wheel;
-    wrc_wheel_state_init(&wheel);
+    wrc_wheel_input input = wrc_wheel_input_default();
+    wrc_wheel_state& wheel = input.wheel;
     wheel.y = motion.y;
     wheel.z = motion.z;
     wheel.rotation = rotation;
@@ -147,24 +142,11 @@ class WrcElement : public Element {
       wheel.velocity[i] = motion.velocity[i];
       wheel.angular_velocity[i] = motion.angular[i];
     }
-    wrc_rail_state rail;
-    rail.struct_size = sizeof rail;
-    wrc_rail_state_init(&rail);
-    rail.y = motion.rail_y;
-    wrc_friction law;
-    law.struct_size = sizeof law;
-    wrc_friction_init(&law);
-    law.coefficient = friction;
-    wrc_wheel_input input;
-    input.struct_size = sizeof input;
-    wrc_wheel_input_init(&input);
+    input.rail.y = motion.rail_y;
+    input.friction.coefficient = prescribed == WRC_PRESCRIBE_HEIGHT ? friction : 0.0;
     input.prescribed = prescribed;
-    input.wheel = &wheel;
-    input.rail = &rail;
-    input.friction = prescribed == WRC_PRESCRIBE_HEIGHT ? &law : nullptr;
     input.vertical_load = vertical_load;
-    wrc_wrench wrench;
-    wrench.struct_size = sizeof wrench;
+    wrc_wrench wrench = wrc_wrench_default();
     if (wrc_contact_wrench(contact_[side], &input, &wrench) < 0) {
       char text[400];
       wrc_contact_last_error(contact_[side], text, sizeof text);
@@ -188,7 +170,6 @@ class SmoothElement : public Element {
     const double combined = 1.0 / (1.0 / radius + 1.0 / arc), modulus = 2.0 * shear_modulus / (1.0 - poisson);
     depth_ = f * std::cbrt(9.0 / (2.0 * e * combined) / std::pow(pi * k_ * modulus, 2.0));
     axis_ = std::cbrt(6.0 * k_ * k_ * e * combined / (pi * modulus));
-    coefficients_.struct_size = sizeof coefficients_;
     if (wrc_linear_coefficients(k_, 0.0, poisson, &coefficients_) < 0)
       throw std::runtime_error("no coefficients");
   }

@@ -2,19 +2,27 @@
 import ctypes as c
 
 
-class Profile(c.Structure):
-    _fields_ = [("struct_size", c.c_uint32), ("kind", c.c_int32), ("count", c.c_uint32), ("reserved", c.c_uint32),
-                ("y", c.c_void_p), ("z", c.c_void_p), ("smoothing", c.c_double)]
+def numbers(kind, names):
+    return [(name, kind) for name in names.split()]
 
 
-class Config(c.Structure):
-    """The head of wrc_config: as long as that, all behind it keeps its default."""
-    _fields_ = ([("struct_size", c.c_uint32)] +
-                [(n, c.c_int32) for n in ("reserved normal_method regularisation tangential_method traction_bound strips cells "
-                                          "gap_rows max_iterations max_patches warm_start").split()] +
-                [(n, c.c_double) for n in ("shear_modulus poisson load_tolerance gap_limit shear_yield wheel_radius "
-                                           "flange_back_distance track_gauge gauge_depth rail_inclination").split()] +
-                [("wheel", c.POINTER(Profile)), ("rail", c.POINTER(Profile))])
+def struct(name, *fields):
+    return type(name, (c.Structure,), {"_fields_": [each for group in fields for each in group]})
+
+
+Profile = struct("Profile", [("kind", c.c_int32), ("count", c.c_uint32), ("y", c.c_void_p), ("z", c.c_void_p),
+                             ("smoothing", c.c_double)])
+Config = struct(  # wrc_config
+    "Config", numbers(c.c_int32, "struct_size instruction_set"), [("wheel", Profile), ("rail", Profile)],
+    [("material", struct("Material", numbers(c.c_double, "shear_modulus poisson shear_yield"))),
+     ("wheelset", struct("Wheelset", numbers(c.c_double, "wheel_radius flange_back_distance"))),
+     ("track", struct("Track", numbers(c.c_int32, "placement reserved"),
+                      numbers(c.c_double, "gauge gauge_depth rail_inclination rail_origin"))),
+     ("grid", struct("Grid", numbers(c.c_int32, "strips cells gap_rows max_patches"), numbers(c.c_double, "gap_limit"))),
+     ("normal", struct("Normal", numbers(c.c_int32, "method max_iterations max_sweeps warm_start"),
+                       numbers(c.c_double, "load_tolerance"))),
+     ("tangential", struct("Tangential", numbers(c.c_int32, "method patch_model bound flexibility regularisation reserved"),
+                           [("force_table", c.c_char_p)]))])
 
 
 class Region(c.Structure):
@@ -24,7 +32,7 @@ class Region(c.Structure):
                 [(n, c.c_double) for n in "area peak_pressure power".split()] + [("creepage", c.c_double * 3)])
 
 
-S1002, RAIL_60E1, UIC60_BENCHMARK = 1, 2, 3
+S1002, RAIL_60E1, UIC60_BENCHMARK = 2, 3, 4
 RIGHT, LEFT = 0, 1
 HEIGHT, LOAD = 0, 1
 
@@ -38,11 +46,10 @@ class Model:
         lib.wrc_contact_wrench_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
         lib.wrc_contact_region.argtypes = [c.c_void_p, c.c_int32, c.c_void_p]
         lib.wrc_contact_create.argtypes = [c.c_void_p, c.c_int32, c.c_void_p, c.POINTER(c.c_void_p)]
-        wheel, rail = Profile(c.sizeof(Profile), S1002), Profile(c.sizeof(Profile), rail)
         config = Config(c.sizeof(Config))
         assert lib.wrc_config_init(c.byref(config)) == 0
-        config.wheel, config.rail = c.pointer(wheel), c.pointer(rail)
-        config.shear_modulus, config.poisson, config.warm_start = shear_modulus, poisson, warm_start
+        config.wheel.kind, config.rail.kind = S1002, rail
+        config.material.shear_modulus, config.material.poisson, config.normal.warm_start = shear_modulus, poisson, warm_start
         self.model = c.c_void_p()
         text = c.create_string_buffer(400)
         if lib.wrc_model_create(c.byref(config), None, c.byref(self.model)) < 0:
@@ -57,9 +64,9 @@ class Model:
         assert self.lib.wrc_contact_create(self.model, side, None, c.byref(contact)) == 0
         return contact
 
-    def step(self, contact, numbers):
-        """numbers: those of wrc_contact_wrench_flat(). Returns its outputs as a list."""
-        self.numbers_in[:] = numbers
+    def step(self, contact, given):
+        """given: the numbers of wrc_contact_wrench_flat(). Returns its outputs as a list."""
+        self.numbers_in[:] = given
         status = self.lib.wrc_contact_wrench_flat(contact, self.numbers_in, self.numbers_out)
         self.calls += 1
         self.statuses[status] = self.statuses.get(status, 0) + 1

@@ -55,12 +55,14 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
   const struct {
     Option option;
     const char* members;
-  } options[] = {{Option::load_tolerance, "`config.load_tolerance`"},
-                 {Option::warm_start, "`config.warm_start`"},
-                 {Option::patch_model, "`config.patch_model`"},
-                 {Option::traction_bound, "`config.traction_bound`"},
-                 {Option::flexibility, "`config.flexibility`"},
-                 {Option::force_table, "`config.force_table`"},
+  } options[] = {{Option::max_iterations, "`config.normal.max_iterations`"},
+                 {Option::max_sweeps, "`config.normal.max_sweeps`"},
+                 {Option::load_tolerance, "`config.normal.load_tolerance`"},
+                 {Option::warm_start, "`config.normal.warm_start`"},
+                 {Option::patch_model, "`config.tangential.patch_model`"},
+                 {Option::traction_bound, "`config.tangential.bound`"},
+                 {Option::flexibility, "`config.tangential.flexibility`"},
+                 {Option::force_table, "`config.tangential.force_table`"},
                  {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"}};
   ASSERT_EQ(std::size(options), static_cast<std::size_t>(Option::count));
   std::ifstream file(WRC_DOCS "/embedding.md");

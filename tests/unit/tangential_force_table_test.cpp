@@ -328,12 +328,10 @@ class TemporaryFile {
 };
 
 wrc_config configuration(const char* path) {
-  wrc_config config;
-  config.struct_size = sizeof config;
-  wrc_config_init(&config);
-  config.normal_method = WRC_NORMAL_HERTZ;  // the default prepares tables of its own, which takes a while
-  config.tangential_method = WRC_TANGENTIAL_FORCE_TABLE;
-  config.force_table = path;
+  wrc_config config = wrc_config_default();
+  config.normal.method = WRC_NORMAL_HERTZ;  // the default prepares tables of its own, which takes a while
+  config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
+  config.tangential.force_table = path;
   return config;
 }
 
@@ -351,20 +349,20 @@ std::string complaint(const std::vector<char>& bytes, std::int32_t status = WRC_
 
 void expect_mentions(const std::string& sentence, const char* words) {
   EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("config.force_table"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("config.tangential.force_table"), std::string::npos) << sentence;
 }
 
 TEST(ForceTableFile, IsNeeded) {
   wrc_config config = configuration(nullptr);
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_NULL);
-  config.force_table = "/nowhere/force_table.bin";
+  config.tangential.force_table = "/nowhere/force_table.bin";
   char text[256];
   std::uint64_t bytes = 0, alignment = 0;
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_FILE);
   expect_mentions(text, "cannot be opened");
   EXPECT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_ERROR_FILE);
   EXPECT_EQ(bytes, 0u);
-  config.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it
+  config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
   expect_mentions(text, "WRC_TANGENTIAL_FORCE_TABLE");
 }
@@ -443,40 +441,35 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   wrc_contact* contact = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
   ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
-  wrc_patch sdec = {};
-  sdec.struct_size = sizeof sdec;
+  wrc_ellipse sdec = wrc_ellipse_default();
   sdec.a = patch.a;
   sdec.b = patch.b;
   sdec.psi = patch.psi;
   sdec.normal_force = N;
-  wrc_creepage creepage{};
-  creepage.struct_size = sizeof creepage;
+  wrc_creepage creepage = wrc_creepage_default();
   creepage.longitudinal = 1e-3;
   creepage.lateral = -5e-4;
   creepage.spin = 0.2;
   creepage.speed = 20.0;
-  wrc_friction friction = {};
-  friction.struct_size = sizeof friction;
-  wrc_friction_init(&friction);
+  wrc_friction friction = wrc_friction_default();
   friction.coefficient = mu;
   wrc_forces totals = {};
-  totals.struct_size = sizeof totals;
   ASSERT_EQ(wrc_contact_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
   EXPECT_NEAR(totals.power, -20.0 * (totals.fx * 1e-3 - totals.fy * 5e-4 + totals.mz * 0.2),
               1e-12 * totals.power);
 
   wrc_damage damage = {};
-  damage.struct_size = sizeof damage;
   ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
   EXPECT_EQ(damage.power, totals.power);
   EXPECT_NEAR(damage.t_gamma, totals.power / 20.0, 1e-12 * totals.power);
   EXPECT_NEAR(damage.utilisation, std::hypot(totals.fx, totals.fy) / N, 1e-12);
   EXPECT_EQ(damage.peak_power_density, 0.0);
-  EXPECT_EQ(damage.local_fatigue_index, -1e30);
+  EXPECT_EQ(damage.local_fatigue_index, 0.0);
+  EXPECT_EQ(damage.available & WRC_AVAILABLE_TRACTIONS, 0u);
+  EXPECT_EQ(totals.available & WRC_AVAILABLE_TRACTIONS, 0u);
   EXPECT_EQ(wrc_contact_wear(contact, nullptr, nullptr), WRC_ERROR_UNSUPPORTED);
 
   wrc_view view = {};
-  view.struct_size = sizeof view;
   for (const std::int32_t field :
        {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
         WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {

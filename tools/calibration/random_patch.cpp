@@ -11,51 +11,40 @@
 namespace wrc::calibration {
 namespace {
 
-template <typename Struct>
-Struct made(std::int32_t (*init)(Struct*)) {
-  Struct value{};
-  value.struct_size = sizeof value;
-  init(&value);
-  return value;
-}
-
 /// Fills shape, load and strips where the contact has one patch; leaves the strips empty where it has not.
 void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-  wheel.kind = WRC_PROFILE_S1002;
-  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.wheel = &wheel;
-  config.rail = &rail;
-  config.shear_modulus = p.shear_modulus;
-  config.poisson = p.poisson;
-  config.strips = 48;
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.material.shear_modulus = p.shear_modulus;
+  config.material.poisson = p.poisson;
+  config.grid.strips = 48;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
   if (wrc_model_create(&config, nullptr, &model) < 0 ||
       wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) < 0) {
     throw std::runtime_error("the wheel on the rail cannot be made");
   }
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_pose pose = wrc_pose_default();
   pose.lateral = shift;
   pose.yaw = yaw;
-  wrc_load press = made<wrc_load>(wrc_load_init);
+  wrc_load press = wrc_load_default();
   press.normal_force = load;
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
+  wrc_normal_solution normal{};
   const bool solved = wrc_contact_geometry(contact, &pose, nullptr) == WRC_OK &&
-                      wrc_contact_normal(contact, nullptr, &press, &patch) == WRC_OK;
-  if (solved && patch.patches == 1) {
-    p.a = patch.a;
-    p.b = patch.b;
-    p.psi = patch.psi;
-    p.p0 = patch.peak_pressure;
-    p.normal_force = patch.normal_force;
+                      wrc_contact_normal(contact, nullptr, &press, &normal) == WRC_OK;
+  if (solved && normal.patches == 1) {
+    p.a = normal.ellipse.a;
+    p.b = normal.ellipse.b;
+    p.psi = normal.ellipse.psi;
+    p.p0 = normal.peak_pressure;
+    p.normal_force = normal.normal_force;
     const auto value = [&](std::int32_t field, std::int32_t strip) {
-      wrc_view view = made<wrc_view>(wrc_view_init);
+      wrc_view view{};
       wrc_contact_field(contact, 0, field, &view);
       return view.data[strip * view.stride[0]];
     };
-    for (std::int32_t j = 0; j < patch.strips; ++j) {
+    for (std::int32_t j = 0; j < normal.strips; ++j) {
       p.strips.push_back({value(WRC_FIELD_STRIP_Y, j), value(WRC_FIELD_STRIP_WIDTH, j),
                           value(WRC_FIELD_STRIP_CENTRE, j), value(WRC_FIELD_STRIP_HALF, j),
                           value(WRC_FIELD_STRIP_PEAK, j)});

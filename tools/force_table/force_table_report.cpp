@@ -124,12 +124,10 @@ void report_errors(ForceTable& table, int patches, double poisson) {
 class Timed {
  public:
   Timed(int method, const char* file) {
-    wrc_config config;
-    config.struct_size = sizeof config;
-    wrc_config_init(&config);
-    config.tangential_method = method;
-    if (method == WRC_TANGENTIAL_FORCE_TABLE) config.force_table = file;
-    config.strips = config.cells = 32;
+    wrc_config config = wrc_config_default();
+    config.tangential.method = method;
+    if (method == WRC_TANGENTIAL_FORCE_TABLE) config.tangential.force_table = file;
+    config.grid.strips = config.grid.cells = 32;
     if (wrc_model_create(&config, nullptr, &model_) < 0 ||
         wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) < 0) {
       std::exit(1);
@@ -143,24 +141,19 @@ class Timed {
   Timed& operator=(const Timed&) = delete;
 
   void run(const Case& c) {
-    wrc_patch patch;
-    patch.struct_size = sizeof patch;
-    wrc_patch_init(&patch);
-    patch.a = c.patch.a;
-    patch.b = c.patch.b;
-    patch.psi = c.patch.psi;
-    patch.normal_force = c.normal_force;
-    wrc_creepage creepage{};
-    creepage.struct_size = sizeof creepage;
+    wrc_ellipse ellipse = wrc_ellipse_default();
+    ellipse.a = c.patch.a;
+    ellipse.b = c.patch.b;
+    ellipse.psi = c.patch.psi;
+    ellipse.normal_force = c.normal_force;
+    wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = c.creepage.longitudinal;
     creepage.lateral = c.creepage.lateral;
     creepage.spin = c.creepage.spin;
     creepage.speed = 1.0;
-    wrc_friction friction;
-    friction.struct_size = sizeof friction;
-    wrc_friction_init(&friction);
+    wrc_friction friction = wrc_friction_default();
     friction.coefficient = c.friction;
-    wrc_contact_tangential(contact_, &patch, &creepage, &friction, nullptr);
+    wrc_contact_tangential(contact_, &ellipse, &creepage, &friction, nullptr);
   }
 
  private:

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "halfspace_report/report.hpp"
-#include "made.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace wrc::halfspace::report {
@@ -27,17 +26,14 @@ constexpr Case cases[] = {{"case 1, pure spin", 0.0, 0.0, -0.5, 68.68},
 class Profiles {
  public:
   Profiles() {
-    wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = wheel;
-    wheel.kind = WRC_PROFILE_S1002;
-    rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    config.gap_rows = 1024;
-    config.wheel = &wheel;
-    config.rail = &rail;
+    wrc_config config = wrc_config_default();
+    config.grid.gap_rows = 1024;
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     demand(wrc_model_create(&config, nullptr, &model_) == WRC_OK, "no model");
     demand(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) == WRC_OK, "no contact");
-    const wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-    wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+    const wrc_pose pose = wrc_pose_default();
+    wrc_contact_point point{};
     demand(wrc_contact_geometry(contact_, &pose, &point) == WRC_OK, "no geometry");
   }
   Profiles(const Profiles&) = delete;
@@ -49,7 +45,7 @@ class Profiles {
 
   // Exact pressure on square cells over the patch.
   std::vector<double> pressure(double cell, wrc_grid& grid, wrc_exact_normal_solution& solution) const {
-    grid = made<wrc_grid>(wrc_grid_init);
+    grid = wrc_grid_default();
     grid.nx = static_cast<uint32_t>(std::lround(15e-3 / cell));
     grid.ny = static_cast<uint32_t>(std::lround(27e-3 / cell));
     grid.dx = grid.dy = cell;
@@ -57,11 +53,11 @@ class Profiles {
     grid.y0 = -16.15e-3 + 0.5 * cell;
     std::vector<double> gap(std::size_t{grid.nx} * grid.ny), found(gap.size());
     demand(wrc_exact_gap(contact_, &grid, gap.data()) == WRC_OK, "no gap");
-    wrc_exact_normal_problem problem = made<wrc_exact_normal_problem>(wrc_exact_normal_problem_init);
+    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
     problem.normal_force = load;
-    problem.grid = &grid;
+    problem.grid = grid;
     problem.gap = gap.data();
-    solution = made<wrc_exact_normal_solution>(wrc_exact_normal_solution_init);
+    solution = wrc_exact_normal_solution_default();
     solution.pressure = found.data();
     char text[256];
     demand(wrc_exact_normal(&problem, &solution, text, sizeof text) == WRC_OK, text);
@@ -115,7 +111,7 @@ Json paper() {
         "           | collocation of CONTACT              | quarter point\n"
         "cells [mm] | sum [W]  balance [W]  Fx [N]  Fy [N] | sum [W]  balance [W]  Fx [N]  Fy [N]\n",
         each.name, each.reference);
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = each.longitudinal + each.spin * origin;
     creepage.lateral = each.lateral;
     creepage.spin = each.spin;
@@ -126,13 +122,13 @@ Json paper() {
       Json row;
       row.add("cell_mm", 1e3 * cells[n]);
       for (const int32_t collocation : {WRC_COLLOCATION_REFERENCE, WRC_COLLOCATION_QUARTER_POINT}) {
-        wrc_exact_rolling_problem problem = made<wrc_exact_rolling_problem>(wrc_exact_rolling_problem_init);
+        wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
         problem.collocation = collocation;
-        problem.grid = &grid[n];
+        problem.grid = grid[n];
         problem.pressure = pressure[n].data();
         problem.coefficient = friction;
-        problem.creepage = &creepage;
-        wrc_exact_rolling_solution s = made<wrc_exact_rolling_solution>(wrc_exact_rolling_solution_init);
+        problem.creepage = creepage;
+        wrc_exact_rolling_solution s = wrc_exact_rolling_solution_default();
         char text[256];
         demand(wrc_exact_rolling(&problem, &s, text, sizeof text) == WRC_OK, text);
         const bool quarter = collocation == WRC_COLLOCATION_QUARTER_POINT;

@@ -98,7 +98,7 @@ def highest(each, described):
         return each.high
     name = each.high[len("config."):]
     return next(told.ranges[0].high for path, told in flat(described["wrc_config"], "", described)
-                if path.rpartition(".")[2] == name)
+                if path == name)
 
 
 def row(struct, path, told, rows, interface, described):

@@ -22,7 +22,7 @@ import re
 UNITS = ("m", "rad", "N", "Pa", "m/s", "rad/s", "s/m", "1/m", "W", "N m", "m^2", "m^2/m", "m/m", "W/m^2", "W/m", "N/m",
          "kg/m^3", "mm^3/(km N)", "mm^3/km", "N/mm^2", "microgram/(m N)", "-")
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
-RANGE = re.compile(rf"(?P<or_zero>0 or )?(?P<low>{NUMBER})\.\.(?P<high>{NUMBER}|config\.\w+)(?![\w.])")
+RANGE = re.compile(rf"(?P<or_zero>0 or )?(?P<low>{NUMBER})\.\.(?P<high>{NUMBER}|config\.\w+(?:\.\w+)*)(?![\w.])")
 CONDITION = re.compile(r" with (?:(?P<enumerator>WRC_\w+)|`(?P<member>\w+)`(?P<state> NULL| 0)?)"
                        r"(?P<more> and (?:WRC_\w+|`\w+`(?: NULL| 0)?))?(?P<zero_else>, 0 else)?(?!\w)")
 BRACKET = re.compile(r"(?:^|(?<=\s))\[(?P<inside>[^\]]*)\]")

@@ -1,6 +1,6 @@
 """What the C headers declare, as libclang reads them: numbers, statuses, enumerations, structs, functions, in their order.
 
-The headers are parsed for one fixed target and with the two standard headers they need given here, so that the outcome
+The headers are parsed for one fixed target and with the standard headers they need given here, so that the outcome
 does not depend on the machine. Needs libclang 14 or newer with its Python binding (Debian: python3-clang-14, or
 libclang of the Python package index)."""
 import dataclasses
@@ -13,6 +13,7 @@ STANDARD_HEADERS = {
     "stddef.h": "typedef unsigned long size_t;\n#define NULL ((void*)0)\n",
     "stdint.h": "typedef int int32_t;\ntypedef unsigned int uint32_t;\ntypedef unsigned long uint64_t;\n"
                 "typedef long int64_t;\n",
+    "string.h": "void* memset(void*, int, unsigned long);\n",
 }
 
 

@@ -50,13 +50,14 @@ inline constexpr Enumeration wrc_side{wrc_side_values, 2,
     "see enum wrc_side: WRC_SIDE_RIGHT (0), _LEFT (1)"};
 
 inline constexpr Enumerator wrc_profile_kind_values[] = {
+    {"WRC_PROFILE_NONE", WRC_PROFILE_NONE},
     {"WRC_PROFILE_POINTS", WRC_PROFILE_POINTS},
     {"WRC_PROFILE_S1002", WRC_PROFILE_S1002},
     {"WRC_PROFILE_60E1", WRC_PROFILE_60E1},
     {"WRC_PROFILE_UIC60_BENCHMARK", WRC_PROFILE_UIC60_BENCHMARK},
 };
-inline constexpr Enumeration wrc_profile_kind{wrc_profile_kind_values, 4,
-    "see enum wrc_profile_kind: WRC_PROFILE_POINTS (0), _S1002 (1), _60E1 (2), _UIC60_BENCHMARK (3)"};
+inline constexpr Enumeration wrc_profile_kind{wrc_profile_kind_values, 5,
+    "see enum wrc_profile_kind: WRC_PROFILE_NONE (0), _POINTS (1), _S1002 (2), _60E1 (3), _UIC60_BENCHMARK (4)"};
 
 inline constexpr Enumerator wrc_body_values[] = {
     {"WRC_BODY_WHEEL", WRC_BODY_WHEEL},
@@ -125,6 +126,13 @@ inline constexpr Enumerator wrc_prescribed_values[] = {
 };
 inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 2,
     "see enum wrc_prescribed: WRC_PRESCRIBE_LOAD (0), _APPROACH (1)"};
+
+inline constexpr Enumerator wrc_available_values[] = {
+    {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
+    {"WRC_AVAILABLE_PLACE", WRC_AVAILABLE_PLACE},
+};
+inline constexpr Enumeration wrc_available{wrc_available_values, 2,
+    "see enum wrc_available: WRC_AVAILABLE_TRACTIONS (1), _PLACE (2)"};
 
 inline constexpr Enumerator wrc_field_id_values[] = {
     {"WRC_FIELD_X", WRC_FIELD_X},
@@ -220,118 +228,241 @@ inline constexpr Enumeration wrc_surface_influence{wrc_surface_influence_values,
 template <>
 struct Description<wrc_profile> {
   static constexpr const char* name = "wrc_profile";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
   static constexpr wrc_profile defaults = [] {
     wrc_profile value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_profile, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "kind", .offset = offsetof(wrc_profile, kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
       {.name = "count", .offset = offsetof(wrc_profile, count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS},
-      {.name = "reserved", .offset = offsetof(wrc_profile, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_profile, y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
       {.name = "z", .offset = offsetof(wrc_profile, z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
       {.name = "smoothing", .offset = offsetof(wrc_profile, smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
   };
 };
-static_assert(sizeof(wrc_profile) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_profile) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_material> {
+  static constexpr const char* name = "wrc_config_material";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_config_material defaults = [] {
+    wrc_config_material value{};
+    value.shear_modulus = 80e9;
+    value.poisson = 0.25;
+    value.shear_yield = 250e6;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "shear_modulus", .offset = offsetof(wrc_config_material, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
+      {.name = "poisson", .offset = offsetof(wrc_config_material, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "shear_yield", .offset = offsetof(wrc_config_material, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+  };
+};
+static_assert(sizeof(wrc_config_material) == 24, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_wheelset> {
+  static constexpr const char* name = "wrc_config_wheelset";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 16;
+  static constexpr wrc_config_wheelset defaults = [] {
+    wrc_config_wheelset value{};
+    value.wheel_radius = 0.46;
+    value.flange_back_distance = 1.360;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "wheel_radius", .offset = offsetof(wrc_config_wheelset, wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "flange_back_distance", .offset = offsetof(wrc_config_wheelset, flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_config_wheelset) == 16, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_track> {
+  static constexpr const char* name = "wrc_config_track";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_config_track defaults = [] {
+    wrc_config_track value{};
+    value.gauge = 1.435;
+    value.gauge_depth = 0.014;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "placement", .offset = offsetof(wrc_config_track, placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
+      {.name = "reserved", .offset = offsetof(wrc_config_track, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "gauge", .offset = offsetof(wrc_config_track, gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "gauge_depth", .offset = offsetof(wrc_config_track, gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "rail_inclination", .offset = offsetof(wrc_config_track, rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
+      {.name = "rail_origin", .offset = offsetof(wrc_config_track, rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config_track, placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
+  };
+};
+static_assert(sizeof(wrc_config_track) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_grid> {
+  static constexpr const char* name = "wrc_config_grid";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_config_grid defaults = [] {
+    wrc_config_grid value{};
+    value.strips = 60;
+    value.cells = 32;
+    value.gap_rows = 256;
+    value.max_patches = 4;
+    value.gap_limit = 1e-3;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "strips", .offset = offsetof(wrc_config_grid, strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
+      {.name = "cells", .offset = offsetof(wrc_config_grid, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
+      {.name = "gap_rows", .offset = offsetof(wrc_config_grid, gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
+      {.name = "max_patches", .offset = offsetof(wrc_config_grid, max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
+      {.name = "gap_limit", .offset = offsetof(wrc_config_grid, gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_config_grid) == 24, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_normal> {
+  static constexpr const char* name = "wrc_config_normal";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_config_normal defaults = [] {
+    wrc_config_normal value{};
+    value.method = WRC_NORMAL_STRIP_HALFSPACE;
+    value.max_iterations = 60;
+    value.max_sweeps = 16;
+    value.load_tolerance = 1e-10;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "method", .offset = offsetof(wrc_config_normal, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
+      {.name = "max_iterations", .offset = offsetof(wrc_config_normal, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "max_sweeps", .offset = offsetof(wrc_config_normal, max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "warm_start", .offset = offsetof(wrc_config_normal, warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "load_tolerance", .offset = offsetof(wrc_config_normal, load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
+  };
+};
+static_assert(sizeof(wrc_config_normal) == 24, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_tangential> {
+  static constexpr const char* name = "wrc_config_tangential";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_config_tangential defaults = [] {
+    wrc_config_tangential value{};
+    value.method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "method", .offset = offsetof(wrc_config_tangential, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
+      {.name = "patch_model", .offset = offsetof(wrc_config_tangential, patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
+      {.name = "bound", .offset = offsetof(wrc_config_tangential, bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
+      {.name = "flexibility", .offset = offsetof(wrc_config_tangential, flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
+      {.name = "regularisation", .offset = offsetof(wrc_config_tangential, regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
+      {.name = "reserved", .offset = offsetof(wrc_config_tangential, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "force_table", .offset = offsetof(wrc_config_tangential, force_table), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_config_tangential) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config> {
   static constexpr const char* name = "wrc_config";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 144;
+  static constexpr std::size_t first = 232;
   static constexpr wrc_config defaults = [] {
     wrc_config value{};
     value.struct_size = sizeof value;
-    value.normal_method = WRC_NORMAL_STRIP_HALFSPACE;
-    value.tangential_method = WRC_TANGENTIAL_STRIP_FASTSIM;
-    value.strips = 60;
-    value.cells = 32;
-    value.gap_rows = 256;
-    value.max_patches = 4;
-    value.shear_modulus = 80e9;
-    value.poisson = 0.25;
-    value.load_tolerance = 1e-10;
-    value.gap_limit = 1e-3;
-    value.shear_yield = 250e6;
-    value.wheel_radius = 0.46;
-    value.flange_back_distance = 1.360;
-    value.track_gauge = 1.435;
-    value.gauge_depth = 0.014;
+    value.wheel = Description<wrc_profile>::defaults;
+    value.rail = Description<wrc_profile>::defaults;
+    value.material = Description<wrc_config_material>::defaults;
+    value.wheelset = Description<wrc_config_wheelset>::defaults;
+    value.track = Description<wrc_config_track>::defaults;
+    value.grid = Description<wrc_config_grid>::defaults;
+    value.normal = Description<wrc_config_normal>::defaults;
+    value.tangential = Description<wrc_config_tangential>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_config, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_config, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "normal_method", .offset = offsetof(wrc_config, normal_method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
-      {.name = "regularisation", .offset = offsetof(wrc_config, regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
-      {.name = "tangential_method", .offset = offsetof(wrc_config, tangential_method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
-      {.name = "traction_bound", .offset = offsetof(wrc_config, traction_bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
-      {.name = "strips", .offset = offsetof(wrc_config, strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
-      {.name = "cells", .offset = offsetof(wrc_config, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
-      {.name = "gap_rows", .offset = offsetof(wrc_config, gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
-      {.name = "max_iterations", .offset = offsetof(wrc_config, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000, .or_zero = true, .too_small = "0 is the method's own cap", .too_large = "0 is the method's own cap"},
-      {.name = "max_patches", .offset = offsetof(wrc_config, max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
-      {.name = "warm_start", .offset = offsetof(wrc_config, warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "shear_modulus", .offset = offsetof(wrc_config, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
-      {.name = "poisson", .offset = offsetof(wrc_config, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "load_tolerance", .offset = offsetof(wrc_config, load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
-      {.name = "gap_limit", .offset = offsetof(wrc_config, gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "shear_yield", .offset = offsetof(wrc_config, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
-      {.name = "wheel_radius", .offset = offsetof(wrc_config, wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "flange_back_distance", .offset = offsetof(wrc_config, flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "track_gauge", .offset = offsetof(wrc_config, track_gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "gauge_depth", .offset = offsetof(wrc_config, gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "rail_inclination", .offset = offsetof(wrc_config, rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
-      {.name = "wheel", .offset = offsetof(wrc_config, wheel), .type = Type::pointer, .rule = Rule::none},
-      {.name = "rail", .offset = offsetof(wrc_config, rail), .type = Type::pointer, .rule = Rule::none},
-      {.name = "flexibility", .offset = offsetof(wrc_config, flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
       {.name = "instruction_set", .offset = offsetof(wrc_config, instruction_set), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_instruction_set},
-      {.name = "force_table", .offset = offsetof(wrc_config, force_table), .type = Type::pointer, .rule = Rule::none},
-      {.name = "profile_placement", .offset = offsetof(wrc_config, profile_placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
-      {.name = "patch_model", .offset = offsetof(wrc_config, patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
-      {.name = "rail_origin", .offset = offsetof(wrc_config, rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config, profile_placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
+      {.name = "wheel.kind", .offset = offsetof(wrc_config, wheel.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "wheel.count", .offset = offsetof(wrc_config, wheel.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_config, wheel.kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "wheel.y", .offset = offsetof(wrc_config, wheel.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, wheel.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, wheel.count)},
+      {.name = "wheel.z", .offset = offsetof(wrc_config, wheel.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, wheel.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, wheel.count)},
+      {.name = "wheel.smoothing", .offset = offsetof(wrc_config, wheel.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "rail.kind", .offset = offsetof(wrc_config, rail.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "rail.count", .offset = offsetof(wrc_config, rail.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "rail.y", .offset = offsetof(wrc_config, rail.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, rail.count)},
+      {.name = "rail.z", .offset = offsetof(wrc_config, rail.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, rail.count)},
+      {.name = "rail.smoothing", .offset = offsetof(wrc_config, rail.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "material.shear_modulus", .offset = offsetof(wrc_config, material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
+      {.name = "material.poisson", .offset = offsetof(wrc_config, material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "material.shear_yield", .offset = offsetof(wrc_config, material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheelset.wheel_radius", .offset = offsetof(wrc_config, wheelset.wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "wheelset.flange_back_distance", .offset = offsetof(wrc_config, wheelset.flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "track.placement", .offset = offsetof(wrc_config, track.placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
+      {.name = "track.reserved", .offset = offsetof(wrc_config, track.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "track.gauge", .offset = offsetof(wrc_config, track.gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "track.gauge_depth", .offset = offsetof(wrc_config, track.gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "track.rail_inclination", .offset = offsetof(wrc_config, track.rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
+      {.name = "track.rail_origin", .offset = offsetof(wrc_config, track.rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config, track.placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
+      {.name = "grid.strips", .offset = offsetof(wrc_config, grid.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
+      {.name = "grid.cells", .offset = offsetof(wrc_config, grid.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
+      {.name = "grid.gap_rows", .offset = offsetof(wrc_config, grid.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
+      {.name = "grid.max_patches", .offset = offsetof(wrc_config, grid.max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
+      {.name = "grid.gap_limit", .offset = offsetof(wrc_config, grid.gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "normal.method", .offset = offsetof(wrc_config, normal.method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
+      {.name = "normal.max_iterations", .offset = offsetof(wrc_config, normal.max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "normal.max_sweeps", .offset = offsetof(wrc_config, normal.max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "normal.warm_start", .offset = offsetof(wrc_config, normal.warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "normal.load_tolerance", .offset = offsetof(wrc_config, normal.load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
+      {.name = "tangential.method", .offset = offsetof(wrc_config, tangential.method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
+      {.name = "tangential.patch_model", .offset = offsetof(wrc_config, tangential.patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
+      {.name = "tangential.bound", .offset = offsetof(wrc_config, tangential.bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
+      {.name = "tangential.flexibility", .offset = offsetof(wrc_config, tangential.flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
+      {.name = "tangential.regularisation", .offset = offsetof(wrc_config, tangential.regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
+      {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_config) == 176, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 232, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {
   static constexpr const char* name = "wrc_pose";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
   static constexpr wrc_pose defaults = [] {
     wrc_pose value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_pose, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_pose, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "lateral", .offset = offsetof(wrc_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "roll", .offset = offsetof(wrc_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
       {.name = "yaw", .offset = offsetof(wrc_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
   };
 };
-static_assert(sizeof(wrc_pose) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_pose) == 24, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_contact_point> {
   static constexpr const char* name = "wrc_contact_point";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 72;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_contact_point defaults = [] {
     wrc_contact_point value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_contact_point, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_contact_point, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "x", .offset = offsetof(wrc_contact_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "y", .offset = offsetof(wrc_contact_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "z", .offset = offsetof(wrc_contact_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
@@ -342,23 +473,20 @@ struct Description<wrc_contact_point> {
       {.name = "rolling_radius", .offset = offsetof(wrc_contact_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_contact_point) == 72, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_contact_point) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_gap> {
   static constexpr const char* name = "wrc_gap";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 72;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_gap defaults = [] {
     wrc_gap value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_gap, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "rows", .offset = offsetof(wrc_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.gap_rows", .not_set = "was it set? its default is 0"},
+      {.name = "rows", .offset = offsetof(wrc_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.grid.gap_rows", .not_set = "was it set? its default is 0"},
       {.name = "columns", .offset = offsetof(wrc_gap, columns), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
-      {.name = "reserved", .offset = offsetof(wrc_gap, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_gap, rows)},
       {.name = "height", .offset = offsetof(wrc_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
       {.name = "centre", .offset = offsetof(wrc_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
@@ -368,21 +496,20 @@ struct Description<wrc_gap> {
       {.name = "row_stride", .offset = offsetof(wrc_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_gap) == 72, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_gap) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_load> {
   static constexpr const char* name = "wrc_load";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 24;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 40;
   static constexpr wrc_load defaults = [] {
     wrc_load value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_load, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "prescribed", .offset = offsetof(wrc_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "reserved", .offset = offsetof(wrc_load, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "normal_force", .offset = offsetof(wrc_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
       {.name = "approach", .offset = offsetof(wrc_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
       {.name = "approach_velocity", .offset = offsetof(wrc_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
@@ -394,17 +521,14 @@ static_assert(sizeof(wrc_load) == 40, "run tools/interface/describe.py");
 template <>
 struct Description<wrc_creepage> {
   static constexpr const char* name = "wrc_creepage";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 48;
   static constexpr wrc_creepage defaults = [] {
     wrc_creepage value{};
-    value.struct_size = sizeof value;
     value.speed = 1;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_creepage, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_creepage, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "longitudinal", .offset = offsetof(wrc_creepage, longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
       {.name = "lateral", .offset = offsetof(wrc_creepage, lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
       {.name = "spin", .offset = offsetof(wrc_creepage, spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
@@ -413,16 +537,15 @@ struct Description<wrc_creepage> {
       {.name = "other_way", .offset = offsetof(wrc_creepage, other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
   };
 };
-static_assert(sizeof(wrc_creepage) == 56, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_creepage) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_friction> {
   static constexpr const char* name = "wrc_friction";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 16;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 88;
   static constexpr wrc_friction defaults = [] {
     wrc_friction value{};
-    value.struct_size = sizeof value;
     value.coefficient = 0.3;
     value.kinetic_ratio = 0.4;
     value.fall_rate = 0.6;
@@ -432,70 +555,88 @@ struct Description<wrc_friction> {
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_friction, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "coefficient", .offset = offsetof(wrc_friction, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "coefficient", .offset = offsetof(wrc_friction, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
       {.name = "kind", .offset = offsetof(wrc_friction, kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
       {.name = "zone_frame", .offset = offsetof(wrc_friction, zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
       {.name = "kinetic_ratio", .offset = offsetof(wrc_friction, kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
       {.name = "fall_rate", .offset = offsetof(wrc_friction, fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
       {.name = "half_speed", .offset = offsetof(wrc_friction, half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
-      {.name = "slope_reduction", .offset = offsetof(wrc_friction, slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .or_zero = true, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "slope_reduction", .offset = offsetof(wrc_friction, slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "slope_limit", .offset = offsetof(wrc_friction, slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "slope_fall", .offset = offsetof(wrc_friction, slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
       {.name = "zone_y", .offset = offsetof(wrc_friction, zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
       {.name = "zone_coefficient", .offset = offsetof(wrc_friction, zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
       {.name = "zones", .offset = offsetof(wrc_friction, zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "zones_reserved", .offset = offsetof(wrc_friction, zones_reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_friction) == 96, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_friction) == 88, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_patch> {
-  static constexpr const char* name = "wrc_patch";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 112;
-  static constexpr wrc_patch defaults = [] {
-    wrc_patch value{};
-    value.struct_size = sizeof value;
+struct Description<wrc_ellipse> {
+  static constexpr const char* name = "wrc_ellipse";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_ellipse defaults = [] {
+    wrc_ellipse value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_patch, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "strips", .offset = offsetof(wrc_patch, strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "iterations", .offset = offsetof(wrc_patch, iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "patches", .offset = offsetof(wrc_patch, patches), .type = Type::int32, .rule = Rule::none},
-      {.name = "a", .offset = offsetof(wrc_patch, a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "b", .offset = offsetof(wrc_patch, b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "psi", .offset = offsetof(wrc_patch, psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "normal_force", .offset = offsetof(wrc_patch, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "approach", .offset = offsetof(wrc_patch, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "stiffness", .offset = offsetof(wrc_patch, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
-      {.name = "peak_pressure", .offset = offsetof(wrc_patch, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "area", .offset = offsetof(wrc_patch, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "length", .offset = offsetof(wrc_patch, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "width", .offset = offsetof(wrc_patch, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_min", .offset = offsetof(wrc_patch, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_max", .offset = offsetof(wrc_patch, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "damping_force", .offset = offsetof(wrc_patch, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "a", .offset = offsetof(wrc_ellipse, a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "b", .offset = offsetof(wrc_ellipse, b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "psi", .offset = offsetof(wrc_ellipse, psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "y", .offset = offsetof(wrc_ellipse, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal_force", .offset = offsetof(wrc_ellipse, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
   };
 };
-static_assert(sizeof(wrc_patch) == 120, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_ellipse) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_normal_solution> {
+  static constexpr const char* name = "wrc_normal_solution";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 136;
+  static constexpr wrc_normal_solution defaults = [] {
+    wrc_normal_solution value{};
+    value.ellipse = Description<wrc_ellipse>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "patches", .offset = offsetof(wrc_normal_solution, patches), .type = Type::int32, .rule = Rule::none},
+      {.name = "strips", .offset = offsetof(wrc_normal_solution, strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_normal_solution, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "ellipse.a", .offset = offsetof(wrc_normal_solution, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_normal_solution, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_normal_solution, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_normal_solution, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_normal_solution, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "normal_force", .offset = offsetof(wrc_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damping_force", .offset = offsetof(wrc_normal_solution, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "approach", .offset = offsetof(wrc_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "stiffness", .offset = offsetof(wrc_normal_solution, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_normal_solution, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_normal_solution, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_normal_solution, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_normal_solution, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_normal_solution) == 136, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_strips> {
   static constexpr const char* name = "wrc_strips";
-  static constexpr bool versioned = true;
+  static constexpr bool versioned = false;
   static constexpr std::size_t first = 48;
   static constexpr wrc_strips defaults = [] {
     wrc_strips value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_strips, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "count", .offset = offsetof(wrc_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.strips", .not_set = "was it set? its default is 0"},
+      {.name = "count", .offset = offsetof(wrc_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.grid.strips", .not_set = "was it set? its default is 0"},
+      {.name = "reserved", .offset = offsetof(wrc_strips, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
       {.name = "width", .offset = offsetof(wrc_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
       {.name = "centre", .offset = offsetof(wrc_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
@@ -508,39 +649,77 @@ static_assert(sizeof(wrc_strips) == 48, "run tools/interface/describe.py");
 template <>
 struct Description<wrc_forces> {
   static constexpr const char* name = "wrc_forces";
-  static constexpr bool versioned = true;
+  static constexpr bool versioned = false;
   static constexpr std::size_t first = 56;
   static constexpr wrc_forces defaults = [] {
     wrc_forces value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_forces, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "fx", .offset = offsetof(wrc_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "fy", .offset = offsetof(wrc_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "fn", .offset = offsetof(wrc_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "mz", .offset = offsetof(wrc_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
       {.name = "power", .offset = offsetof(wrc_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
       {.name = "adhesion_fraction", .offset = offsetof(wrc_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_forces, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
 static_assert(sizeof(wrc_forces) == 56, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_motion> {
-  static constexpr const char* name = "wrc_motion";
+struct Description<wrc_patch> {
+  static constexpr const char* name = "wrc_patch";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
-  static constexpr wrc_motion defaults = [] {
-    wrc_motion value{};
+  static constexpr std::size_t first = 208;
+  static constexpr wrc_patch defaults = [] {
+    wrc_patch value{};
     value.struct_size = sizeof value;
+    value.ellipse = Description<wrc_ellipse>::defaults;
+    value.forces = Description<wrc_forces>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_motion, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_motion, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "struct_size", .offset = offsetof(wrc_patch, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_patch, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "strips", .offset = offsetof(wrc_patch, strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_patch, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "ellipse.a", .offset = offsetof(wrc_patch, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_patch, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_patch, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_patch, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_patch, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "forces.fx", .offset = offsetof(wrc_patch, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fy", .offset = offsetof(wrc_patch, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fn", .offset = offsetof(wrc_patch, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.mz", .offset = offsetof(wrc_patch, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "forces.power", .offset = offsetof(wrc_patch, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_patch, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "forces.available", .offset = offsetof(wrc_patch, forces.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "forces.reserved", .offset = offsetof(wrc_patch, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "peak_pressure", .offset = offsetof(wrc_patch, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_patch, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_patch, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_patch, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_patch, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_patch, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point", .offset = offsetof(wrc_patch, point), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "m"},
+      {.name = "normal", .offset = offsetof(wrc_patch, normal), .type = Type::real, .elements = 3, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_patch) == 208, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_motion> {
+  static constexpr const char* name = "wrc_motion";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_motion defaults = [] {
+    wrc_motion value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
       {.name = "speed", .offset = offsetof(wrc_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
       {.name = "lateral_velocity", .offset = offsetof(wrc_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
       {.name = "vertical_velocity", .offset = offsetof(wrc_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
@@ -549,21 +728,18 @@ struct Description<wrc_motion> {
       {.name = "pitch_rate", .offset = offsetof(wrc_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
   };
 };
-static_assert(sizeof(wrc_motion) == 56, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_motion) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage> {
   static constexpr const char* name = "wrc_damage";
-  static constexpr bool versioned = true;
+  static constexpr bool versioned = false;
   static constexpr std::size_t first = 80;
   static constexpr wrc_damage defaults = [] {
     wrc_damage value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_damage, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "power", .offset = offsetof(wrc_damage, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
       {.name = "peak_power_density", .offset = offsetof(wrc_damage, peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
       {.name = "t_gamma", .offset = offsetof(wrc_damage, t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
@@ -573,6 +749,8 @@ struct Description<wrc_damage> {
       {.name = "shakedown_limit", .offset = offsetof(wrc_damage, shakedown_limit), .type = Type::real, .rule = Rule::none},
       {.name = "fatigue_index", .offset = offsetof(wrc_damage, fatigue_index), .type = Type::real, .rule = Rule::none},
       {.name = "local_fatigue_index", .offset = offsetof(wrc_damage, local_fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_damage, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
 static_assert(sizeof(wrc_damage) == 80, "run tools/interface/describe.py");
@@ -635,36 +813,30 @@ static_assert(sizeof(wrc_wear_laws) == 160, "run tools/interface/describe.py");
 template <>
 struct Description<wrc_wear> {
   static constexpr const char* name = "wrc_wear";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
   static constexpr wrc_wear defaults = [] {
     wrc_wear value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_wear, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_wear, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "worn_area_rate", .offset = offsetof(wrc_wear, worn_area_rate), .type = Type::real, .rule = Rule::none, .unit = "m^2/m"},
       {.name = "largest_depth_rate", .offset = offsetof(wrc_wear, largest_depth_rate), .type = Type::real, .rule = Rule::none, .unit = "m/m"},
       {.name = "largest_depth_velocity", .offset = offsetof(wrc_wear, largest_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
   };
 };
-static_assert(sizeof(wrc_wear) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wear) == 24, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_coefficients> {
   static constexpr const char* name = "wrc_coefficients";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 64;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 56;
   static constexpr wrc_coefficients defaults = [] {
     wrc_coefficients value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_coefficients, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_coefficients, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "c11", .offset = offsetof(wrc_coefficients, c11), .type = Type::real, .rule = Rule::none},
       {.name = "c22", .offset = offsetof(wrc_coefficients, c22), .type = Type::real, .rule = Rule::none},
       {.name = "c23", .offset = offsetof(wrc_coefficients, c23), .type = Type::real, .rule = Rule::none},
@@ -674,104 +846,171 @@ struct Description<wrc_coefficients> {
       {.name = "c23s", .offset = offsetof(wrc_coefficients, c23s), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_coefficients) == 64, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_coefficients) == 56, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_sensitivity> {
   static constexpr const char* name = "wrc_sensitivity";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 128;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 120;
   static constexpr wrc_sensitivity defaults = [] {
     wrc_sensitivity value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_sensitivity, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_sensitivity, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "forces", .offset = offsetof(wrc_sensitivity, forces), .type = Type::real, .elements = 15, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_sensitivity) == 128, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_sensitivity) == 120, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_step_sensitivity> {
   static constexpr const char* name = "wrc_step_sensitivity";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 72;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_step_sensitivity defaults = [] {
     wrc_step_sensitivity value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_step_sensitivity, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_step_sensitivity, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "by_load", .offset = offsetof(wrc_step_sensitivity, by_load), .type = Type::real, .elements = 4, .rule = Rule::none},
       {.name = "by_lateral", .offset = offsetof(wrc_step_sensitivity, by_lateral), .type = Type::real, .elements = 4, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_step_sensitivity) == 72, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_step_sensitivity) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_input> {
   static constexpr const char* name = "wrc_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = 216;
   static constexpr wrc_input defaults = [] {
     wrc_input value{};
     value.struct_size = sizeof value;
+    value.pose = Description<wrc_pose>::defaults;
+    value.load = Description<wrc_load>::defaults;
+    value.creepage = Description<wrc_creepage>::defaults;
+    value.friction = Description<wrc_friction>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_input, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "reserved", .offset = offsetof(wrc_input, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "pose", .offset = offsetof(wrc_input, pose), .type = Type::pointer, .rule = Rule::none},
+      {.name = "pose.lateral", .offset = offsetof(wrc_input, pose.lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "pose.roll", .offset = offsetof(wrc_input, pose.roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "pose.yaw", .offset = offsetof(wrc_input, pose.yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
       {.name = "gap", .offset = offsetof(wrc_input, gap), .type = Type::pointer, .rule = Rule::none},
-      {.name = "load", .offset = offsetof(wrc_input, load), .type = Type::pointer, .rule = Rule::none, .required = true},
-      {.name = "creepage", .offset = offsetof(wrc_input, creepage), .type = Type::pointer, .rule = Rule::none, .required = true},
-      {.name = "friction", .offset = offsetof(wrc_input, friction), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "load.prescribed", .offset = offsetof(wrc_input, load.prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "load.reserved", .offset = offsetof(wrc_input, load.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "load.normal_force", .offset = offsetof(wrc_input, load.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
+      {.name = "load.approach", .offset = offsetof(wrc_input, load.approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.approach_velocity", .offset = offsetof(wrc_input, load.approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.damping", .offset = offsetof(wrc_input, load.damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "creepage.longitudinal", .offset = offsetof(wrc_input, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.lateral", .offset = offsetof(wrc_input, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.spin", .offset = offsetof(wrc_input, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "creepage.speed", .offset = offsetof(wrc_input, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_input, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "creepage.other_way", .offset = offsetof(wrc_input, creepage.other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.kind", .offset = offsetof(wrc_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_input, friction.zones)},
+      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_input, friction.zones)},
+      {.name = "friction.zones", .offset = offsetof(wrc_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.reserved", .offset = offsetof(wrc_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_input) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_input) == 216, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_output> {
   static constexpr const char* name = "wrc_output";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = 344;
   static constexpr wrc_output defaults = [] {
     wrc_output value{};
     value.struct_size = sizeof value;
+    value.point = Description<wrc_contact_point>::defaults;
+    value.normal = Description<wrc_normal_solution>::defaults;
+    value.forces = Description<wrc_forces>::defaults;
+    value.damage = Description<wrc_damage>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_output, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "reserved", .offset = offsetof(wrc_output, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "point", .offset = offsetof(wrc_output, point), .type = Type::pointer, .rule = Rule::none},
-      {.name = "patch", .offset = offsetof(wrc_output, patch), .type = Type::pointer, .rule = Rule::none},
-      {.name = "forces", .offset = offsetof(wrc_output, forces), .type = Type::pointer, .rule = Rule::none},
-      {.name = "damage", .offset = offsetof(wrc_output, damage), .type = Type::pointer, .rule = Rule::none},
+      {.name = "point.x", .offset = offsetof(wrc_output, point.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y", .offset = offsetof(wrc_output, point.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.z", .offset = offsetof(wrc_output, point.z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_wheel", .offset = offsetof(wrc_output, point.y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_rail", .offset = offsetof(wrc_output, point.y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.angle", .offset = offsetof(wrc_output, point.angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "point.vertical_gap", .offset = offsetof(wrc_output, point.vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.rolling_radius", .offset = offsetof(wrc_output, point.rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.patches", .offset = offsetof(wrc_output, normal.patches), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.strips", .offset = offsetof(wrc_output, normal.strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.iterations", .offset = offsetof(wrc_output, normal.iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.reserved", .offset = offsetof(wrc_output, normal.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "normal.ellipse.a", .offset = offsetof(wrc_output, normal.ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.b", .offset = offsetof(wrc_output, normal.ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.psi", .offset = offsetof(wrc_output, normal.ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "normal.ellipse.y", .offset = offsetof(wrc_output, normal.ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.ellipse.normal_force", .offset = offsetof(wrc_output, normal.ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.normal_force", .offset = offsetof(wrc_output, normal.normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.damping_force", .offset = offsetof(wrc_output, normal.damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.approach", .offset = offsetof(wrc_output, normal.approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.stiffness", .offset = offsetof(wrc_output, normal.stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "normal.peak_pressure", .offset = offsetof(wrc_output, normal.peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "normal.area", .offset = offsetof(wrc_output, normal.area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "normal.length", .offset = offsetof(wrc_output, normal.length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.width", .offset = offsetof(wrc_output, normal.width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_min", .offset = offsetof(wrc_output, normal.y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_max", .offset = offsetof(wrc_output, normal.y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "forces.fx", .offset = offsetof(wrc_output, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fy", .offset = offsetof(wrc_output, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fn", .offset = offsetof(wrc_output, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.mz", .offset = offsetof(wrc_output, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "forces.power", .offset = offsetof(wrc_output, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_output, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "forces.available", .offset = offsetof(wrc_output, forces.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "forces.reserved", .offset = offsetof(wrc_output, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "damage.power", .offset = offsetof(wrc_output, damage.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "damage.peak_power_density", .offset = offsetof(wrc_output, damage.peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
+      {.name = "damage.t_gamma", .offset = offsetof(wrc_output, damage.t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.t_gamma_no_spin", .offset = offsetof(wrc_output, damage.t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.utilisation", .offset = offsetof(wrc_output, damage.utilisation), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.load_factor", .offset = offsetof(wrc_output, damage.load_factor), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.shakedown_limit", .offset = offsetof(wrc_output, damage.shakedown_limit), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.fatigue_index", .offset = offsetof(wrc_output, damage.fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.local_fatigue_index", .offset = offsetof(wrc_output, damage.local_fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.available", .offset = offsetof(wrc_output, damage.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "damage.reserved", .offset = offsetof(wrc_output, damage.reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_output) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_output) == 344, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_view> {
   static constexpr const char* name = "wrc_view";
-  static constexpr bool versioned = true;
+  static constexpr bool versioned = false;
   static constexpr std::size_t first = 48;
   static constexpr wrc_view defaults = [] {
     wrc_view value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_view, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "rank", .offset = offsetof(wrc_view, rank), .type = Type::uint32, .rule = Rule::none},
       {.name = "data", .offset = offsetof(wrc_view, data), .type = Type::pointer, .rule = Rule::none},
       {.name = "count", .offset = offsetof(wrc_view, count), .type = Type::uint64, .elements = 2, .rule = Rule::none},
       {.name = "stride", .offset = offsetof(wrc_view, stride), .type = Type::uint64, .elements = 2, .rule = Rule::none},
+      {.name = "rank", .offset = offsetof(wrc_view, rank), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_view, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
 static_assert(sizeof(wrc_view) == 48, "run tools/interface/describe.py");
@@ -779,38 +1018,32 @@ static_assert(sizeof(wrc_view) == 48, "run tools/interface/describe.py");
 template <>
 struct Description<wrc_allocator> {
   static constexpr const char* name = "wrc_allocator";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
   static constexpr wrc_allocator defaults = [] {
     wrc_allocator value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_allocator, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_allocator, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "user", .offset = offsetof(wrc_allocator, user), .type = Type::pointer, .rule = Rule::none},
       {.name = "allocate", .offset = offsetof(wrc_allocator, allocate), .type = Type::pointer, .rule = Rule::none},
       {.name = "release", .offset = offsetof(wrc_allocator, release), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_allocator) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_allocator) == 24, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheel_state> {
   static constexpr const char* name = "wrc_wheel_state";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 104;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 96;
   static constexpr wrc_wheel_state defaults = [] {
     wrc_wheel_state value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_wheel_state, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "reference", .offset = offsetof(wrc_wheel_state, reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
       {.name = "angular_axes", .offset = offsetof(wrc_wheel_state, angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
-      {.name = "reserved", .offset = offsetof(wrc_wheel_state, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_wheel_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "z", .offset = offsetof(wrc_wheel_state, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
       {.name = "roll", .offset = offsetof(wrc_wheel_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
@@ -824,21 +1057,18 @@ struct Description<wrc_wheel_state> {
       {.name = "angular_velocity[2]", .offset = offsetof(wrc_wheel_state, angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
   };
 };
-static_assert(sizeof(wrc_wheel_state) == 104, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_state) == 96, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_rail_state> {
   static constexpr const char* name = "wrc_rail_state";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 48;
   static constexpr wrc_rail_state defaults = [] {
     wrc_rail_state value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_rail_state, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_rail_state, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_rail_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "z", .offset = offsetof(wrc_rail_state, z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "roll", .offset = offsetof(wrc_rail_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
@@ -847,29 +1077,61 @@ struct Description<wrc_rail_state> {
       {.name = "roll_velocity", .offset = offsetof(wrc_rail_state, roll_velocity), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
   };
 };
-static_assert(sizeof(wrc_rail_state) == 56, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_rail_state) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheel_input> {
   static constexpr const char* name = "wrc_wheel_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = 256;
   static constexpr wrc_wheel_input defaults = [] {
     wrc_wheel_input value{};
     value.struct_size = sizeof value;
+    value.wheel = Description<wrc_wheel_state>::defaults;
+    value.rail = Description<wrc_rail_state>::defaults;
+    value.friction = Description<wrc_friction>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_prescribed},
-      {.name = "wheel", .offset = offsetof(wrc_wheel_input, wheel), .type = Type::pointer, .rule = Rule::none, .required = true},
-      {.name = "rail", .offset = offsetof(wrc_wheel_input, rail), .type = Type::pointer, .rule = Rule::none},
-      {.name = "friction", .offset = offsetof(wrc_wheel_input, friction), .type = Type::pointer, .rule = Rule::none},
+      {.name = "wheel.reference", .offset = offsetof(wrc_wheel_input, wheel.reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
+      {.name = "wheel.angular_axes", .offset = offsetof(wrc_wheel_input, wheel.angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
+      {.name = "wheel.y", .offset = offsetof(wrc_wheel_input, wheel.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "wheel.z", .offset = offsetof(wrc_wheel_input, wheel.z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
+      {.name = "wheel.roll", .offset = offsetof(wrc_wheel_input, wheel.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "wheel.yaw", .offset = offsetof(wrc_wheel_input, wheel.yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "wheel.rotation", .offset = offsetof(wrc_wheel_input, wheel.rotation), .type = Type::pointer, .rule = Rule::none},
+      {.name = "wheel.velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.angular_velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "wheel.angular_velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "wheel.angular_velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "rail.y", .offset = offsetof(wrc_wheel_input, rail.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "rail.z", .offset = offsetof(wrc_wheel_input, rail.z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "rail.roll", .offset = offsetof(wrc_wheel_input, rail.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "rail.y_velocity", .offset = offsetof(wrc_wheel_input, rail.y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "rail.z_velocity", .offset = offsetof(wrc_wheel_input, rail.z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "rail.roll_velocity", .offset = offsetof(wrc_wheel_input, rail.roll_velocity), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_wheel_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.kind", .offset = offsetof(wrc_wheel_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_wheel_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_wheel_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_wheel_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_wheel_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_wheel_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_wheel_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_wheel_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_wheel_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_wheel_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zones)},
+      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_wheel_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_wheel_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zones)},
+      {.name = "friction.zones", .offset = offsetof(wrc_wheel_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "the height is prescribed; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_input) == 256, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {
@@ -933,53 +1195,46 @@ static_assert(sizeof(wrc_region) == 176, "run tools/interface/describe.py");
 template <>
 struct Description<wrc_wrench_sensitivities> {
   static constexpr const char* name = "wrc_wrench_sensitivities";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 960;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 952;
   static constexpr wrc_wrench_sensitivities defaults = [] {
     wrc_wrench_sensitivities value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_wrench_sensitivities, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_wrench_sensitivities, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "wrench", .offset = offsetof(wrc_wrench_sensitivities, wrench), .type = Type::real, .elements = 102, .rule = Rule::none},
       {.name = "z", .offset = offsetof(wrc_wrench_sensitivities, z), .type = Type::real, .elements = 17, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench_sensitivities) == 960, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wrench_sensitivities) == 952, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {
   static constexpr const char* name = "wrc_grid";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 48;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 40;
   static constexpr wrc_grid defaults = [] {
     wrc_grid value{};
-    value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_grid, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "nx", .offset = offsetof(wrc_grid, nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
       {.name = "ny", .offset = offsetof(wrc_grid, ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
-      {.name = "reserved", .offset = offsetof(wrc_grid, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "dx", .offset = offsetof(wrc_grid, dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "dy", .offset = offsetof(wrc_grid, dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "x0", .offset = offsetof(wrc_grid, x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "y0", .offset = offsetof(wrc_grid, y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
   };
 };
-static_assert(sizeof(wrc_grid) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_grid) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_materials> {
   static constexpr const char* name = "wrc_materials";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
   static constexpr wrc_materials defaults = [] {
     wrc_materials value{};
-    value.struct_size = sizeof value;
     value.shear_modulus_1 = 80e9;
     value.poisson_1 = 0.25;
     value.shear_modulus_2 = 80e9;
@@ -987,26 +1242,26 @@ struct Description<wrc_materials> {
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_materials, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_materials, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "shear_modulus_1", .offset = offsetof(wrc_materials, shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
       {.name = "poisson_1", .offset = offsetof(wrc_materials, poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
       {.name = "shear_modulus_2", .offset = offsetof(wrc_materials, shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
       {.name = "poisson_2", .offset = offsetof(wrc_materials, poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
   };
 };
-static_assert(sizeof(wrc_materials) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_materials) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_problem> {
   static constexpr const char* name = "wrc_exact_normal_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = 136;
   static constexpr wrc_exact_normal_problem defaults = [] {
     wrc_exact_normal_problem value{};
     value.struct_size = sizeof value;
     value.max_iterations = 1000;
     value.tolerance = 1e-6;
+    value.materials = Description<wrc_materials>::defaults;
+    value.grid = Description<wrc_grid>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -1017,14 +1272,22 @@ struct Description<wrc_exact_normal_problem> {
       {.name = "normal_force", .offset = offsetof(wrc_exact_normal_problem, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
       {.name = "approach", .offset = offsetof(wrc_exact_normal_problem, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
       {.name = "tolerance", .offset = offsetof(wrc_exact_normal_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 0.1},
-      {.name = "materials", .offset = offsetof(wrc_exact_normal_problem, materials), .type = Type::pointer, .rule = Rule::none},
-      {.name = "grid", .offset = offsetof(wrc_exact_normal_problem, grid), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "materials.shear_modulus_1", .offset = offsetof(wrc_exact_normal_problem, materials.shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "materials.poisson_1", .offset = offsetof(wrc_exact_normal_problem, materials.poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "materials.shear_modulus_2", .offset = offsetof(wrc_exact_normal_problem, materials.shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "materials.poisson_2", .offset = offsetof(wrc_exact_normal_problem, materials.poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "grid.nx", .offset = offsetof(wrc_exact_normal_problem, grid.nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.ny", .offset = offsetof(wrc_exact_normal_problem, grid.ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.dx", .offset = offsetof(wrc_exact_normal_problem, grid.dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.dy", .offset = offsetof(wrc_exact_normal_problem, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.x0", .offset = offsetof(wrc_exact_normal_problem, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.y0", .offset = offsetof(wrc_exact_normal_problem, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "gap", .offset = offsetof(wrc_exact_normal_problem, gap), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .by_caller = true},
       {.name = "progress", .offset = offsetof(wrc_exact_normal_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_normal_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_normal_problem) == 80, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_normal_problem) == 136, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_solution> {
@@ -1053,13 +1316,16 @@ template <>
 struct Description<wrc_exact_rolling_problem> {
   static constexpr const char* name = "wrc_exact_rolling_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = 184;
   static constexpr wrc_exact_rolling_problem defaults = [] {
     wrc_exact_rolling_problem value{};
     value.struct_size = sizeof value;
     value.max_iterations = 60;
     value.tolerance = 1e-4;
+    value.materials = Description<wrc_materials>::defaults;
+    value.grid = Description<wrc_grid>::defaults;
     value.coefficient = 0.3;
+    value.creepage = Description<wrc_creepage>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -1068,17 +1334,30 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "collocation", .offset = offsetof(wrc_exact_rolling_problem, collocation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_collocation},
       {.name = "max_iterations", .offset = offsetof(wrc_exact_rolling_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 1000},
       {.name = "tolerance", .offset = offsetof(wrc_exact_rolling_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 0.1},
-      {.name = "materials", .offset = offsetof(wrc_exact_rolling_problem, materials), .type = Type::pointer, .rule = Rule::none},
-      {.name = "grid", .offset = offsetof(wrc_exact_rolling_problem, grid), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "materials.shear_modulus_1", .offset = offsetof(wrc_exact_rolling_problem, materials.shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "materials.poisson_1", .offset = offsetof(wrc_exact_rolling_problem, materials.poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "materials.shear_modulus_2", .offset = offsetof(wrc_exact_rolling_problem, materials.shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
+      {.name = "materials.poisson_2", .offset = offsetof(wrc_exact_rolling_problem, materials.poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "grid.nx", .offset = offsetof(wrc_exact_rolling_problem, grid.nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.ny", .offset = offsetof(wrc_exact_rolling_problem, grid.ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.dx", .offset = offsetof(wrc_exact_rolling_problem, grid.dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.dy", .offset = offsetof(wrc_exact_rolling_problem, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.x0", .offset = offsetof(wrc_exact_rolling_problem, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.y0", .offset = offsetof(wrc_exact_rolling_problem, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "pressure", .offset = offsetof(wrc_exact_rolling_problem, pressure), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .by_caller = true},
       {.name = "friction", .offset = offsetof(wrc_exact_rolling_problem, friction), .type = Type::pointer, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
       {.name = "coefficient", .offset = offsetof(wrc_exact_rolling_problem, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
-      {.name = "creepage", .offset = offsetof(wrc_exact_rolling_problem, creepage), .type = Type::pointer, .rule = Rule::none, .required = true},
+      {.name = "creepage.longitudinal", .offset = offsetof(wrc_exact_rolling_problem, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.lateral", .offset = offsetof(wrc_exact_rolling_problem, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.spin", .offset = offsetof(wrc_exact_rolling_problem, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "creepage.speed", .offset = offsetof(wrc_exact_rolling_problem, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_exact_rolling_problem, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "creepage.other_way", .offset = offsetof(wrc_exact_rolling_problem, creepage.other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
       {.name = "progress", .offset = offsetof(wrc_exact_rolling_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_rolling_problem) == 88, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_rolling_problem) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_solution> {

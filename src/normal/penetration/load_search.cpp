@@ -74,9 +74,10 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
       .unit = load ? "N" : "m",
       .low = 0.0,
       .high = load ? most : deepest,
-      .cause = load ? "the gap given, or config.gap_limit, carries no more: continued with the last stiffness"
-                    : "the gap given, or config.gap_limit, ends there: continued with the last stiffness; "
-                      "did you pass mm?"};
+      .cause =
+          load ? "the gap given, or config.grid.gap_limit, carries no more: continued with the last stiffness"
+               : "the gap given, or config.grid.gap_limit, ends there: continued with the last stiffness; "
+                 "did you pass mm?"};
 }
 
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,

@@ -195,7 +195,7 @@ class LoadSearch {
     settle(bracketed_ ? high_.approach : approach);
     scale_to_target(solution_.normal_force);
     return {.status = WRC_FLAG_ITERATION_CAP,
-            .field = "config.max_iterations",
+            .field = "config.normal.max_iterations",
             .value = static_cast<double>(problem_.max_iterations),
             .unit = "steps"};
   }

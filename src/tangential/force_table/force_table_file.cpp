@@ -15,7 +15,7 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 Fault unusable(const char* cause) {
-  return {.status = WRC_ERROR_FILE, .field = "config.force_table", .cause = cause};
+  return {.status = WRC_ERROR_FILE, .field = "config.tangential.force_table", .cause = cause};
 }
 
 constexpr const char* ends_early = "the file ends before the table does: is the copy complete?";
@@ -57,7 +57,7 @@ Fault open(const char* path, File& file, ForceTableFileHeader& header) {
   }
   if (header.version != ours.version || header.values != ours.values) {
     return {.status = WRC_ERROR_FILE,
-            .field = "config.force_table",
+            .field = "config.tangential.force_table",
             .value = static_cast<double>(header.version),
             .unit = "(version of the file)",
             .cause = "this library reads version 1: use the file that came with it"};

@@ -27,7 +27,7 @@ static_assert(sizeof(ForceTableFileHeader) == 80);
 /// FNV-1a, 64 bit (Fowler, Noll, Vo), of more bytes after those `so_far` stands for.
 std::uint64_t file_checksum(const void* bytes, std::size_t count, std::uint64_t so_far = 0xcbf29ce484222325);
 
-/// What the table in this file measures. Faults are WRC_ERROR_FILE about config.force_table.
+/// What the table in this file measures. Faults are WRC_ERROR_FILE about config.tangential.force_table.
 Fault read_force_table_axes(const char* path, ForceTableAxes& axes);
 
 /// Reads the table into `coefficients`, which has room for force_table_size(axes); `axes` are those read

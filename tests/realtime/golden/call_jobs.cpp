@@ -12,34 +12,29 @@ void hash_view(const wrc_view& view, Hash& hash) {
 
 /// A contact with tractions in it.
 int32_t roll(wrc_contact* contact, double lateral) {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  pose.lateral = lateral;
-  load.normal_force = 90e3;
-  creepage.longitudinal = 1.5e-3;
-  creepage.spin = -0.4;
-  creepage.speed = 55.0;
-  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, nullptr, nullptr, nullptr, nullptr};
-  return wrc_contact_step(contact, &input, &output);
+  wrc_input input = wrc_input_default();
+  input.pose.lateral = lateral;
+  input.load.normal_force = 90e3;
+  input.creepage.longitudinal = 1.5e-3;
+  input.creepage.spin = -0.4;
+  input.creepage.speed = 55.0;
+  return wrc_contact_step(contact, &input, nullptr);
 }
 
 void run_motion(wrc_contact* contact, Hash& hash) {
   Numbers numbers(5);
   for (int i = 0; i < 8; ++i) {
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = numbers.between(-5e-3, 7e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
-    wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+    wrc_motion motion = wrc_motion_default();
     motion.speed = i == 0 ? 0.0 : numbers.between(1.0, 90.0);
     motion.pitch_rate = -motion.speed / numbers.between(0.455, 0.465);
     motion.lateral_velocity = numbers.between(-0.1, 0.1);
     motion.vertical_velocity = numbers.between(-0.1, 0.1);
     motion.roll_rate = numbers.between(-0.1, 0.1);
     motion.yaw_rate = numbers.between(-0.1, 0.1);
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    wrc_creepage creepage = wrc_creepage_default();
     hash.add(wrc_contact_geometry(contact, &pose, nullptr));
     hash.add(wrc_contact_creepages(contact, &motion, &creepage));
     for (double number : {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed})
@@ -51,21 +46,21 @@ void run_motion(wrc_contact* contact, Hash& hash) {
 void run_standstill(wrc_contact* contact, Hash& hash) {
   Numbers numbers(8);
   for (int i = 0; i < 16; ++i) {
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = numbers.between(-4e-3, 5e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
-    wrc_load load = made<wrc_load>(wrc_load_init);
+    wrc_load load = wrc_load_default();
     load.normal_force = 70e3;
     const double fastest = i % 4 == 0 ? 80.0 : 0.15;
-    wrc_motion motion = made<wrc_motion>(wrc_motion_init);
+    wrc_motion motion = wrc_motion_default();
     motion.speed = i == 1 ? 0.0 : numbers.between(-fastest, fastest);
     motion.pitch_rate = -motion.speed / numbers.between(0.459, 0.461);
     motion.lateral_velocity = numbers.between(-0.01, 0.01) * (i % 3);
     motion.yaw_rate = numbers.between(-0.05, 0.05);
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-    const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-    wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-    wrc_sensitivity sensitivity = made<wrc_sensitivity>(wrc_sensitivity_init);
+    wrc_creepage creepage = wrc_creepage_default();
+    const wrc_friction friction = wrc_friction_default();
+    wrc_forces forces{};
+    wrc_sensitivity sensitivity{};
     hash.add(wrc_contact_geometry(contact, &pose, nullptr));
     hash.add(wrc_contact_normal(contact, nullptr, &load, nullptr));
     hash.add(wrc_contact_creepages(contact, &motion, &creepage));
@@ -85,11 +80,11 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
 void run_geometry(wrc_contact* contact, Hash& hash) {
   Numbers numbers(6);
   for (int i = 0; i < 400; ++i) {
-    wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+    wrc_pose pose = wrc_pose_default();
     pose.lateral = numbers.between(-6e-3, 7.5e-3);
     pose.roll = numbers.between(-5e-3, 5e-3);
     pose.yaw = numbers.between(-0.03, 0.03);
-    wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
+    wrc_contact_point point{};
     hash.add(wrc_contact_geometry(contact, &pose, &point));
     hash_point(point, hash);
     if (i % 8 == 0) hash_fields(contact, hash);
@@ -99,18 +94,18 @@ void run_geometry(wrc_contact* contact, Hash& hash) {
 void run_wear(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
-    wrc_wear wear = made<wrc_wear>(wrc_wear_init);
+    wrc_wear wear{};
     hash.add(wrc_contact_wear(contact, nullptr, &wear));
     for (double number : {wear.worn_area_rate, wear.largest_depth_rate, wear.largest_depth_velocity})
       hash.add(number);
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     hash.add(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &view));
     hash_view(view, hash);
   }
 }
 
 void run_plain_numbers(wrc_contact*, Hash& hash) {
-  wrc_coefficients c = made<wrc_coefficients>(wrc_coefficients_init);
+  wrc_coefficients c{};
   double ratio = 1e-3;
   for (int i = 0; i < 228; ++i, ratio *= 1.0625) {  // up to 1e3
     for (double psi : {-0.95, -0.4, 0.0, 0.1, 0.7}) {
@@ -130,7 +125,8 @@ void run_plain_numbers(wrc_contact*, Hash& hash) {
 void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 40; ++i) {
-    wrc_wheel_state wheel = made<wrc_wheel_state>(wrc_wheel_state_init);
+    wrc_wheel_input input = wrc_wheel_input_default();
+    wrc_wheel_state& wheel = input.wheel;
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
     wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
@@ -146,22 +142,19 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
     wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
     wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
-    wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
+    wrc_rail_state rail = wrc_rail_state_default();
     rail.y = numbers.between(-1e-3, 1e-3);
     rail.roll = numbers.between(-5e-3, 5e-3);
     rail.z_velocity = numbers.between(-0.05, 0.05);
-    wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-    wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-    input.wheel = &wheel;
-    input.rail = i % 4 == 0 ? nullptr : &rail;
-    input.friction = i % 6 == 0 ? nullptr : &friction;
+    if (i % 4 != 0) input.rail = rail;
+    if (i % 6 == 0) input.friction.coefficient = 0.0;
     if (i % 7 == 3) {
       input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
       input.vertical_load = numbers.between(2e4, 1.2e5);
     } else {
       input.damping = numbers.between(0.0, 0.3);
     }
-    wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
+    wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment}) {
       for (int k = 0; k < 3; ++k) hash.add(each[k]);
@@ -170,7 +163,7 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
                           wrench.steepest_angle})
       hash.add(number);
     for (int32_t k = 0; k < wrench.regions; ++k) {
-      wrc_region region = made<wrc_region>(wrc_region_init);
+      wrc_region region = wrc_region_default();
       hash.add(wrc_contact_region(contact, k, &region));
       for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
                             region.force[1], region.moment[2], region.power, region.creepage[0]})
@@ -181,29 +174,23 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
 
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  load.normal_force = 80e3;
-  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, nullptr};
+  wrc_input input = wrc_input_default();
+  wrc_output output = wrc_output_default();
+  input.load.normal_force = 80e3;
   const auto refused = [&](double& number, double wrong) {
     const double kept = number;
     number = wrong;
     hash.add(wrc_contact_step(contact, &input, &output));
-    hash_patch(patch, hash);
-    hash_forces(forces, hash);
+    hash_normal(output.normal, hash);
+    hash_forces(output.forces, hash);
     number = kept;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  for (double* number : {&pose.lateral, &pose.yaw, &load.normal_force, &creepage.longitudinal, &creepage.spin,
-                         &friction.coefficient}) {
+  for (double* number : {&input.pose.lateral, &input.pose.yaw, &input.load.normal_force,
+                         &input.creepage.longitudinal, &input.creepage.spin, &input.friction.coefficient}) {
     for (double wrong : {nan, inf, -inf, 1e300}) refused(*number, wrong);
   }
-  refused(load.normal_force, 80.0);
+  refused(input.load.normal_force, 80.0);
   hash.add(roll(contact, 1e-3));
   hash_fields(contact, hash);
 }
@@ -212,9 +199,9 @@ void run_refused(wrc_contact* contact, Hash& hash) {
 
 void add_plain_calls(Plan& plan) {
   const std::size_t model = plan.models.size();
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
-  config.wheel = &plan.profiles[0];
-  config.rail = &plan.profiles[1];
+  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  config.wheel = plan.profiles[0];
+  config.rail = plan.profiles[1];
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});

@@ -3,7 +3,7 @@
 #include "golden/plan.hpp"
 
 wrc_gap HostGap::view() const {
-  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  wrc_gap gap = wrc_gap_default();
   gap.rows = static_cast<uint32_t>(y.size());
   gap.columns = static_cast<uint32_t>(x.size());
   gap.y = y.data();
@@ -56,11 +56,11 @@ HostGap by_elements(const std::vector<Bump>& bumps, int rows, int columns) {
 }
 
 wrc_config& add_model(Plan& plan, int32_t normal, int32_t tangential) {
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
-  config.normal_method = normal;
+  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  config.normal.method = normal;
   choose_tangential(config, tangential);
-  config.strips = 45;
-  config.cells = 24;
+  config.grid.strips = 45;
+  config.grid.cells = 24;
   return config;
 }
 
@@ -112,25 +112,25 @@ void run_strips(wrc_contact* contact, Hash& hash) {
       peak.push_back(numbers.between(2e8, 1.4e9));
       edge += w;
     }
-    wrc_strips strips = made<wrc_strips>(wrc_strips_init);
+    wrc_strips strips = wrc_strips_default();
     strips.count = static_cast<uint32_t>(y.size());
     strips.y = y.data();
     strips.width = width.data();
     strips.centre = round < 2 ? nullptr : centre.data();
     strips.half_length = half.data();
     strips.peak = peak.data();
-    wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-    wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-    wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+    wrc_normal_solution normal{};
+    wrc_forces forces{};
+    wrc_damage damage{};
+    wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = numbers.between(-3e-3, 3e-3);
     creepage.lateral = numbers.between(-3e-3, 3e-3);
     creepage.spin = numbers.between(-0.5, 0.5);
-    const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-    hash.add(wrc_contact_regularise(contact, &strips, &patch));
+    const wrc_friction friction = wrc_friction_default();
+    hash.add(wrc_contact_regularise(contact, &strips, &normal));
     hash.add(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces));
     hash.add(wrc_contact_damage(contact, &damage));
-    hash_patch(patch, hash);
+    hash_normal(normal, hash);
     hash_forces(forces, hash);
     hash_damage(damage, hash);
     hash_fields(contact, hash);
@@ -144,20 +144,20 @@ void run_patches(wrc_contact* contact, Hash& hash) {
       {6e-3, 6e-3, 0.0}, {6e-3, 4e-3, 0.3}, {3e-3, 9e-3, -0.6}, {8e-3, 1e-3, 0.95}, {0.5e-3, 2e-2, -0.95},
       {1e-6, 1e-6, 0.0}, {0.1, 0.1, 0.5},   {5e-3, 5e-3, 1e-9}, {2e-2, 2e-5, 0.0},  {2e-5, 2e-2, -0.2}};
   for (const auto& shape : shapes) {
-    wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-    patch.a = shape[0];
-    patch.b = shape[1];
-    patch.psi = shape[2];
-    patch.normal_force = numbers.between(1e3, 2e5);
-    wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-    wrc_damage damage = made<wrc_damage>(wrc_damage_init);
-    wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-    const wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+    wrc_ellipse ellipse = wrc_ellipse_default();
+    ellipse.a = shape[0];
+    ellipse.b = shape[1];
+    ellipse.psi = shape[2];
+    ellipse.normal_force = numbers.between(1e3, 2e5);
+    wrc_forces forces{};
+    wrc_damage damage{};
+    wrc_creepage creepage = wrc_creepage_default();
+    const wrc_friction friction = wrc_friction_default();
     for (double size : {1e-5, 1e-3, 1e-2}) {
       creepage.longitudinal = numbers.between(-size, size);
       creepage.lateral = numbers.between(-size, size);
       creepage.spin = numbers.between(-size, size) / 5e-3;
-      hash.add(wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces));
+      hash.add(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces));
       hash.add(wrc_contact_damage(contact, &damage));
       hash_forces(forces, hash);
       hash_damage(damage, hash);

@@ -9,7 +9,7 @@ constexpr double zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
 
 /// Friction number i: the three kinds in turn, every other time with zones, in the one frame and the other.
 wrc_friction friction_number(int i, int32_t tangential) {
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_friction friction = wrc_friction_default();
   friction.kind = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(tangential);
@@ -44,14 +44,14 @@ std::vector<Step> steps_with_laws(int32_t tangential) {
 
 void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Hash& hash) {
   for (const Step& step : steps) {
-    wrc_input input = made<wrc_input>(wrc_input_init);
-    input.pose = &step.pose;
-    input.load = &step.load;
-    input.creepage = &step.creepage;
-    input.friction = &step.friction;
-    wrc_output output = made<wrc_output>(wrc_output_init);
-    wrc_sensitivity slopes = made<wrc_sensitivity>(wrc_sensitivity_init);
-    wrc_step_sensitivity of_step = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+    wrc_input input = wrc_input_default();
+    input.pose = step.pose;
+    input.load = step.load;
+    input.creepage = step.creepage;
+    input.friction = step.friction;
+    wrc_output output = wrc_output_default();
+    wrc_sensitivity slopes{};
+    wrc_step_sensitivity of_step{};
     hash.add(wrc_contact_step(contact, &input, &output));
     hash.add(wrc_contact_sensitivities(contact, &slopes));
     hash.add(wrc_contact_step_sensitivities(contact, &of_step));
@@ -67,13 +67,13 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
 
 void add_laws(Plan& plan) {
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
-    wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
-    config.normal_method = WRC_NORMAL_EKP;
+    wrc_config& config = plan.models.emplace_back(wrc_config_default());
+    config.normal.method = WRC_NORMAL_EKP;
     choose_tangential(config, tangential);
-    config.strips = 26;
-    config.cells = 18;
-    config.wheel = &plan.profiles[0];
-    config.rail = &plan.profiles[1];
+    config.grid.strips = 26;
+    config.grid.cells = 18;
+    config.wheel = plan.profiles[0];
+    config.rail = plan.profiles[1];
     const std::vector<Step> steps = steps_with_laws(tangential);
     plan.jobs.push_back({"friction", plan.models.size() - 1, steps, {}});
     plan.jobs.push_back(

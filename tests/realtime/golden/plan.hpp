@@ -21,11 +21,11 @@ struct HostGap {
 
 /// Input of one step.
 struct Step {
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
+  wrc_pose pose = wrc_pose_default();
   const HostGap* gap = nullptr;  ///< in place of the pose
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
+  wrc_load load = wrc_load_default();
+  wrc_creepage creepage = wrc_creepage_default();
+  wrc_friction friction = wrc_friction_default();
 };
 
 /// One contact's life. Jobs are independent of each other: they may run in any thread, in any order.
@@ -72,10 +72,9 @@ void add_laws(Plan& plan);         ///< friction over place and speed, sensitivi
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input
 
 // What the parts of the plan share.
-void hash_step(wrc_contact* contact, int32_t status, const wrc_contact_point& point, const wrc_patch& patch,
-               const wrc_forces& forces, const wrc_damage& damage, Hash& hash);
+void hash_step(wrc_contact* contact, int32_t status, const wrc_output& output, Hash& hash);
 void hash_point(const wrc_contact_point& point, Hash& hash);
-void hash_patch(const wrc_patch& patch, Hash& hash);
+void hash_normal(const wrc_normal_solution& of, Hash& hash);
 void hash_forces(const wrc_forces& forces, Hash& hash);
 void hash_damage(const wrc_damage& damage, Hash& hash);
 void hash_fields(const wrc_contact* contact, Hash& hash);

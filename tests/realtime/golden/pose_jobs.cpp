@@ -71,13 +71,13 @@ std::vector<Step> creepages() {
 /// A model on S1002 and the benchmark's UIC60; further settings are the caller's.
 wrc_config& add_model(Plan& plan) {
   if (plan.profiles.size() < 2) {
-    plan.profiles.assign(2, made<wrc_profile>(wrc_profile_init));
+    plan.profiles.assign(2, wrc_profile_default());
     plan.profiles[0].kind = WRC_PROFILE_S1002;
     plan.profiles[1].kind = WRC_PROFILE_UIC60_BENCHMARK;
   }
-  wrc_config& config = plan.models.emplace_back(made<wrc_config>(wrc_config_init));
-  config.wheel = &plan.profiles[0];
-  config.rail = &plan.profiles[1];
+  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  config.wheel = plan.profiles[0];
+  config.rail = plan.profiles[1];
   return config;
 }
 
@@ -89,8 +89,8 @@ void add_methods(Plan& plan) {
   const std::vector<Step> poses = usual_poses();
   for (int32_t normal = 0; normal < normal_methods; ++normal) {
     wrc_config& config = add_model(plan);
-    config.normal_method = normal;
-    config.regularisation = normal % 2;
+    config.normal.method = normal;
+    config.tangential.regularisation = normal % 2;
     add_job(plan, std::string("normal ") + normal_names[normal], poses);
   }
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
@@ -99,22 +99,22 @@ void add_methods(Plan& plan) {
     const std::string group = std::string("tangential ") + presets[tangential].identifier;
     for (int32_t normal = 0; normal < normal_methods; ++normal) {
       wrc_config& config = add_model(plan);
-      config.normal_method = normal;
+      config.normal.method = normal;
       choose_tangential(config, tangential);
-      config.strips = 28;
-      config.cells = 16;
-      config.gap_rows = 128;
+      config.grid.strips = 28;
+      config.grid.cells = 16;
+      config.grid.gap_rows = 128;
       add_job(plan, group, few);
     }
     for (int32_t bound : {WRC_BOUND_PARABOLIC, WRC_BOUND_ELLIPTIC}) {
       wrc_config& config = add_model(plan);
-      config.normal_method = WRC_NORMAL_EKP;
+      config.normal.method = WRC_NORMAL_EKP;
       choose_tangential(config, tangential);
-      config.traction_bound = bound;
+      config.tangential.bound = bound;
       if (wrc_config_check(&config, nullptr, 0) != WRC_OK)
-        config.traction_bound = WRC_BOUND_PARABOLIC;  // the method has a bound of its own
-      config.strips = 37;
-      config.cells = 21;
+        config.tangential.bound = WRC_BOUND_PARABOLIC;  // the method has a bound of its own
+      config.grid.strips = 37;
+      config.grid.cells = 21;
       add_job(plan, group, few);
     }
   }
@@ -127,7 +127,7 @@ void add_flexibilities(Plan& plan) {
     for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
       wrc_config& config = add_model(plan);
       choose_tangential(config, tangential);
-      config.flexibility = flexibility;
+      config.tangential.flexibility = flexibility;
       if (wrc_config_check(&config, nullptr, 0) != WRC_OK) {
         plan.models.pop_back();
         continue;
@@ -143,7 +143,7 @@ void add_creepages(Plan& plan) {
   for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
     wrc_config& config = add_model(plan);
     choose_tangential(config, tangential);
-    config.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
+    config.material.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
     // Contacts of one model, so that threads have something to share.
     for (std::size_t first = 0; first < steps.size(); first += 7)
       add_job(plan, "creepage",
@@ -159,8 +159,8 @@ void add_grids(Plan& plan) {
     for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
       wrc_config& config = add_model(plan);
       choose_tangential(config, tangential);
-      config.strips = strips;
-      config.cells = cells;
+      config.grid.strips = strips;
+      config.grid.cells = cells;
       add_job(plan, "grids", {poses[0], poses[3]});
     }
   }
@@ -168,7 +168,7 @@ void add_grids(Plan& plan) {
 
 void add_warm_start(Plan& plan) {
   wrc_config& config = add_model(plan);
-  config.warm_start = 1;
+  config.normal.warm_start = 1;
   std::vector<Step> steps;
   for (int i = 0; i < 24; ++i) {
     Step step = at(0.3e-3 * i - 1e-3, 0.0, 0.4e-3 * i, 80e3 + 1e3 * (i % 5));
@@ -195,23 +195,24 @@ void add_profiles(Plan& plan) {
     const std::vector<double>& on_rail = points(-0.035, 0.035, rail_height);
     wrc_config& config = add_model(plan);
     for (const auto* list : {&on_wheel, &on_rail}) {
-      wrc_profile& profile = plan.profiles.emplace_back(made<wrc_profile>(wrc_profile_init));
+      wrc_profile& profile = list == &on_wheel ? config.wheel : config.rail;
+      profile = wrc_profile_default();
+      profile.kind = WRC_PROFILE_POINTS;
       profile.count = static_cast<uint32_t>(list->size() / 2);
       profile.y = list->data();
       profile.z = list->data() + profile.count;
       profile.smoothing = smoothing;
-      (list == &on_wheel ? config.wheel : config.rail) = &profile;
     }
-    config.rail_inclination = 0.025;
+    config.track.rail_inclination = 0.025;
     add_job(plan, "profiles",
             {at(0.0, 0.0, 0.0, 80e3), at(2e-3, 1e-3, -6e-3, 80e3), at(-3e-3, 0.0, 4e-3, 80e3)});
   }
-  wrc_profile& rail = plan.profiles.emplace_back(made<wrc_profile>(wrc_profile_init));
+  wrc_profile rail = wrc_profile_default();
   rail.kind = WRC_PROFILE_60E1;
   for (int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     wrc_config& config = add_model(plan);
-    config.rail = &rail;
-    config.rail_inclination = 0.025;
+    config.rail = rail;
+    config.track.rail_inclination = 0.025;
     const double sign = side == WRC_SIDE_RIGHT ? 1.0 : -1.0;
     add_job(plan, "profiles",
             {at(0.0, 0.0, 0.0, 80e3), at(4e-3 * sign, 0.0, 6e-3, 80e3), at(7e-3 * sign, 0.0, 0.0, 80e3)});

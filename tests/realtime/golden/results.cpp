@@ -8,11 +8,22 @@ void hash_point(const wrc_contact_point& point, Hash& hash) {
     hash.add(number);
 }
 
-void hash_patch(const wrc_patch& patch, Hash& hash) {
-  for (int32_t number : {patch.strips, patch.iterations, patch.patches}) hash.add(number);
-  for (double number : {patch.a, patch.b, patch.psi, patch.normal_force, patch.approach, patch.stiffness,
-                        patch.peak_pressure, patch.area, patch.length, patch.width, patch.y_min, patch.y_max})
+namespace {
+
+/// `of`: what the numbers that a patch shares with its contact are taken from.
+void hash_loaded(const wrc_normal_solution& of, int32_t strips, const wrc_ellipse& ellipse,
+                 double normal_force, const double (&extent)[6], Hash& hash) {
+  for (int32_t number : {strips, of.iterations, of.patches}) hash.add(number);
+  for (double number : {ellipse.a, ellipse.b, ellipse.psi, normal_force, of.approach, of.stiffness})
     hash.add(number);
+  for (double number : extent) hash.add(number);
+}
+
+}  // namespace
+
+void hash_normal(const wrc_normal_solution& of, Hash& hash) {
+  hash_loaded(of, of.strips, of.ellipse, of.normal_force,
+              {of.peak_pressure, of.area, of.length, of.width, of.y_min, of.y_max}, hash);
 }
 
 void hash_forces(const wrc_forces& forces, Hash& hash) {
@@ -21,9 +32,11 @@ void hash_forces(const wrc_forces& forces, Hash& hash) {
 }
 
 void hash_damage(const wrc_damage& damage, Hash& hash) {
-  for (double number :
-       {damage.power, damage.peak_power_density, damage.t_gamma, damage.t_gamma_no_spin, damage.utilisation,
-        damage.load_factor, damage.shakedown_limit, damage.fatigue_index, damage.local_fatigue_index})
+  // What stood for "not available" when the hashes were written.
+  const bool tractions = (damage.available & WRC_AVAILABLE_TRACTIONS) != 0 || damage.load_factor == 0.0;
+  for (double number : {damage.power, damage.peak_power_density, damage.t_gamma, damage.t_gamma_no_spin,
+                        damage.utilisation, damage.load_factor, damage.shakedown_limit, damage.fatigue_index,
+                        tractions ? damage.local_fatigue_index : -1e30})
     hash.add(number);
 }
 
@@ -31,7 +44,7 @@ void hash_fields(const wrc_contact* contact, Hash& hash) {
   // STRIP_WEAR is left to the job that asks for wear numbers.
   for (int32_t patch = 0; patch < 16; ++patch) {
     for (int32_t field = WRC_FIELD_X; field < WRC_FIELD_STRIP_WEAR; ++field) {
-      wrc_view view = made<wrc_view>(wrc_view_init);
+      wrc_view view{};
       const int32_t status = wrc_contact_field(contact, patch, field, &view);
       if (status == WRC_ERROR_RANGE) return;  // no further patch
       hash.add(status);
@@ -43,19 +56,18 @@ void hash_fields(const wrc_contact* contact, Hash& hash) {
   }
 }
 
-void hash_step(wrc_contact* contact, int32_t status, const wrc_contact_point& point, const wrc_patch& patch,
-               const wrc_forces& forces, const wrc_damage& damage, Hash& hash) {
+void hash_step(wrc_contact* contact, int32_t status, const wrc_output& output, Hash& hash) {
   hash.add(status);
-  hash_point(point, hash);
-  hash_patch(patch, hash);
-  hash_forces(forces, hash);
-  hash_damage(damage, hash);
+  hash_point(output.point, hash);
+  hash_normal(output.normal, hash);
+  hash_forces(output.forces, hash);
+  hash_damage(output.damage, hash);
   hash_fields(contact, hash);
-  for (int32_t k = 0; k < patch.patches; ++k) {
-    wrc_patch one = made<wrc_patch>(wrc_patch_init);
-    wrc_forces its = made<wrc_forces>(wrc_forces_init);
-    if (wrc_contact_patch(contact, k, &one, &its) < 0) break;
-    hash_patch(one, hash);
-    hash_forces(its, hash);
+  for (int32_t k = 0; k < output.normal.patches; ++k) {
+    wrc_patch one = wrc_patch_default();
+    if (wrc_contact_patch(contact, k, &one) < 0) break;
+    hash_loaded(output.normal, one.strips, one.ellipse, one.ellipse.normal_force,
+                {one.peak_pressure, one.area, one.length, one.width, one.y_min, one.y_max}, hash);
+    hash_forces(one.forces, hash);
   }
 }

@@ -41,25 +41,17 @@ class Running {
   const Job& job() const { return *job_; }
   wrc_contact* contact() const { return contact_; }
 
-  /// The structs a step reads and fills; they point into this object, which must stay where it is meanwhile.
+  /// The structs a step reads and fills; a gap is this object's, which must stay where it is meanwhile.
   void prepare(std::size_t k) {
     const Step& step = job_->steps[k];
-    point_ = made<wrc_contact_point>(wrc_contact_point_init);
-    patch_ = made<wrc_patch>(wrc_patch_init);
-    forces_ = made<wrc_forces>(wrc_forces_init);
-    damage_ = made<wrc_damage>(wrc_damage_init);
     if (step.gap != nullptr) gap_ = step.gap->view();
-    input = made<wrc_input>(wrc_input_init);
-    input.pose = step.gap == nullptr ? &step.pose : nullptr;
+    input = wrc_input_default();
+    input.pose = step.pose;
     input.gap = step.gap == nullptr ? nullptr : &gap_;
-    input.load = &step.load;
-    input.creepage = &step.creepage;
-    input.friction = &step.friction;
-    output = made<wrc_output>(wrc_output_init);
-    output.point = &point_;
-    output.patch = &patch_;
-    output.forces = &forces_;
-    output.damage = &damage_;
+    input.load = step.load;
+    input.creepage = step.creepage;
+    input.friction = step.friction;
+    output = wrc_output_default();
   }
 
   /// wrc_contact_step() in its stages: the first flag counts.
@@ -68,10 +60,10 @@ class Running {
     const auto keep = [&](int32_t next) {
       if (status == WRC_OK || next < 0) status = next;
     };
-    if (input.pose != nullptr) keep(wrc_contact_geometry(contact_, input.pose, &point_));
-    keep(wrc_contact_normal(contact_, input.gap, input.load, &patch_));
-    keep(wrc_contact_tangential(contact_, nullptr, input.creepage, input.friction, &forces_));
-    keep(wrc_contact_damage(contact_, &damage_));
+    if (input.gap == nullptr) keep(wrc_contact_geometry(contact_, &input.pose, &output.point));
+    keep(wrc_contact_normal(contact_, input.gap, &input.load, &output.normal));
+    keep(wrc_contact_tangential(contact_, nullptr, &input.creepage, &input.friction, &output.forces));
+    keep(wrc_contact_damage(contact_, &output.damage));
     return status;
   }
 
@@ -81,7 +73,7 @@ class Running {
       wrc_contact_last_error(contact_, text, sizeof text);
       throw std::runtime_error(job_->group + ", step " + std::to_string(k) + ": " + text);
     }
-    hash_step(contact_, status, point_, patch_, forces_, damage_, hash);
+    hash_step(contact_, status, output, hash);
   }
 
   Hash hash;
@@ -92,10 +84,6 @@ class Running {
   const Job* job_;
   wrc_contact* contact_ = nullptr;
   wrc_gap gap_{};
-  wrc_contact_point point_{};
-  wrc_patch patch_{};
-  wrc_forces forces_{};
-  wrc_damage damage_{};
 };
 
 void run_batches(std::vector<Running>& all) {
@@ -117,7 +105,10 @@ void run_batches(std::vector<Running>& all) {
     std::vector<int32_t> statuses(going.size());
     wrc_contact_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(),
                            sizeof(wrc_input), outputs.data(), sizeof(wrc_output), statuses.data());
-    for (std::size_t i = 0; i < going.size(); ++i) going[i]->keep(k, statuses[i]);
+    for (std::size_t i = 0; i < going.size(); ++i) {
+      going[i]->output = outputs[i];
+      going[i]->keep(k, statuses[i]);
+    }
   }
 }
 

@@ -26,10 +26,11 @@ std::vector<Configuration> configurations() {
     rail_y.push_back(-0.03 + 0.0006 * i);
     rail_z.push_back(20.0 * rail_y.back() * rail_y.back());
   }
-  for (wrc_profile& profile : profiles) profile = made<wrc_profile>(wrc_profile_init);
+  for (wrc_profile& profile : profiles) profile = wrc_profile_default();
   profiles[0].kind = WRC_PROFILE_S1002;
   profiles[1].kind = WRC_PROFILE_60E1;
   for (int i : {2, 3}) {
+    profiles[i].kind = WRC_PROFILE_POINTS;
     profiles[i].count = 101;
     profiles[i].smoothing = 4e-3;
     profiles[i].y = i == 2 ? wheel_y.data() : rail_y.data();
@@ -37,14 +38,14 @@ std::vector<Configuration> configurations() {
   }
   std::vector<Configuration> all;
   for (int32_t normal : {WRC_NORMAL_STRIP_HALFSPACE, WRC_NORMAL_EKP}) {
-    wrc_config config = made<wrc_config>(wrc_config_init);
-    config.normal_method = normal;
+    wrc_config config = wrc_config_default();
+    config.normal.method = normal;
     all.push_back({"no profiles", config});
-    config.wheel = &profiles[0];
-    config.rail = &profiles[1];
+    config.wheel = profiles[0];
+    config.rail = profiles[1];
     all.push_back({"standard profiles", config});
-    config.wheel = &profiles[2];
-    config.rail = &profiles[3];
+    config.wheel = profiles[2];
+    config.rail = profiles[3];
     all.push_back({"points, smoothed", config});
   }
   return all;
@@ -89,7 +90,7 @@ Outcome fail_in_allocator(const wrc_config& config) {
   Outcome outcome;
   for (int n = 1;; ++n) {
     Counting counting{n, 0, 0};
-    wrc_allocator allocator = made<wrc_allocator>(wrc_allocator_init);
+    wrc_allocator allocator = wrc_allocator_default();
     allocator.user = &counting;
     allocator.allocate = Counting::allocate;
     allocator.release = Counting::release;
@@ -146,7 +147,7 @@ bool prove_failed_allocations() {
     const Outcome allocator = fail_in_allocator(config), heap = fail_in_malloc(config),
                   check = fail_in_check(config);
     wrong += allocator.wrong + heap.wrong + check.wrong;
-    std::printf("%-16s %-18s %10d %10d %14d  %s\n", normal_names[config.normal_method], name,
+    std::printf("%-16s %-18s %10d %10d %14d  %s\n", normal_names[config.normal.method], name,
                 allocator.failures, heap.failures, check.failures,
                 allocator.wrong + heap.wrong + check.wrong == 0 ? "reported, nothing leaked"
                                                                 : "WRONG STATUS OR LEAK");

@@ -30,11 +30,9 @@ const HostData host;
 int32_t step(Wheel& wheel) { return wheel.step(); }
 
 int32_t step_batch(Wheel& wheel) {
-  const wrc_input input = {sizeof input,   0, &wheel.pose, nullptr, &wheel.load, &wheel.creepage,
-                           &wheel.friction};
-  const wrc_output output = {sizeof output, 0, &wheel.point, &wheel.patch, &wheel.forces, &wheel.damage};
   int32_t status = 0;
-  return wrc_contact_step_batch(&wheel.contact, 1, &input, sizeof input, &output, sizeof output, &status);
+  return wrc_contact_step_batch(&wheel.contact, 1, &wheel.input, sizeof wheel.input, &wheel.output,
+                                sizeof wheel.output, &status);
 }
 
 int32_t step_flat(Wheel& wheel) {
@@ -46,54 +44,60 @@ int32_t step_flat(Wheel& wheel) {
 int32_t geometry(Wheel& wheel) { return wheel.geometry(); }
 
 int32_t creepages(Wheel& wheel) {
-  wrc_motion motion = made<wrc_motion>(wrc_motion_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
+  wrc_motion motion = wrc_motion_default();
+  wrc_creepage creepage = wrc_creepage_default();
   motion.speed = 40.0;
   motion.pitch_rate = -87.0;
   motion.yaw_rate = 0.02;
   return wrc_contact_creepages(wheel.contact, &motion, &creepage);
 }
 
-int32_t normal(Wheel& wheel) { return wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.patch); }
+int32_t normal(Wheel& wheel) {
+  return wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
+}
 
 int32_t normal_of_elements(Wheel& wheel) {
-  wrc_gap gap = made<wrc_gap>(wrc_gap_init);
+  wrc_gap gap = wrc_gap_default();
   gap.rows = HostData::rows;
   gap.columns = HostData::columns;
   gap.row_stride = HostData::columns;
   gap.y = host.y;
   gap.x = host.x;
   gap.h = host.h;
-  return wrc_contact_normal(wheel.contact, &gap, &wheel.load, &wheel.patch);
+  return wrc_contact_normal(wheel.contact, &gap, &wheel.load, &wheel.output.normal);
 }
 
-int32_t regularise(Wheel& wheel) { return wrc_contact_regularise(wheel.contact, nullptr, &wheel.patch); }
+int32_t regularise(Wheel& wheel) {
+  return wrc_contact_regularise(wheel.contact, nullptr, &wheel.output.normal);
+}
 
 int32_t tangential(Wheel& wheel) {
-  return wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.forces);
+  return wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+                                &wheel.output.forces);
 }
 
-int32_t damage_numbers(Wheel& wheel) { return wrc_contact_damage(wheel.contact, &wheel.damage); }
+int32_t damage_numbers(Wheel& wheel) { return wrc_contact_damage(wheel.contact, &wheel.output.damage); }
 
 int32_t wear_numbers(Wheel& wheel) {
-  wrc_wear wear = made<wrc_wear>(wrc_wear_init);
+  wrc_wear wear{};
   const int32_t status = wrc_contact_wear(wheel.contact, nullptr, &wear);
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 int32_t sensitivities(Wheel& wheel) {
-  wrc_sensitivity forces = made<wrc_sensitivity>(wrc_sensitivity_init);
+  wrc_sensitivity forces{};
   return wrc_contact_sensitivities(wheel.contact, &forces);
 }
 
 int32_t step_sensitivities(Wheel& wheel) {
-  wrc_step_sensitivity forces = made<wrc_step_sensitivity>(wrc_step_sensitivity_init);
+  wrc_step_sensitivity forces{};
   return wrc_contact_step_sensitivities(wheel.contact, &forces);
 }
 
 int32_t contact_patch(Wheel& wheel) {
-  const int32_t status = wrc_contact_patch(wheel.contact, 0, &wheel.patch, &wheel.forces);
-  const bool apart = wheel.damage.load_factor == 0.0;
+  wrc_patch patch = wrc_patch_default();
+  const int32_t status = wrc_contact_patch(wheel.contact, 0, &patch);
+  const bool apart = wheel.output.damage.load_factor == 0.0;
   return apart && status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
 }
 
@@ -102,7 +106,7 @@ int32_t contact_patch(Wheel& wheel) {
 int32_t field(Wheel& wheel) {
   int32_t of_gap = WRC_OK;
   for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     const int32_t status = wrc_contact_field(wheel.contact, 0, id, &view);
     if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE && status < 0) of_gap = status;
   }
@@ -121,24 +125,24 @@ int32_t contact_init(Wheel& wheel) {
 }
 
 int32_t regularise_strips(Wheel& wheel) {
-  wrc_strips strips = made<wrc_strips>(wrc_strips_init);
+  wrc_strips strips = wrc_strips_default();
   strips.count = HostData::strips;
   strips.y = host.strip_y;
   strips.width = host.width;
   strips.half_length = host.half;
   strips.peak = host.peak;
-  return wrc_contact_regularise(wheel.contact, &strips, &wheel.patch);
+  return wrc_contact_regularise(wheel.contact, &strips, &wheel.output.normal);
 }
 
 int32_t tangential_patch(Wheel& wheel) {
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  patch.a = 6e-3;
-  patch.b = 4e-3;
-  patch.psi = -0.3;
-  patch.normal_force = 80e3;
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  ellipse.a = 6e-3;
+  ellipse.b = 4e-3;
+  ellipse.psi = -0.3;
+  ellipse.normal_force = 80e3;
   wrc_friction friction = wheel.friction;
   friction.zone_frame = WRC_ZONES_CONTACT_FRAME;  // a patch of the host has no place on the rail
-  return wrc_contact_tangential(wheel.contact, &patch, &wheel.creepage, &friction, &wheel.forces);
+  return wrc_contact_tangential(wheel.contact, &ellipse, &wheel.creepage, &friction, &wheel.output.forces);
 }
 
 /// A wheel on a rail as far as the methods have one: a refusal for the methods is as it should be.
@@ -150,25 +154,19 @@ int32_t wheel_status(const Wheel& wheel, int32_t status) {
 
 /// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
 int32_t wheel_step(Wheel& wheel) {
-  wrc_wheel_state state = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_rail_state rail = made<wrc_rail_state>(wrc_rail_state_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
-  state.y = wheel.pose.lateral;
-  state.yaw = wheel.pose.yaw;
-  state.velocity[0] = 40.0;
-  state.angular_velocity[1] = -87.0;
-  rail.y_velocity = 0.01;
-  friction.coefficient = wheel.friction.coefficient;
-  input.wheel = &state;
-  input.rail = &rail;
-  input.friction = &friction;
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  input.wheel.y = wheel.pose.lateral;
+  input.wheel.yaw = wheel.pose.yaw;
+  input.wheel.velocity[0] = 40.0;
+  input.wheel.angular_velocity[1] = -87.0;
+  input.rail.y_velocity = 0.01;
+  input.friction.coefficient = wheel.friction.coefficient;
   if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = wheel.load.normal_force;
   } else {
-    state.z = wheel.load.approach;
+    input.wheel.z = wheel.load.approach;
     input.damping = 0.1;
   }
   const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
@@ -178,20 +176,19 @@ int32_t wheel_step(Wheel& wheel) {
 }
 
 int32_t wheel_sensitivities(Wheel& wheel) {
-  wrc_wheel_state state = made<wrc_wheel_state>(wrc_wheel_state_init);
-  wrc_wheel_input input = made<wrc_wheel_input>(wrc_wheel_input_init);
-  wrc_wrench wrench = made<wrc_wrench>(wrc_wrench_init);
-  wrc_wrench_sensitivities found = made<wrc_wrench_sensitivities>(wrc_wrench_sensitivities_init);
-  state.y = wheel.pose.lateral;
-  state.yaw = wheel.pose.yaw;
-  state.velocity[0] = 40.0;
-  state.angular_velocity[1] = -87.0;
-  input.wheel = &state;
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench_sensitivities found{};
+  input.wheel.y = wheel.pose.lateral;
+  input.wheel.yaw = wheel.pose.yaw;
+  input.wheel.velocity[0] = 40.0;
+  input.wheel.angular_velocity[1] = -87.0;
+  input.friction.coefficient = 0.0;
   if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = wheel.load.normal_force;
   } else {
-    state.z = wheel.load.approach;
+    input.wheel.z = wheel.load.approach;
     input.damping = 0.1;
   }
   return wheel_status(wheel, wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found));
@@ -208,7 +205,7 @@ int32_t wheel_step_flat(Wheel& wheel) {
 }
 
 int32_t wheel_region(Wheel& wheel) {
-  wrc_region region = made<wrc_region>(wrc_region_init);
+  wrc_region region = wrc_region_default();
   const int32_t status = wrc_contact_region(wheel.contact, 0, &region);
   return wheel_status(wheel, status == WRC_ERROR_RANGE ? WRC_OK : status);  // apart: there is none
 }
@@ -246,7 +243,7 @@ int32_t denormal_input(Wheel& wheel) {
 }
 
 int32_t model_profile(Wheel& wheel) {
-  wrc_view y = made<wrc_view>(wrc_view_init), z = made<wrc_view>(wrc_view_init);
+  wrc_view y{}, z = wrc_view{};
   double deviation = 0.0;
   return wrc_model_profile(wheel.model, wheel.methods.side, WRC_BODY_RAIL, &y, &z, &deviation);
 }
@@ -258,7 +255,7 @@ int32_t contact_sizes(Wheel& wheel) {
 }
 
 int32_t plain_numbers(Wheel&) {
-  wrc_coefficients coefficients = made<wrc_coefficients>(wrc_coefficients_init);
+  wrc_coefficients coefficients{};
   double load_factor = 0.0;
   int32_t worst = WRC_OK;
   for (double ratio : {1e-3, 0.3, 2.0, 1e3}) {
@@ -270,10 +267,10 @@ int32_t plain_numbers(Wheel&) {
 }
 
 int32_t defaults_and_names(Wheel&) {
-  made<wrc_profile>(wrc_profile_init);
-  made<wrc_config>(wrc_config_init);
-  made<wrc_wear_laws>(wrc_wear_laws_init);
-  made<wrc_allocator>(wrc_allocator_init);
+  wrc_profile_default();
+  wrc_config_default();
+  wrc_wear_laws_default();
+  wrc_allocator_default();
   wrc_version();
   wrc_abi_version();
   wrc_version_text(1);

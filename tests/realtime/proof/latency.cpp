@@ -138,17 +138,16 @@ class EightWheels : public Subject {
       const int position = std::abs((i + 25 * k) % 200 - 100) * (positions - 1) / 100;
       place(k, position);
       shown_[at] = shown(gaps_[at][static_cast<std::size_t>(position)]);
-      inputs_[at] = {sizeof(wrc_input), 0,           from_pose_ ? &wheel.pose : nullptr,
-                     &shown_[at],       &wheel.load, &wheel.creepage,
-                     &wheel.friction};
-      outputs_[at] = {sizeof(wrc_output), 0, nullptr, &wheel.patch, &wheel.forces, &wheel.damage};
+      inputs_[at] = wheel.input;
+      if (!from_pose_) inputs_[at].gap = &shown_[at];
+      outputs_[at] = wrc_output_default();
     }
   }
   void work() override {
     wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_input), outputs_.data(),
                            sizeof(wrc_output), nullptr);
     ++cycles_;
-    for (const auto& wheel : wheels_) patches_ += wheel->patch.patches;
+    for (const wrc_output& output : outputs_) patches_ += output.normal.patches;
   }
   void save() override {
     for (const auto& wheel : wheels_) wheel->save();

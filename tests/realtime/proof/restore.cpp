@@ -12,7 +12,7 @@ std::uint64_t hash_of_step(Wheel& wheel, int i) {
   wheel.vary(i);
   wheel.vary_laws(i);
   const int32_t status = wheel.step();
-  hash_step(wheel.contact, status, wheel.point, wheel.patch, wheel.forces, wheel.damage, hash);
+  hash_step(wheel.contact, status, wheel.output, hash);
   return hash.value();
 }
 

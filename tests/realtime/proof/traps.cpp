@@ -29,10 +29,10 @@ bool disturbs(Call&& call) {
 }
 
 void refuse_configuration() {
-  wrc_config config = made<wrc_config>(wrc_config_init);
+  wrc_config config = wrc_config_default();
   char text[256];
   for (double wrong : {std::numeric_limits<double>::signaling_NaN(), 1.0 / 3.0, 1e300}) {
-    config.shear_modulus = wrong;
+    config.material.shear_modulus = wrong;
     wrc_config_check(&config, text, sizeof text);
   }
 }

@@ -41,20 +41,17 @@ std::string names_of(const Methods& methods) {
 }
 
 Wheel::Wheel(const Methods& with) : methods(with) {
-  wrc_profile wheel = made<wrc_profile>(wrc_profile_init), rail = made<wrc_profile>(wrc_profile_init);
-  wheel.kind = WRC_PROFILE_S1002;
-  rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  wrc_config config = made<wrc_config>(wrc_config_init);
-  config.normal_method = methods.normal;
+  wrc_config config = wrc_config_default();
+  config.normal.method = methods.normal;
   choose_tangential(config, methods.tangential);
-  config.strips = methods.strips;
-  config.cells = methods.cells;
+  config.grid.strips = methods.strips;
+  config.grid.cells = methods.cells;
   config.instruction_set = methods.instruction_set;
-  config.traction_bound = methods.bound;
-  config.flexibility = methods.flexibility;
-  config.warm_start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
-  config.wheel = &wheel;
-  config.rail = &rail;
+  config.tangential.bound = methods.bound;
+  config.tangential.flexibility = methods.flexibility;
+  config.normal.warm_start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   std::uint64_t alignment = 0, state_bytes = 0;
   if (wrc_model_create(&config, nullptr, &model) < 0 ||
       wrc_contact_create(model, methods.side, nullptr, &contact) < 0 ||
@@ -98,24 +95,21 @@ void Wheel::vary_laws(int i) {
   load.approach_velocity = 4.0 * std::sin(0.023 * i);
 }
 
-int32_t Wheel::step() {
-  const wrc_input input = {sizeof input, 0, &pose, nullptr, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, &point, &patch, &forces, &damage};
-  return wrc_contact_step(contact, &input, &output);
-}
+int32_t Wheel::step() { return wrc_contact_step(contact, &input, &output); }
 
 int32_t Wheel::step_with(const Gap& gap) {
   const wrc_gap rows = shown(gap);
-  const wrc_input input = {sizeof input, 0, nullptr, &rows, &load, &creepage, &friction};
-  wrc_output output = {sizeof output, 0, nullptr, &patch, &forces, &damage};
-  return wrc_contact_step(contact, &input, &output);
+  input.gap = &rows;
+  const int32_t status = wrc_contact_step(contact, &input, &output);
+  input.gap = nullptr;
+  return status;
 }
 
 Gap Wheel::gap_of_pose() {
   Gap gap;
   geometry();
   const auto copy = [&](int32_t field) {
-    wrc_view view = made<wrc_view>(wrc_view_init);
+    wrc_view view{};
     wrc_contact_field(contact, 0, field, &view);
     return std::vector<double>(view.data, view.data + view.count[0]);
   };
@@ -127,7 +121,7 @@ Gap Wheel::gap_of_pose() {
 }
 
 wrc_gap shown(const Gap& gap) {
-  wrc_gap rows = made<wrc_gap>(wrc_gap_init);
+  wrc_gap rows = wrc_gap_default();
   rows.rows = static_cast<uint32_t>(gap.y.size());
   rows.y = gap.y.data();
   rows.height = gap.height.data();

@@ -51,7 +51,7 @@ class Wheel {
 
   int32_t step();                     ///< from the pose
   int32_t step_with(const Gap& gap);  ///< from a gap of the host
-  int32_t geometry() { return wrc_contact_geometry(contact, &pose, &point); }
+  int32_t geometry() { return wrc_contact_geometry(contact, &pose, &output.point); }
   Gap gap_of_pose();  ///< what the geometry left in the contact
   int32_t save() { return wrc_contact_save(contact, state.data(), state.size()); }
   int32_t restore() { return wrc_contact_restore(contact, state.data(), state.size()); }
@@ -59,14 +59,12 @@ class Wheel {
   const Methods methods;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  wrc_pose pose = made<wrc_pose>(wrc_pose_init);
-  wrc_load load = made<wrc_load>(wrc_load_init);
-  wrc_creepage creepage = made<wrc_creepage>(wrc_creepage_init);
-  wrc_friction friction = made<wrc_friction>(wrc_friction_init);
-  wrc_contact_point point = made<wrc_contact_point>(wrc_contact_point_init);
-  wrc_patch patch = made<wrc_patch>(wrc_patch_init);
-  wrc_forces forces = made<wrc_forces>(wrc_forces_init);
-  wrc_damage damage = made<wrc_damage>(wrc_damage_init);
+  wrc_input input = wrc_input_default();
+  wrc_pose& pose = input.pose;
+  wrc_load& load = input.load;
+  wrc_creepage& creepage = input.creepage;
+  wrc_friction& friction = input.friction;
+  wrc_output output = wrc_output_default();
   std::vector<char> state;          ///< room for a saved contact
   char* spare = nullptr;            ///< room for another contact, aligned as contacts are
   std::uint64_t contact_bytes = 0;  ///< of that room
