@@ -218,7 +218,7 @@ enum wrc_field_id {
   WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
   WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
                                     needs wrc_contact_wear */
-  WRC_FIELD_STRIP_FRICTION = 19  /**< strips: coefficient of friction the law gave [-] */
+  WRC_FIELD_STRIP_FRICTION = 19  /**< strips: coefficient of friction the law gave [-]; needs wrc_contact_tangential */
 };
 
 /* ------------------------------------------------------------------------------------------------------ structs */

@@ -1,11 +1,13 @@
 /// The stages, the step and the field views: arguments checked and translated, outputs zeroed on failure.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
+#include "contact/fields.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -297,59 +299,6 @@ std::int32_t step(wrc_contact* handle, const wrc_input* input, wrc_output* outpu
   });
 }
 
-/// Where a field lies and how long it is.
-struct Field {
-  const double* data = nullptr;          ///< nullptr: its stage has not been reached
-  std::int32_t cells = 0, elements = 0;  ///< cells == 0: one value per strip or row
-};
-
-/// Fields of the tangential stage and what is made of them; the strips and the gap come from the normal
-/// stage.
-bool needs_cells(std::int32_t id) {
-  return id <= WRC_FIELD_FATIGUE_INDEX || id == WRC_FIELD_STRIP_POWER || id == WRC_FIELD_STRIP_WEAR ||
-         id == WRC_FIELD_STRIP_FRICTION;
-}
-
-Field find_field(const Contact& contact, const Patch* patch, std::int32_t id) {
-  static constexpr Array cell_fields[] = {Array::cell_x,        Array::pressure,     Array::traction_x,
-                                          Array::traction_y,    Array::slip_x,       Array::slip_y,
-                                          Array::power_density, Array::fatigue_index};
-  static constexpr Array patch_fields[] = {Array::patch_y, Array::patch_width, Array::patch_centre,
-                                           Array::patch_half_length, Array::patch_peak};
-  static constexpr Array region_fields[] = {Array::region_y, Array::region_width, Array::region_centre,
-                                            Array::region_half_length, Array::region_peak};
-  static constexpr Array gap_fields[] = {Array::gap_y, Array::gap_height, Array::gap_centre,
-                                         Array::gap_curvature};
-
-  if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE) {
-    if (contact.gap_rows == 0) return {};
-    return {array(contact, gap_fields[id - WRC_FIELD_GAP_Y]), 0, contact.gap_rows};
-  }
-  if (patch == nullptr || !contact.touching) return {};
-  const bool rolled = contact.reached >= Stage::tangential && gives_fields(contact);
-  const bool assessed = contact.reached >= Stage::damage;
-  if (id == WRC_FIELD_STRIP_POWER) {
-    if (!assessed) return {};
-    return {array(contact, Array::strip_power) + patch->region_first, 0, patch->region_count};
-  }
-  if (id == WRC_FIELD_STRIP_FRICTION) {
-    if (!rolled) return {};
-    return {array(contact, Array::strip_friction) + patch->region_first, 0, patch->region_count};
-  }
-  if (id == WRC_FIELD_STRIP_WEAR) {
-    if (!contact.worn) return {};
-    return {array(contact, Array::strip_wear) + patch->region_first, 0, patch->region_count};
-  }
-  if (id >= WRC_FIELD_STRIP_Y) {
-    const std::int32_t k = id - WRC_FIELD_STRIP_Y;
-    if (rolled) return {array(contact, region_fields[k]) + patch->region_first, 0, patch->region_count};
-    return {array(contact, patch_fields[k]) + patch->first, 0, patch->count};
-  }
-  if (!rolled || (id >= WRC_FIELD_POWER_DENSITY && !assessed)) return {};
-  const std::int32_t cells = contact.model->options.sizes.cells;
-  return {array(contact, cell_fields[id]) + patch->region_first * cells, cells, patch->region_count};
-}
-
 }  // namespace
 }  // namespace wrc::abi
 
@@ -516,13 +465,13 @@ int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t fiel
   const Fault cleared = abi::clear(view);
   if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
   if (cleared.failed()) return cleared.status;
-  if (field < 0 || field > WRC_FIELD_STRIP_FRICTION) return WRC_ERROR_UNSUPPORTED;
+  if (field < 0 || field >= static_cast<int32_t>(std::size(wrc::field_rows))) return WRC_ERROR_UNSUPPORTED;
   const Contact& contact = *handle->contact;
-  if (!gives_fields(contact) && abi::needs_cells(field)) return WRC_ERROR_UNSUPPORTED;
-  const bool of_gap = field >= WRC_FIELD_GAP_Y && field <= WRC_FIELD_GAP_CURVATURE;
-  const bool of_patch = !of_gap && contact.patches > 0;
+  const wrc::FieldRow& row = wrc::field_rows[field];
+  if (!gives_fields(contact) && row.is_of_tractions()) return WRC_ERROR_UNSUPPORTED;
+  const bool of_patch = row.grid != wrc::FieldGrid::gap_rows && contact.patches > 0;
   if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
-  const abi::Field found = abi::find_field(contact, of_patch ? &contact.patch[patch] : nullptr, field);
+  const wrc::Field found = find_field(contact, of_patch ? &contact.patch[patch] : nullptr, row);
   if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
   wrc_view ours{};
   ours.data = found.data;

@@ -145,7 +145,7 @@ GapRows gap_rows(const Contact& contact) {
           array(contact, Array::gap_centre), array(contact, Array::gap_curvature)};
 }
 
-Strips all_strips(Contact& contact) { return strips_at(contact, Array::patch_y, contact.strips); }
+Strips all_strips(Contact& contact) { return strips_at(contact, Array::strip_y, contact.strips); }
 
 Strips patch_strips(Contact& contact, const Patch& patch) {
   return slice(all_strips(contact), patch.first, patch.first + patch.count);

@@ -1,5 +1,9 @@
 #include "contact/layout.hpp"
 
+#include <iterator>
+
+#include "contact/fields.hpp"
+
 namespace wrc {
 namespace {
 
@@ -11,14 +15,20 @@ std::size_t doubles(std::int64_t bytes) {
 /// Elements of an array.
 std::size_t length(Array which, const ArraySizes& sizes) {
   const auto strips = static_cast<std::size_t>(sizes.strips);
-  const auto cells = static_cast<std::size_t>(sizes.cells);
-  if (which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
   if (which == Array::normal_workspace) return doubles(sizes.normal_workspace_bytes);
   if (which == Array::tangential_workspace) return doubles(sizes.tangential_workspace_bytes);
   if (which == Array::surface_state) return doubles(sizes.surface_state_bytes);
   if (which == Array::surface_workspace) return doubles(sizes.surface_workspace_bytes);
-  if (which <= Array::region_peak || which >= Array::strip_power) return strips;
-  return strips * cells;
+  if (static_cast<std::size_t>(which) >= std::size(field_rows)) return strips;
+  switch (field_rows[static_cast<std::size_t>(which)].grid) {
+    case FieldGrid::gap_rows:
+      return static_cast<std::size_t>(sizes.gap_rows);
+    case FieldGrid::strips:
+      return strips;
+    case FieldGrid::cells:
+      return strips * static_cast<std::size_t>(sizes.cells);
+  }
+  return 0;
 }
 
 std::size_t rounded_up(std::size_t bytes) {

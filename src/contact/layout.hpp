@@ -12,34 +12,18 @@ namespace wrc {
 
 inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
 
-/// Every array a contact owns. `patch_` strips come from the normal problem; `region_` strips are those the
-/// tangential fields live on (the same values unless a variant replaces the patch by an ellipse).
+/// Every array a contact owns: first those that callers see as fields (fields.hpp), by their numbers. The
+/// strips strip_y .. strip_peak come from the normal problem; `region_` strips are those that rolled (the
+/// same values unless a variant replaces the patch by an ellipse).
 enum class Array : std::size_t {
-  gap_y,
-  gap_height,
-  gap_centre,
-  gap_curvature,
-  patch_y,
-  patch_width,
-  patch_centre,
-  patch_half_length,
-  patch_peak,
+#define WRC_FIELD_ROW(name, grid, stage) name,
+#include "contact/generated/fields.inc"
+#undef WRC_FIELD_ROW
   region_y,
   region_width,
   region_centre,
   region_half_length,
   region_peak,
-  cell_x,
-  pressure,
-  traction_x,
-  traction_y,
-  slip_x,
-  slip_y,
-  power_density,
-  fatigue_index,
-  strip_power,
-  strip_wear,
-  strip_friction,
   start_y,
   start_width,
   start_length_squared,

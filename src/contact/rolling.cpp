@@ -42,7 +42,7 @@ void mirror_region(Contact& contact, const Patch& patch) {
   for (std::int32_t j = 0; j < region.count; ++j) region.centre[j] = mirrored(region.centre[j], -1.0);
   if (!gives_fields(contact)) return;
   const std::int32_t cells = contact.model->options.sizes.cells * region.count;
-  for (const Array which : {Array::cell_x, Array::traction_x, Array::slip_x}) {
+  for (const Array which : {Array::x, Array::traction_x, Array::slip_x}) {
     double* const along_x = cell_block(contact, which, patch);
     for (std::int32_t i = 0; i < cells; ++i) along_x[i] = mirrored(along_x[i], -1.0);
   }
@@ -71,7 +71,7 @@ void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, dou
 /// x and normal pressure of every cell of a patch.
 void place_cells(Contact& contact, const Patch& patch) {
   const MarchGrid& grid = contact.model->march_grid;
-  grid.kernels->place_cells(region_strips(contact, patch), grid, cell_block(contact, Array::cell_x, patch),
+  grid.kernels->place_cells(region_strips(contact, patch), grid, cell_block(contact, Array::x, patch),
                             cell_block(contact, Array::pressure, patch));
 }
 

@@ -12,6 +12,7 @@ import sys
 
 import cpp
 import dlopen
+import fields
 import fortran
 import grammar
 import headers
@@ -26,6 +27,7 @@ def files(interface, table_order, root):
                  for struct in interface.structs.values()}
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
     made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
+    made |= fields.written(interface, MARK)
     made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
     return made
 
