@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "presets.hpp"
+#include "ranges.hpp"
 
 namespace hostile {
 namespace {
@@ -118,7 +119,7 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
-  if (choices.one_in(3)) made.profile.smoothing = choices.magnitude(1e-6, 0.05);
+  if (choices.one_in(3)) made.profile.smoothing = sized(choices, member<wrc_profile>("smoothing"), 1e-6);
   if (choices.one_in(100)) made.profile.smoothing = choices.poison();
 }
 
@@ -175,24 +176,31 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   if (choices.one_in(8)) config.tangential.patch_model = static_cast<std::int32_t>(choices.below(4));
   config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
   config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
-  config.grid.strips = count(4.0, finest);
-  config.grid.cells = count(4.0, finest);
-  config.grid.gap_rows = count(8.0, 8.0 * finest);
-  config.grid.max_patches = count(1.0, 16.0);
+  config.grid.strips = count(member<wrc_config>("grid.strips").low, finest);
+  config.grid.cells = count(member<wrc_config>("grid.cells").low, finest);
+  config.grid.gap_rows = count(member<wrc_config>("grid.gap_rows").low, 8.0 * finest);
+  config.grid.max_patches = static_cast<std::int32_t>(sized(choices, member<wrc_config>("grid.max_patches")));
   config.normal.warm_start = static_cast<std::int32_t>(choices.below(2));
-  if (choices.one_in(2)) config.normal.max_iterations = config.normal.max_sweeps = count(4.0, 1000.0);
-  if (choices.one_in(4)) config.material.shear_modulus = choices.magnitude(1e8, 1e12);
-  if (choices.one_in(4)) config.material.poisson = choices.between(0.0, 0.5);
-  if (choices.one_in(2)) config.normal.load_tolerance = choices.magnitude(1e-14, 1e-2);
-  if (choices.one_in(2)) config.grid.gap_limit = choices.magnitude(1e-5, 0.02);
-  if (choices.one_in(4)) config.material.shear_yield = choices.magnitude(1e6, 1e11);
-  if (choices.one_in(4)) config.wheelset.wheel_radius = choices.magnitude(0.1, 1.5);
+  if (choices.one_in(2))
+    config.normal.max_iterations = config.normal.max_sweeps =
+        static_cast<std::int32_t>(sized(choices, member<wrc_config>("normal.max_sweeps")));
+  if (choices.one_in(4))
+    config.material.shear_modulus = sized(choices, member<wrc_config>("material.shear_modulus"));
+  if (choices.one_in(4)) config.material.poisson = anywhere(choices, member<wrc_config>("material.poisson"));
+  if (choices.one_in(2))
+    config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
+  if (choices.one_in(2)) config.grid.gap_limit = sized(choices, member<wrc_config>("grid.gap_limit"));
+  if (choices.one_in(4))
+    config.material.shear_yield = sized(choices, member<wrc_config>("material.shear_yield"));
+  if (choices.one_in(4))
+    config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
   if (choices.one_in(8))
     config.wheelset.flange_back_distance = config.track.gauge - choices.between(0.0, 0.2);
-  if (choices.one_in(8)) config.track.gauge_depth = choices.magnitude(5e-3, 0.04);
+  if (choices.one_in(8)) config.track.gauge_depth = sized(choices, member<wrc_config>("track.gauge_depth"));
   if (choices.one_in(2)) config.track.rail_inclination = 0.025;
-  if (choices.one_in(8)) config.track.rail_inclination = choices.between(-0.2, 0.2);
+  if (choices.one_in(8))
+    config.track.rail_inclination = anywhere(choices, member<wrc_config>("track.rail_inclination"));
   // Canted twice is refused: seldom here.
   if (rail.kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.track.rail_inclination = 0.0;
   if (choices.one_in(3)) {  // those of a wheel on a rail in one call
@@ -201,7 +209,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   }
   if (choices.one_in(4)) {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
-    config.track.rail_origin = choices.one_in(2) ? 0.7605 : choices.between(0.2, 1.5);
+    config.track.rail_origin =
+        choices.one_in(2) ? 0.7605 : anywhere(choices, member<wrc_config>("track.rail_origin"));
   }
   if (!choices.one_in(8)) {
     config.wheel = wheel;
@@ -214,9 +223,9 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
 wrc_pose make_pose(Choices& choices) {
   wrc_pose pose = wrc_pose_default();
   const bool far = choices.one_in(4);
-  pose.lateral = far ? choices.between(-0.1, 0.1) : choices.between(-0.008, 0.008);
-  pose.roll = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
-  pose.yaw = choices.signed_magnitude(1e-9, 0.2);
+  pose.lateral = far ? anywhere(choices, member<wrc_pose>("lateral")) : choices.between(-0.008, 0.008);
+  pose.roll = far ? sized(choices, member<wrc_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  pose.yaw = sized(choices, member<wrc_pose>("yaw"), 1e-9);
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
   return pose;
@@ -230,16 +239,18 @@ void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
   const bool far = choices.one_in(4);
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
   wheel.angular_axes = static_cast<std::int32_t>(choices.below(2));
-  wheel.y = far ? choices.between(-0.2, 0.2) : choices.between(-0.01, 0.01);
-  wheel.z = far ? choices.between(-0.5, 0.2) : choices.between(-2e-3, 3e-3);
-  wheel.roll = choices.signed_magnitude(1e-9, far ? 0.5 : 0.01);
-  wheel.yaw = choices.signed_magnitude(1e-9, far ? 0.5 : 0.05);
-  wheel.velocity[0] = choices.signed_magnitude(1e-9, 200.0);
-  wheel.velocity[1] = choices.signed_magnitude(1e-9, 50.0);
-  wheel.velocity[2] = choices.signed_magnitude(1e-9, 50.0);
-  wheel.angular_velocity[0] = choices.signed_magnitude(1e-9, 200.0);
-  wheel.angular_velocity[1] = choices.signed_magnitude(1e-9, 2000.0);
-  wheel.angular_velocity[2] = choices.signed_magnitude(1e-9, 200.0);
+  wheel.y = far ? anywhere(choices, member<wrc_wheel_state>("y")) : choices.between(-0.01, 0.01);
+  wheel.z = far ? anywhere(choices, member<wrc_wheel_state>("z")) : choices.between(-2e-3, 3e-3);
+  wheel.roll =
+      far ? sized(choices, member<wrc_wheel_state>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.01);
+  wheel.yaw =
+      far ? sized(choices, member<wrc_wheel_state>("yaw"), 1e-9) : choices.signed_magnitude(1e-9, 0.05);
+  wheel.velocity[0] = sized(choices, member<wrc_wheel_state>("velocity[0]"), 1e-9);
+  wheel.velocity[1] = sized(choices, member<wrc_wheel_state>("velocity[1]"), 1e-9);
+  wheel.velocity[2] = sized(choices, member<wrc_wheel_state>("velocity[2]"), 1e-9);
+  wheel.angular_velocity[0] = sized(choices, member<wrc_wheel_state>("angular_velocity[0]"), 1e-9);
+  wheel.angular_velocity[1] = sized(choices, member<wrc_wheel_state>("angular_velocity[1]"), 1e-9);
+  wheel.angular_velocity[2] = sized(choices, member<wrc_wheel_state>("angular_velocity[2]"), 1e-9);
   if (choices.one_in(4)) {  // a turn by the pitch alone, as good as none
     const double sine = choices.between(-1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
     const double turn[9] = {cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine};
@@ -248,20 +259,21 @@ void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
     wheel.roll = wheel.yaw = 0.0;
     if (choices.one_in(8)) made.rotation[choices.below(9)] = choices.poison();
   }
-  rail.y = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
-  rail.z = choices.signed_magnitude(1e-9, far ? 0.2 : 0.005);
-  rail.roll = choices.signed_magnitude(1e-9, far ? 0.5 : 0.02);
-  rail.y_velocity = choices.signed_magnitude(1e-9, 50.0);
-  rail.z_velocity = choices.signed_magnitude(1e-9, 50.0);
-  rail.roll_velocity = choices.signed_magnitude(1e-9, 200.0);
-  friction.coefficient = choices.magnitude(1e-4, 2.0);
+  rail.y = far ? sized(choices, member<wrc_rail_state>("y"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  rail.z = far ? sized(choices, member<wrc_rail_state>("z"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  rail.roll =
+      far ? sized(choices, member<wrc_rail_state>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.02);
+  rail.y_velocity = sized(choices, member<wrc_rail_state>("y_velocity"), 1e-9);
+  rail.z_velocity = sized(choices, member<wrc_rail_state>("z_velocity"), 1e-9);
+  rail.roll_velocity = sized(choices, member<wrc_rail_state>("roll_velocity"), 1e-9);
+  friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(3)) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-    input.vertical_load = choices.magnitude(1e2, 1e6);
+    input.vertical_load = sized(choices, member<wrc_wheel_input>("vertical_load"));
   } else {
-    input.damping = choices.one_in(2) ? 0.0 : choices.magnitude(1e-9, 10.0);
+    input.damping = choices.one_in(2) ? 0.0 : sized(choices, member<wrc_wheel_input>("damping"), 1e-9);
   }
   double* const numbers[] = {&wheel.y,
                              &wheel.z,
@@ -280,14 +292,15 @@ wrc_load make_load(Choices& choices) {
   wrc_load load = wrc_load_default();
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
-    load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0) : choices.magnitude(1e-15, 0.01);
+    load.approach =
+        choices.one_in(8) ? choices.between(-1.0, 0.0) : sized(choices, member<wrc_load>("approach"), 1e-15);
   } else {
-    load.normal_force = choices.magnitude(1e2, 1e6);
+    load.normal_force = sized(choices, member<wrc_load>("normal_force"));
   }
   if (choices.one_in(40)) load.normal_force = load.approach = choices.poison();
   if (choices.one_in(3)) {
-    load.damping = choices.magnitude(1e-9, 10.0);
-    load.approach_velocity = choices.signed_magnitude(1e-9, 20.0);
+    load.damping = sized(choices, member<wrc_load>("damping"), 1e-9);
+    load.approach_velocity = sized(choices, member<wrc_load>("approach_velocity"), 1e-9);
     // Damped to next to nothing: 1 + 3/2 damping * velocity of the last digits.
     if (choices.one_in(4))
       load.approach_velocity = -2.0 / 3.0 / load.damping * (1.0 - choices.magnitude(1e-16, 1e-2));
@@ -300,12 +313,12 @@ wrc_load make_load(Choices& choices) {
 
 wrc_motion make_motion(Choices& choices) {
   wrc_motion motion = wrc_motion_default();
-  motion.speed = choices.signed_magnitude(1e-6, 200.0);
-  motion.lateral_velocity = choices.signed_magnitude(1e-9, 20.0);
-  motion.vertical_velocity = choices.signed_magnitude(1e-9, 20.0);
-  motion.roll_rate = choices.signed_magnitude(1e-9, 100.0);
-  motion.yaw_rate = choices.signed_magnitude(1e-9, 100.0);
-  motion.pitch_rate = choices.signed_magnitude(1e-9, 2000.0);
+  motion.speed = sized(choices, member<wrc_motion>("speed"), 1e-6);
+  motion.lateral_velocity = sized(choices, member<wrc_motion>("lateral_velocity"), 1e-9);
+  motion.vertical_velocity = sized(choices, member<wrc_motion>("vertical_velocity"), 1e-9);
+  motion.roll_rate = sized(choices, member<wrc_motion>("roll_rate"), 1e-9);
+  motion.yaw_rate = sized(choices, member<wrc_motion>("yaw_rate"), 1e-9);
+  motion.pitch_rate = sized(choices, member<wrc_motion>("pitch_rate"), 1e-9);
   if (choices.one_in(40)) motion.pitch_rate = choices.poison();
   return motion;
 }
@@ -327,8 +340,8 @@ wrc_creepage make_creepage(Choices& choices) {
   creepage.longitudinal = choices.signed_magnitude(1e-15, most);
   creepage.lateral = choices.signed_magnitude(1e-15, most);
   creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
-  creepage.speed = choices.signed_magnitude(1e-6, 200.0);
-  if (choices.one_in(8)) creepage.other_way = choices.between(0.0, 0.5);
+  creepage.speed = sized(choices, member<wrc_creepage>("speed"), 1e-6);
+  if (choices.one_in(8)) creepage.other_way = anywhere(choices, member<wrc_creepage>("other_way"));
   if (choices.one_in(40)) creepage.spin = choices.poison();
   return creepage;
 }
@@ -336,21 +349,24 @@ wrc_creepage make_creepage(Choices& choices) {
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
   friction = wrc_friction_default();
-  friction.coefficient = choices.one_in(40) ? choices.poison() : choices.magnitude(1e-4, 2.0);
+  friction.coefficient =
+      choices.one_in(40) ? choices.poison() : sized(choices, member<wrc_friction>("coefficient"));
   friction.kind = static_cast<std::int32_t>(choices.below(3));
   if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 3 : -1;
   // What neither the kind nor the method reads is refused: seldom here.
   const bool stray = choices.one_in(16);
   if (stray || friction.kind != WRC_FRICTION_CONSTANT)
-    friction.kinetic_ratio = choices.one_in(4) ? 0.0 : choices.magnitude(1e-12, 1.0);
+    friction.kinetic_ratio =
+        choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
   if (stray || friction.kind == WRC_FRICTION_FALLING)
-    friction.fall_rate = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+    friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
   if (stray || friction.kind == WRC_FRICTION_STATIC_KINETIC)
-    friction.half_speed = choices.magnitude(1e-6, 1e2);
-  if (choices.one_in(2)) friction.slope_reduction = choices.magnitude(1e-2, 1.0);
+    friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
+  if (choices.one_in(2)) friction.slope_reduction = sized(choices, member<wrc_friction>("slope_reduction"));
   if (stray || (tangential_method == WRC_TANGENTIAL_FASTSIM && choices.one_in(2))) {
-    friction.slope_limit = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1.0);
-    friction.slope_fall = choices.one_in(4) ? 0.0 : choices.magnitude(1e-6, 1e3);
+    friction.slope_limit =
+        choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_limit"), 1e-6);
+    friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_fall"), 1e-6);
   }
   if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
   if (!choices.one_in(2)) return;
@@ -378,10 +394,10 @@ double FrictionArrays::most() const {
 
 wrc_ellipse make_ellipse(Choices& choices) {
   wrc_ellipse ellipse = wrc_ellipse_default();
-  ellipse.a = choices.magnitude(1e-6, 0.1);
-  ellipse.b = choices.magnitude(1e-6, 0.1);
-  ellipse.psi = choices.signed_magnitude(1e-12, 0.95);
-  ellipse.normal_force = choices.magnitude(1e-3, 1e7);
+  ellipse.a = sized(choices, member<wrc_ellipse>("a"));
+  ellipse.b = sized(choices, member<wrc_ellipse>("b"));
+  ellipse.psi = sized(choices, member<wrc_ellipse>("psi"), 1e-12);
+  ellipse.normal_force = sized(choices, member<wrc_ellipse>("normal_force"));
   if (choices.one_in(40)) ellipse.a = choices.poison();
   return ellipse;
 }

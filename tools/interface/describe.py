@@ -28,6 +28,7 @@ def files(interface, table_order, root):
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
     made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
     made |= fields.written(interface, MARK)
+    made["docs/members.md"] = manual.members(interface, described, MARK)
     made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
     return made
 
