@@ -4,11 +4,12 @@
 ///   wrench_derivatives [POSES [SEED]] [--frictionless] [--list ERROR]
 ///
 /// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
-/// displaced, turned and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, creepages up to saturation. An
-/// error is over the largest entry of its row among the columns of the same unit (lengths, angles,
-/// velocities, angular velocities): that is less than the largest of the whole row. An entry whose
-/// differences to the two sides are not the same stands at a kink: a strip enters, a cell goes from stick to
-/// slip, a table's interval ends.
+/// displaced, turned and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
+/// standstill, creepages up to saturation, some with falling friction or a soft layer. An error is over the
+/// largest entry of its row among the columns of the same unit (lengths, angles, velocities, angular
+/// velocities): that is less than the largest of the whole row. An entry whose differences to the two sides
+/// are not the same stands at a kink: a strip enters, a cell goes from stick to slip, a table's interval
+/// ends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -126,7 +127,9 @@ int main(int argc, char** argv) {
     c.input.rail.y = between(-1e-3, 1e-3);
     c.input.rail.z = between(-1e-3, 1e-3);
     c.input.rail.roll = between(-5e-3, 5e-3);
-    const double speed = between(1.0, 80.0), slip = std::pow(10.0, between(-4.0, -2.0));
+    // one in ten near standstill, one in ten backwards
+    const double kind = between(0.0, 1.0), amount = kind < 0.1 ? between(0.0, 0.15) : between(1.0, 80.0);
+    const double speed = kind > 0.9 ? -amount : amount, slip = std::pow(10.0, between(-4.0, -2.0));
     c.input.wheel.velocity[0] = speed;
     c.input.wheel.velocity[1] = between(-slip, slip) * speed;
     c.input.wheel.velocity[2] = between(-0.1, 0.1);
@@ -138,6 +141,13 @@ int main(int argc, char** argv) {
     c.input.rail.roll_velocity = between(-0.01, 0.01);
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
+    if (random() % 4 == 0) {
+      c.input.friction.kind = WRC_FRICTION_FALLING;
+      c.input.friction.kinetic_ratio = 0.4;
+      c.input.friction.fall_rate = between(0.1, 1.0);
+    } else if (random() % 4 == 0) {
+      c.input.friction.slope_reduction = between(0.2, 1.0);
+    }
     if (frictionless) c.input.friction.coefficient = 0.0;
     // the height for a load, as if without friction: that always has an equilibrium
     wrc_wrench wrench = wrc_wrench_default();
@@ -172,8 +182,8 @@ int main(int argc, char** argv) {
       const double value = *number;
       const double h = unit_of[column] == length     ? 1e-9
                        : unit_of[column] == angle    ? 1e-9
-                       : unit_of[column] == velocity ? 1e-8 * speed
-                                                     : 2e-8 * speed;
+                       : unit_of[column] == velocity ? 1e-8 * std::max(0.1, std::fabs(speed))
+                                                     : 2e-8 * std::max(0.1, std::fabs(speed));
       double ends[3][rows];
       for (int end = 0; end < 3; ++end) {
         *number = value + (end - 1) * h;

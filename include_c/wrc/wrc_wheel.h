@@ -242,15 +242,14 @@ WRC_DEFAULT_SIZED(wrc_region)
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
 /** wrc_contact_wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the equations of
- * its solution, not by differences. For implicit integrators; it takes about twice as long as the wrench alone. Theory
+ * its solution, not by differences. For implicit integrators; it takes two to three times as long as the wrench alone. Theory
  * manual, section 9.
  * @param contact as for wrc_contact_wrench()
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] sensitivities the derivatives; NULL: not wanted
  * @return as wrc_contact_wrench(). Derivatives are zero without contact; with WRC_FLAG_BEYOND_GAP they are those where the
- * overlap is 2 mm deep; zero and WRC_FLAG_MORE_PATCHES with more than 160 strips in contact. WRC_ERROR_UNSUPPORTED with
- * friction, so far.
+ * overlap is 2 mm deep; zero and WRC_FLAG_MORE_PATCHES with more than 160 strips in contact.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
                                              wrc_wrench_sensitivities* sensitivities);

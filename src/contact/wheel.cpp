@@ -158,12 +158,6 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
             "wrc_contact_wrench needs a model of config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM"};
   }
 
-  if (slopes && !hosted.frictionless) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction",
-            .cause = "derivatives are those without friction so far: give NULL"};
-  }
-
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostedWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;

@@ -5,14 +5,6 @@
 
 namespace wrc {
 
-RollingReference rolling_reference(double rolling_speed) {
-  const double amount = std::fabs(rolling_speed);
-  if (amount >= floor_speed) return {amount, 0.0};
-  const double u = amount / floor_speed, u2 = u * u;
-  return {floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2)),
-          std::max(0.0, 0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0)};  // rounding
-}
-
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion) {
   const auto& r = wheel.attitude.r;
   // Angular velocity in track axes: yaw about z, roll about the first axis of the wheelset (roll does not

@@ -1,6 +1,7 @@
 /// Creepages at a contact point from the rigid motion of the wheelset.
 #pragma once
 
+#include "base/dual.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/silhouette.hpp"
 
@@ -46,11 +47,21 @@ inline constexpr double floor_speed = 0.1;
 ///     floor_speed (3 + 6 u^2 - u^4) / 8,
 /// and the share (1 - (15 u - 10 u^3 + 3 u^5) / 8) / 2: of V both are C2, also at the floor, above which they
 /// are |V| and 0.
-struct RollingReference {
-  double divisor = 0.0;    ///< [m/s]
-  double other_way = 0.0;  ///< 0..1/2
+template <class Number>
+struct RollingReferenceOf {
+  Number divisor = 0.0;    ///< [m/s]
+  Number other_way = 0.0;  ///< 0..1/2
 };
-RollingReference rolling_reference(double rolling_speed);
+using RollingReference = RollingReferenceOf<double>;
+
+template <class Number>
+RollingReferenceOf<Number> rolling_reference(const Number& rolling_speed) {
+  const Number amount = magnitude(rolling_speed);
+  if (value_of(amount) >= floor_speed) return {amount, 0.0};
+  const Number u = amount / floor_speed, u2 = u * u;
+  return {floor_speed * (0.375 + u2 * (0.75 - 0.125 * u2)),
+          larger(0.5 - u * (15.0 - u2 * (10.0 - 3.0 * u2)) / 16.0, Number(0.0))};  // rounding
+}
 
 /// Velocity of the wheel's material point at the contact, resolved in the contact frame and divided by the
 /// amount of the rolling speed V: the mean of the speeds at which rail and wheel material pass through the

@@ -25,6 +25,7 @@ struct MarchTask;
 struct StripFastsimTask;
 struct SurfaceMarchTask;
 struct SurfaceStripsTask;
+struct SurfaceStripsSlopesTask;
 struct Sums;
 struct SurfaceTables;
 struct SurfaceSources;
@@ -75,6 +76,7 @@ struct Kernels {
   void (*surface_march_fields)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
   void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
+  void (*surface_strips_slopes)(const simd::SurfaceStripsSlopesTask& task);
   /// factor_k J_k cos_k for each source, seen from the middle of a strip. `skewed`: not all centres are the
   /// same.
   void (*surface_influence_row)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,

@@ -15,6 +15,7 @@
 #include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
+#include "tangential/simd/surface_strips_slopes_kernel.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -39,6 +40,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_march_fields = march_kernel<Output::fields, SurfaceMarchTask>,
       .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
       .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
+      .surface_strips_slopes = surface_strips_slopes_kernel,
       .surface_influence_row = surface_influence_row,
       .surface_edge_displacement = surface_edge_displacement,
       .surface_influence_slopes = sloped::surface_influence_slopes,

@@ -9,30 +9,28 @@
 
 namespace wrc {
 
-/// One element per strip, in the caller's workspace.
-struct RollingArrays {
-  /// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
+/// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
+struct RollingMeans {
   enum Mean { slip, slender, edge, lateral, spin, friction, place, longitudinal, variance, means };
+};
 
-  double* load;          ///< [N]
-  double *link, *pivot;  ///< of the means' equations [N], [1/N]
-  std::array<double*, means> mean;
-  double *c11, *c22, *c23;  ///< as StripCoefficients
-  double* own;              ///< slip along x less what neighbours share (mean[slip]), by its gain [-]
+/// One element per strip, in the caller's workspace.
+template <class Number>
+struct RollingArraysOf : RollingMeans {
+  Number* load;          ///< [N]
+  Number *link, *pivot;  ///< of the means' equations [N], [1/N]
+  std::array<Number*, means> mean;
+  Number *c11, *c22, *c23;  ///< as StripCoefficients
+  Number* own;              ///< slip along x less what neighbours share (mean[slip]), by its gain [-]
   // for the kernels' tasks
-  double *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
+  Number *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
       *edge_y;
 
   static constexpr std::size_t count = 3 + means + 4 + 11;
 };
+using RollingArrays = RollingArraysOf<double>;
 
 inline constexpr double least_strip_length = 1e-9;  ///< [m]: shorter strips carry nothing
-
-/// Peak pressure over half length [Pa/m].
-inline double strip_level(const SurfaceRollingInput& in, std::int32_t j) {
-  constexpr double least_pressure = 1.0;  // [Pa]
-  return std::max(in.peak[j], least_pressure) / std::max(in.half_length[j], least_strip_length);
-}
 
 /// A kernel's task, as far as the tasks of both kernels are alike: the strips, their bounds and growths, and
 /// where the results go.

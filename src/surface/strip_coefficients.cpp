@@ -52,22 +52,4 @@ StripCoefficientTable::StripCoefficientTable(const KalkerTable& ellipse) : poiss
   }
 }
 
-StripCoefficients StripCoefficientTable::at(double m) const {
-  const double place = (m - low_) / step_, inside = std::clamp(place, 0.0, static_cast<double>(steps));
-  const double beyond = (place - inside) / (1.0 + std::abs(place - inside));
-  const int i = std::min(static_cast<int>(inside), steps - 1);
-  const double t = inside - i;
-  const auto& first = nodes_[static_cast<std::size_t>(i)];
-  const auto& second = nodes_[static_cast<std::size_t>(i) + 1];
-  std::array<double, quantities> product{};
-  for (std::size_t k = 0; k < quantities; ++k) {
-    const double rise = second[k].value - first[k].value, m0 = first[k].slope, m1 = second[k].slope;
-    const double c2 = 3.0 * rise - 2.0 * m0 - m1, c3 = m0 + m1 - 2.0 * rise;
-    product[k] = first[k].value + t * (m0 + t * (c2 + t * c3)) + beyond * (beyond < 0.0 ? m0 : m1);
-  }
-  const double inverse = 1.0 / m;
-  return {product[0] * inverse, product[1] * inverse, product[2] * inverse,
-          std::clamp(product[3], -1.0, 1.0)};
-}
-
 }  // namespace wrc

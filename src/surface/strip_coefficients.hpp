@@ -10,8 +10,10 @@
 /// with lambda.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "base/dual.hpp"
 #include "theory/kalker.hpp"
 
 namespace wrc {
@@ -20,11 +22,13 @@ namespace wrc {
 /// dt.
 double hertz_level(double ratio);
 
-struct StripCoefficients {
-  double c11 = 0.0, c22 = 0.0;  ///< Kalker's C11, C22 [-]
-  double c23 = 0.0;             ///< Kalker's C23 sqrt(b/a) [-]
-  double slenderness = 0.0;     ///< (a - b) / (a + b)
+template <class Number>
+struct StripCoefficientsOf {
+  Number c11 = 0.0, c22 = 0.0;  ///< Kalker's C11, C22 [-]
+  Number c23 = 0.0;             ///< Kalker's C23 sqrt(b/a) [-]
+  Number slenderness = 0.0;     ///< (a - b) / (a + b)
 };
+using StripCoefficients = StripCoefficientsOf<double>;
 
 /// The coefficients over m for one Poisson ratio, C1 in m.
 ///
@@ -35,7 +39,26 @@ class StripCoefficientTable {
   StripCoefficientTable() = default;
   explicit StripCoefficientTable(const KalkerTable& ellipse);
 
-  StripCoefficients at(double m) const;
+  template <class Number>
+  StripCoefficientsOf<Number> at(const Number& m) const {
+    const Number place = (m - low_) / step_;
+    const Number inside = smaller(larger(place, Number(0.0)), Number(static_cast<double>(steps)));
+    const Number beyond = (place - inside) / (1.0 + magnitude(place - inside));
+    const int i = std::min(static_cast<int>(value_of(inside)), steps - 1);
+    const Number t = inside - static_cast<double>(i);
+    const auto& first = nodes_[static_cast<std::size_t>(i)];
+    const auto& second = nodes_[static_cast<std::size_t>(i) + 1];
+    std::array<Number, quantities> product{};
+    for (std::size_t k = 0; k < quantities; ++k) {
+      const double rise = second[k].value - first[k].value, m0 = first[k].slope, m1 = second[k].slope;
+      const double c2 = 3.0 * rise - 2.0 * m0 - m1, c3 = m0 + m1 - 2.0 * rise;
+      product[k] =
+          first[k].value + t * (m0 + t * (c2 + t * c3)) + beyond * (value_of(beyond) < 0.0 ? m0 : m1);
+    }
+    const Number inverse = Number(1.0) / m;
+    return {product[0] * inverse, product[1] * inverse, product[2] * inverse,
+            smaller(larger(product[3], Number(-1.0)), Number(1.0))};
+  }
   double poisson() const { return poisson_; }
 
  private:

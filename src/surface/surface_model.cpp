@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/elementary.hpp"
+#include "base/number.hpp"
 
 namespace wrc {
 namespace {
@@ -56,6 +57,12 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->grid = bodies.grid;
   made = model;
   return {};
+}
+
+double friction_at_rest(const SurfaceModel& model, const FrictionLaw& law, std::int32_t j) {
+  if (law.zones.count == 0) return law.coefficient;
+  const double half = 0.5 * model.rail.width[j] * magnitude(model.rail.ty[j]) + 1e-9;
+  return mean_friction(law.zones, model.rail.y[j] - half, model.rail.y[j] + half);
 }
 
 double strip_angle(const SurfaceModel& model, std::int32_t strip) {

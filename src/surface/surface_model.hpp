@@ -72,6 +72,9 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
                           void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr) noexcept;
 
+/// The law's coefficient over a strip's width on the rail, at rest.
+double friction_at_rest(const SurfaceModel& model, const FrictionLaw& law, std::int32_t strip);
+
 /// Angle of a strip about x, from track z to its normal, with the rail undisplaced [rad].
 double strip_angle(const SurfaceModel& model, std::int32_t strip);
 

@@ -45,18 +45,19 @@ enum class SurfaceRollingMethod {
 };
 
 /// Strips in contact, by increasing place; one element per strip in arrays of the caller. A strip without
-/// half length or peak carries nothing.
-struct SurfaceRollingInput {
+/// half length or peak carries nothing. Number is double, or one that carries derivatives.
+template <class Number>
+struct SurfaceRollingInputOf {
   std::int32_t count = 0;
   const double* place = nullptr;        ///< arc length of the strip's middle [m]
   const double* width = nullptr;        ///< [m]
-  const double* half_length = nullptr;  ///< [m]
-  const double* peak = nullptr;         ///< pressure at the strip's middle [Pa]
-  const double* curvature = nullptr;    ///< of the undeformed gap along x [1/m], > 0
-  const double* slip_x = nullptr;       ///< rigid slip of the wheel over the rail at the strip's middle, over
-  const double* slip_y = nullptr;       ///< the rolling speed, in the strip's own axes [-]
-  const double* spin = nullptr;         ///< rotation about the strip's normal over the rolling speed [1/m]
-  const double* friction = nullptr;     ///< coefficient of every strip [-], >= 0
+  const Number* half_length = nullptr;  ///< [m]
+  const Number* peak = nullptr;         ///< pressure at the strip's middle [Pa]
+  const Number* curvature = nullptr;    ///< of the undeformed gap along x [1/m], > 0
+  const Number* slip_x = nullptr;       ///< rigid slip of the wheel over the rail at the strip's middle, over
+  const Number* slip_y = nullptr;       ///< the rolling speed, in the strip's own axes [-]
+  const Number* spin = nullptr;         ///< rotation about the strip's normal over the rolling speed [1/m]
+  const Number* friction = nullptr;     ///< coefficient of every strip [-], >= 0
   double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
   const StripCoefficientTable* coefficients = nullptr;  ///< of the bodies' Poisson ratio
@@ -64,6 +65,7 @@ struct SurfaceRollingInput {
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
   const SurfaceCalibration* calibration = &fitted_surface_calibration;
 };
+using SurfaceRollingInput = SurfaceRollingInputOf<double>;
 
 /// Results, arrays of the caller: forces on the wheel in each strip's axes (x, and y along the surface),
 /// moment about the strip's normal through its middle.

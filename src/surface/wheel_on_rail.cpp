@@ -124,11 +124,7 @@ void into_track(const Seen& s, double (&v)[3]) {
 void find_friction(const SurfaceModel& model, const FrictionLaw& law, double speed, std::int32_t count,
                    Work& w) {
   for (std::int32_t k = 0; k < count; ++k) {
-    const std::int32_t j = w.overlaps.strip[w.candidate[k]];
-    const double half = 0.5 * model.rail.width[j] * magnitude(model.rail.ty[j]) + 1e-9;
-    const double at_rest = law.zones.count > 0
-                               ? mean_friction(law.zones, model.rail.y[j] - half, model.rail.y[j] + half)
-                               : law.coefficient;
+    const double at_rest = friction_at_rest(model, law, w.overlaps.strip[w.candidate[k]]);
     const double turning = w.spin[k] * w.half_length[k];
     const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
     w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));

@@ -1,10 +1,15 @@
 #include "surface/wrench_slopes.hpp"
 
+#include <cmath>
+
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
+#include "kernels/kernels.hpp"
 #include "surface/normal_slopes.hpp"
+#include "surface/strip_numbers.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wheel_work.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -17,17 +22,26 @@ Number seen_number(const PlaceDual& a) {
   return n;
 }
 
-/// A strip in contact.
-struct StripSlopes {
-  Number centre, ny, nz, wy, wz;
-  Number normal;  ///< load [N]
-  Number fx, fy, mz;
+/// Numbers of the strips that carry load; one element per strip.
+struct LoadedStrips {
+  std::int32_t count = 0;
+  std::int32_t* pressed;  ///< number among the strips in contact
+  double *place, *width;
+  Number *normal, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
+  Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
 };
 
 struct Scratch {
   PressedStrips pressed;
   double* normal;
+  // over the memory of that, which is done with by then:
+  LoadedStrips loaded;
+  Number* numbers;  ///< of strip_numbers.hpp
+  double* values;   ///< for the kernel: its numbers without derivatives
+  double* slopes;   ///< from the kernel
 };
+
+constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   double* at = memory;
@@ -36,17 +50,157 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
     at += n;
     return here;
   };
-  const auto numbers = [&](std::int64_t each) {
-    return reinterpret_cast<PlaceDual*>(
-        take(most * each * static_cast<std::int64_t>(sizeof(PlaceDual) / sizeof(double))));
+  const auto numbers = [&]<class Each>(Each*& array, std::int64_t each) {
+    static_assert(sizeof(Each) % sizeof(double) == 0);
+    array =
+        reinterpret_cast<Each*>(take(most * each * static_cast<std::int64_t>(sizeof(Each) / sizeof(double))));
   };
   PressedStrips& p = w.pressed;
   for (double** a : {&p.place, &p.width, &p.strength, &p.length_squared, &p.centre}) *a = take(most);
-  for (PlaceDual** a : {&p.changed_strength, &p.changed_length_squared, &p.changed_centre}) *a = numbers(1);
-  static_assert(sizeof(OverlapSlopes) == 7 * sizeof(PlaceDual));
-  p.overlap = reinterpret_cast<OverlapSlopes*>(numbers(7));
+  for (PlaceDual** a : {&p.changed_strength, &p.changed_length_squared, &p.changed_centre}) numbers(*a, 1);
+  numbers(p.overlap, 1);
+  double* const shared = at;
   w.normal = take(normal_slopes_doubles(most));
-  return at - memory;
+  double* const end = at;
+  at = shared;
+  LoadedStrips& s = w.loaded;
+  s.pressed = reinterpret_cast<std::int32_t*>(take((most + 1) / 2));
+  s.place = take(most);
+  s.width = take(most);
+  for (Number** a : {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
+                     &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz})
+    numbers(*a, 1);
+  numbers(w.numbers, RollingArraysOf<Number>::count);
+  w.values = take(most * kernel_numbers);
+  w.slopes = take(most * 3 * simd::strip_inputs);
+  return std::max(at, end) - memory;
+}
+
+/// Coefficients of the law at the strips' sliding speeds: find_friction() of wheel_on_rail.cpp.
+void find_friction(const SurfaceModel& model, const FrictionLaw& law, const Number& speed,
+                   const WheelWork& work, const LoadedStrips& s) {
+  for (std::int32_t k = 0; k < s.count; ++k) {
+    const double at_rest = friction_at_rest(model, law, work.overlaps.strip[work.candidate[k]]);
+    const Number turning = s.spin[k] * s.half_length[k];
+    const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
+    const Number sliding = speed * root(slip2);
+    s.friction[k] =
+        at_rest * sliding.chain(friction_fall(law, sliding.value), friction_fall_slope(law, sliding.value));
+  }
+}
+
+/// Tractions of the strips: from what the kernel is told and how its results change with each number of that.
+void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, const Scratch& w, Number* fx,
+          Number* fy, Number* mz) {
+  const LoadedStrips& s = w.loaded;
+  const std::int32_t n = s.count;
+  const auto mirror = [n](Number* a) {
+    for (std::int32_t k = 0; k < n; ++k) a[k] = -a[k];
+  };
+  SurfaceRollingInputOf<Number> rolls;
+  rolls.count = n;
+  rolls.place = s.place;
+  rolls.width = s.width;
+  rolls.half_length = s.half_length;
+  rolls.peak = s.peak;
+  rolls.curvature = s.curvature;
+  rolls.slip_x = s.slip_x;
+  rolls.slip_y = s.slip_y;
+  rolls.spin = s.spin;
+  rolls.friction = s.friction;
+  rolls.normal_shear_modulus = model.material.shear_modulus;
+  rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
+  rolls.coefficients = &model.coefficients;
+  rolls.grid = model.grid;
+  if (backwards) {
+    mirror(s.slip_x);
+    mirror(s.spin);
+  }
+  const RollingArraysOf<Number> a = strip_numbers::arrays(w.numbers, n);
+  strip_numbers::link(rolls, a);
+  strip_numbers::linear_theory(rolls, a);
+  strip_numbers::fill_arrays(rolls, a);
+
+  // What the kernel is told, by SurfaceStripInput: but for the spin, which it multiplies by the half length.
+  const Number* const told[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,
+                                                  s.spin,     a.elastic,  a.turn_x,    a.turn_y};
+  double* value = w.values;
+  const auto values_of = [&](const Number* numbers) {
+    double* const values = value;
+    for (std::int32_t k = 0; k < n; ++k) values[k] = numbers[k].value;
+    value += n;
+    return values;
+  };
+  const auto room = [&] {
+    double* const here = value;
+    value += n;
+    return here;
+  };
+  simd::SurfaceStripsSlopesTask task{};
+  task.strips = n;
+  task.cells = model.grid->cells;
+  task.shape = &model.grid->elliptic;
+  task.inverse_weight = model.grid->inverse_weight;
+  task.width = s.width;
+  task.half_length = values_of(s.half_length);
+  task.bound = values_of(a.bound);
+  task.growth_x = values_of(told[simd::strip_growth_x]);
+  task.growth_y = values_of(told[simd::strip_growth_y]);
+  task.curvature = values_of(told[simd::strip_curvature]);
+  task.slip_x = values_of(told[simd::strip_slip_x]);
+  task.slip_y = values_of(told[simd::strip_slip_y]);
+  task.spin = values_of(told[simd::strip_spin]);
+  task.elastic = values_of(told[simd::strip_elastic]);
+  task.turn_x = values_of(told[simd::strip_turn_x]);
+  task.turn_y = values_of(told[simd::strip_turn_y]);
+  task.fx = room();
+  task.fy = room();
+  task.mz = room();
+  task.slopes = w.slopes;
+  model.grid->kernels->surface_strips_slopes(task);
+
+  for (std::int32_t k = 0; k < n; ++k) {
+    const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};
+    Number* const forces[3] = {&fx[k], &fy[k], &mz[k]};
+    const Number turned = s.spin[k] * s.half_length[k];
+    // Forces go with bound and half length, the moment with its square.
+    const double per_bound = a.bound[k].value > 0.0 ? 1.0 / a.bound[k].value : 0.0;
+    const double per_length = 1.0 / s.half_length[k].value;
+    for (int r = 0; r < 3; ++r) {
+      Number& f = *forces[r];
+      f = found[r];
+      const auto add = [&](double slope, const Number& x) {
+        for (std::size_t d = 0; d < seen_inputs; ++d) f.d[d] += slope * x.d[d];
+      };
+      add(found[r] * per_bound, a.bound[k]);
+      add((r == 2 ? 2.0 : 1.0) * found[r] * per_length, s.half_length[k]);
+      for (std::int32_t input = 0; input < simd::strip_inputs; ++input)
+        add(w.slopes[(3 * input + r) * n + k], input == simd::strip_spin ? turned : told[input][k]);
+    }
+  }
+  if (backwards)
+    for (Number* numbers : {s.slip_x, s.spin, fx, mz}) mirror(numbers);
+}
+
+/// Makes slips of the strips' velocities and finds their tractions: roll_strips() of wheel_on_rail.cpp.
+void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
+                 const Number& rolling_speed, const Scratch& w) {
+  const LoadedStrips& s = w.loaded;
+  const RollingReferenceOf<Number> reference = rolling_reference(rolling_speed);
+  const Number per_speed = Number(1.0) / reference.divisor;
+  for (std::int32_t k = 0; k < s.count; ++k)
+    for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
+  if (in.law) find_friction(model, *in.law, reference.divisor, work, s);
+  const bool backwards = rolling_speed.value < 0.0;
+  roll(model, in, backwards, w, s.fx, s.fy, s.mz);
+  const Number& other = reference.other_way;
+  if (!(other.value > 0.0)) return;
+  roll(model, in, !backwards, w, s.other_fx, s.other_fy, s.other_mz);
+  for (std::int32_t k = 0; k < s.count; ++k) {
+    s.fx[k] += other * (s.other_fx[k] - s.fx[k]);
+    s.fy[k] += other * (s.other_fy[k] - s.fy[k]);
+    s.mz[k] += other * (s.other_mz[k] - s.mz[k]);
+  }
 }
 
 }  // namespace
@@ -94,21 +248,52 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     velocity[i] = Number::input(seen.velocity[i], seen_velocity + i);
     turning[i] = Number::input(seen.angular_velocity[i], seen_turning + i);
   }
+  LoadedStrips& loaded = w.loaded;
+  loaded.count = 0;
+  Number load = 0.0, sliding = 0.0;
   for (std::int32_t k = 0; k < s.count; ++k) {
     const OverlapSlopes& overlap = s.overlap[k];
     const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
+    const Number vx = velocity[0] + turning[1] * z - turning[2] * y;
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
     const Number vz = velocity[2] + turning[0] * y - turning[1] * x;
     const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * (vy * ny + vz * nz));
-    const Number N = (0.5 * pi * s.width[k]) * (damped * seen_number(s.changed_strength[k]));
+    const Number strength = damped * seen_number(s.changed_strength[k]);
+    const Number N = (0.5 * pi * s.width[k]) * strength;
     if (!(N.value > 0.0)) continue;
-    const Number fy = -(N * ny), fz = -(N * nz);
+    const std::int32_t i = loaded.count++;
+    loaded.pressed[i] = k;
+    loaded.place[i] = s.place[k];
+    loaded.width[i] = s.width[k];
+    loaded.normal[i] = N;
+    loaded.half_length[i] = root(seen_number(s.changed_length_squared[k]));
+    loaded.peak[i] = strength / loaded.half_length[i];
+    loaded.curvature[i] = seen_number(overlap.curvature);
+    loaded.slip_x[i] = vx;
+    loaded.slip_y[i] = vy * nz - vz * ny;
+    loaded.spin[i] = turning[1] * ny + turning[2] * nz;
+    loaded.friction[i] = in.friction;
+    loaded.fx[i] = loaded.fy[i] = loaded.mz[i] = 0.0;
+    load += N;
+    sliding += N * vx;
+  }
+  if (loaded.count == 0) return {};
+  if (in.friction > 0.0) roll_strips(model, in, work, velocity[0] - 0.5 * (sliding / load), w);
+
+  for (std::int32_t i = 0; i < loaded.count; ++i) {
+    const std::int32_t k = loaded.pressed[i];
+    const OverlapSlopes& overlap = s.overlap[k];
+    const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
+                 z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
+    const Number &N = loaded.normal[i], &fx = loaded.fx[i], &mz = loaded.mz[i];
+    const Number fy = loaded.fy[i] * nz - N * ny, fz = -(loaded.fy[i] * ny) - N * nz;
+    out.force[0] += fx;
     out.force[1] += fy;
     out.force[2] += fz;
     out.moment[0] += y * fz - z * fy;
-    out.moment[1] += -(x * fz);
-    out.moment[2] += x * fy;
+    out.moment[1] += z * fx - x * fz + mz * ny;
+    out.moment[2] += x * fy - y * fx + mz * nz;
   }
   return {};
 }

@@ -33,6 +33,21 @@ double friction_fall(const FrictionLaw& law, double sliding_speed) {
   return 1.0;
 }
 
+double friction_fall_slope(const FrictionLaw& law, double sliding_speed) {
+  const double A = law.kinetic_ratio;
+  switch (law.fall) {
+    case FrictionLaw::Fall::none:
+      break;
+    case FrictionLaw::Fall::exponential:
+      return -law.fall_rate * (friction_fall(law, sliding_speed) - A);
+    case FrictionLaw::Fall::hyperbolic: {
+      const double falls = 1.0 + sliding_speed / law.half_speed;
+      return -(1.0 - A) / (law.half_speed * falls * falls);
+    }
+  }
+  return 0.0;
+}
+
 double mean_friction(const FrictionZones& zones, double from, double to) {
   const double* y = zones.y;
   const double* c = zones.coefficient;

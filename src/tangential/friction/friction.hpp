@@ -54,6 +54,9 @@ struct FrictionLaw {
 /// f(w), 0 to 1; w >= 0 [m/s].
 double friction_fall(const FrictionLaw& law, double sliding_speed);
 
+/// f'(w) [s/m].
+double friction_fall_slope(const FrictionLaw& law, double sliding_speed);
+
 /// Mean of the coefficient between `from` and `to` > from [m].
 double mean_friction(const FrictionZones& zones, double from, double to);
 

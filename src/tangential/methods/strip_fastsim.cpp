@@ -198,11 +198,6 @@ Creepage away_from_rest(const RollingContact& contact) {
 
 }  // namespace
 
-double neutral_line(double u, double poisson, double shape_number) {
-  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
-         0.077 * shape_number * shape_number;
-}
-
 TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                                TangentialSensitivities* sensitivities) {
   return calibrated_strip_fastsim(contact, fields, fault, sensitivities, fitted_calibration);

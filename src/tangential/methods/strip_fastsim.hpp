@@ -59,6 +59,10 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
 /// chi, the neutral line of spin in linear theory over psi b: with it and C13 the model has the C33 of an
 /// SDEC. u = (a - b) / (a + b). Fitted to the coefficients of tools/linear_theory/linear_theory.hpp for a/b
 /// 0.2 to 5, Poisson ratios 0.25 and 0.3, |psi| <= 0.7, within 0.018 (tools/calibration/neutral_line.cpp).
-double neutral_line(double u, double poisson, double shape_number);
+template <class Number>
+Number neutral_line(const Number& u, double poisson, double shape_number) {
+  return 0.164 + 0.284 * u + 0.140 * u * u - (0.627 + 0.500 * u) * (poisson - 0.27) -
+         0.077 * shape_number * shape_number;
+}
 
 }  // namespace wrc

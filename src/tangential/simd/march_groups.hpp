@@ -10,7 +10,8 @@ namespace wrc::simd {
 namespace {
 
 /// A cell of a group in which strips move. entering: some may still be in their first stick zones.
-template <bool entering, Output output, class Task, class Cell, class Marching, class Derivative>
+template <bool entering, Output output, class Task, class Cell, class Marching, class Derivative,
+          std::int32_t inputs>
 WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m, Derivative (&derivative)[inputs]) {
   const Mask moves = m.group.stick_cells <= Pack(cell.index);
   auto moved = begin_step<entering>(m.group, cell, moves, m.state);
@@ -19,7 +20,7 @@ WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m, Derivativ
 }
 
 /// A cell of two groups all of whose strips move.
-template <Output output, class Task, class Cell, class Marching, class Derivative>
+template <Output output, class Task, class Cell, class Marching, class Derivative, std::int32_t inputs>
 WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_flight],
                            Derivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
@@ -31,19 +32,20 @@ WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_
 }
 
 /// Takes all strips of a task over their cells. March has what is particular to a kernel: Marching, a group
-/// on its way; prepare() a group and its derivatives; cell() number i; stay(), a cell in the first stick
-/// zones of all strips of a group, where March::stays, otherwise such cells are left out; finish(), a group's
-/// part of the results. The number of the first cell in which some strip moves.
+/// on its way, in_flight of them at a time; prepare() a group and its derivatives; cell() number i; stay(), a
+/// cell in the first stick zones of all strips of a group, where March::stays, otherwise such cells are left
+/// out; finish(), a group's part of the results. The number of the first cell in which some strip moves.
 template <Output output, class March, class Task>
 WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
+  constexpr std::int32_t together = March::in_flight;
   std::int32_t first_to_move = task.cells;
-  for (std::int32_t first = 0; first < task.strips; first += in_flight * lanes) {
-    typename March::Marching marching[in_flight];
-    typename March::Derivative derivative[in_flight][inputs];  // not touched without sensitivities
+  for (std::int32_t first = 0; first < task.strips; first += together * lanes) {
+    typename March::Marching marching[together];
+    typename March::Derivative derivative[together][March::inputs];  // not touched without sensitivities
     std::int32_t groups = 0;
     std::int32_t start = task.cells;  // no strip moves before
     std::int32_t both_move = 0;       // cells from this one on are those of move_both()
-    for (std::int32_t at = first; at < task.strips && groups < in_flight; at += lanes, ++groups) {
+    for (std::int32_t at = first; at < task.strips && groups < together; at += lanes, ++groups) {
       typename March::Marching& m = marching[groups];
       march.prepare(at, task.strips - at < lanes ? task.strips - at : lanes, m, derivative[groups]);
       start = m.group.all_stick < start ? m.group.all_stick : start;
@@ -52,9 +54,11 @@ WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
     first_to_move = start < first_to_move ? start : first_to_move;
     for (std::int32_t i = March::stays ? 0 : start; i < task.cells; ++i) {
       const auto cell = march.cell(i);
-      if (groups == in_flight && i >= both_move) {
-        move_both<output>(task, cell, marching, derivative);
-        continue;
+      if constexpr (together == 2) {
+        if (groups == together && i >= both_move) {
+          move_both<output>(task, cell, marching, derivative);
+          continue;
+        }
       }
       for (std::int32_t k = 0; k < groups; ++k) {
         typename March::Marching& m = marching[k];

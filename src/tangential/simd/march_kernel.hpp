@@ -445,6 +445,7 @@ template <Output output, class Task>
 struct March {
   using Marching = simd::Marching;
   using Derivative = GroupDerivative;
+  static constexpr std::int32_t inputs = simd::inputs, in_flight = simd::in_flight;
   static constexpr bool stays = false;  // first stick zones in closed form
   static constexpr bool sensitivities = output == Output::sensitivities;
 

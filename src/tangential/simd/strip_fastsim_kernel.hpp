@@ -70,9 +70,9 @@ struct StickCell {
 
 /// Adds a cell of the first stick zone; returns the traction if it is wanted. With `entering`, only some
 /// strips are still in it.
-template <bool entering, bool sensitivities>
+template <bool entering, bool sensitivities, class Changes, std::int32_t count>
 WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const StickShape& shape,
-                            bool wanted, StickSums& sums, Sums& strong, Derivative (&derivative)[inputs]) {
+                            bool wanted, StickSums& sums, Sums& strong, Changes (&derivative)[count]) {
   const Pack one = 1.0, zero = 0.0;
   const Pack s = shape.s, mean = entering ? select(moving, zero, Pack(cell.mean)) : Pack(cell.mean);
   const Pack straight = mean * s;
@@ -96,8 +96,8 @@ WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const
   strong.force.stick_py += less * y;
   strong.force.stick_t_py += cell.t * (less * y);
   if constexpr (sensitivities) {
-    for (std::int32_t k = 0; k < inputs; ++k) {
-      Derivative& d = derivative[k];
+    for (std::int32_t k = 0; k < count; ++k) {
+      Changes& d = derivative[k];
       const Pack ds = shape.by_end * d.slip_end + shape.by_form * d.form;
       const Pack dx = d.kappa * (one - s) - g.kappa * ds;
       const Pack dy = d.lambda * (one - s) + d.psi * s + (g.psi - g.lambda) * ds;
@@ -205,9 +205,11 @@ WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, Moved& 
 
 /// How the angle of the traction after a step, and `ahead`, change with what goes into the step.
 struct StepSlopes {
-  Pack kept, ahead_by_angle;                ///< with the angle before
-  Pack by_ratio, ahead_by_ratio;            ///< with the traction before, where that was below the bound
-  Pack by_turning, ahead_by_turning;        ///< with the flexibility, relative
+  Pack kept, ahead_by_angle;          ///< with the angle before
+  Pack by_ratio, ahead_by_ratio;      ///< with the traction before, where that was below the bound
+  Pack by_turning, ahead_by_turning;  ///< with the flexibility, relative
+  Pack by_t11, by_t22;                ///< with its two parts
+  Pack ahead_by_t11, ahead_by_t22;
   Pack by_x, by_y, ahead_by_x, ahead_by_y;  ///< with the slip over a whole cell
   Pack bend, ahead_before;                  ///< by which spin and `ahead` change the slip along the step
   Pack share;                               ///< of a cell that the step is, where strips enter slip;
@@ -262,6 +264,13 @@ WRC_IN_LOOP StepSlopes step_slopes(const Group& g, const Cell& cell, const State
   }
   s.by_turning = slope.by_d * moved.turn.d;
   s.ahead_by_turning = slope.ahead_by_d * moved.turn.d;
+  const Pack half_bounds = moved.bound_before + cell.shape;
+  const Pack d_by_t11 = half_bounds * (1.0 - moved.rho_x * moved.rho_x);
+  const Pack d_by_t22 = half_bounds * (1.0 - moved.rho_y * moved.rho_y);
+  s.by_t11 = slope.by_d * d_by_t11;
+  s.by_t22 = slope.by_d * d_by_t22;
+  s.ahead_by_t11 = slope.ahead_by_d * d_by_t11;
+  s.ahead_by_t22 = slope.ahead_by_d * d_by_t22;
   s.by_x = slope.by_x;
   s.by_y = slope.by_y;
   s.ahead_by_x = slope.ahead_by_x;
@@ -295,15 +304,19 @@ WRC_IN_LOOP void turn_derivative(const StepSlopes& s, const Cell& cell, bool stu
   }
 }
 
+/// Change of the growth of adhesion tractions over a whole cell.
+struct Growth {
+  Pack gx, gy, curvature;
+};
+
 /// How the traction of lanes that stick changes: its ratio to the bound, and its angle.
-template <bool entering>
+template <bool entering, class Changes>
 WRC_IN_LOOP void stick_derivative(const Group& g, const StepSlopes& s, const Cell& cell, const State& before,
-                                  const State& after, const Moved& moved, const Derivative& d, Pack& ratio,
-                                  Pack& angle) {
+                                  const State& after, const Moved& moved, const Growth& over_cell,
+                                  const Changes& d, Pack& ratio, Pack& angle) {
   const Pack zero = 0.0;
-  const Advance& a = d.over_cell;
   const Pack middle = 2.0 * cell.x + moved.dv;
-  Pack gx = a.gx, gy = a.gy, curvature = a.curvature, bound = zero;
+  Pack gx = over_cell.gx, gy = over_cell.gy, curvature = over_cell.curvature, bound = zero;
   if constexpr (entering) {
     const Pack dv = select(s.partial, d.slip_end, zero);
     gx = s.share * gx + g.gx * dv;
@@ -319,42 +332,69 @@ WRC_IN_LOOP void stick_derivative(const Group& g, const StepSlopes& s, const Cel
   angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
 }
 
+/// What a cell's tractions are weighted by in the sums.
+struct CellMeans {
+  Pack mean;          ///< of the bound, as far as tractions have the march's direction
+  Pack rho_x, rho_y;  ///< the same times the traction over the bound
+  Pack x_by_s, y_by_s, y_by_psi;
+};
+
+template <bool entering>
+WRC_IN_LOOP CellMeans cell_means(const Group& g, const Cell& cell, Mask moving, const State& after,
+                                 const Moved& moved) {
+  const Pack zero = 0.0;
+  CellMeans m;
+  m.mean = cell.mean;
+  if constexpr (entering) {
+    const Pack mean = select(moving, m.mean, zero);
+    m.x_by_s = zero - mean * after.x();
+    m.y_by_s = mean * (g.psi - after.y());
+    m.y_by_psi = mean * moved.shape.s;
+    m.mean = mean * (1.0 - moved.shape.s);
+  }
+  m.rho_x = m.mean * after.x();
+  m.rho_y = m.mean * after.y();
+  return m;
+}
+
+/// Takes over how the state changes with an input, and adds how the cell's tractions do.
+template <bool entering, class Changes>
+WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before, const State& after,
+                                const Moved& moved, const CellMeans& m, Pack ratio, Pack angle, Pack ahead,
+                                Changes& d) {
+  if (before.stuck || moved.any_sticks) d.ratio = ratio;
+  d.angle = entering ? select(moving, angle, d.angle) : angle;
+  d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+  Pack x = -(m.rho_y * d.angle), y = m.rho_x * d.angle;
+  if (moved.any_sticks) {
+    x += m.mean * ratio * after.ex;
+    y += m.mean * ratio * after.ey;
+  }
+  if constexpr (entering) {
+    const Pack ds = moved.shape.by_end * d.slip_end + moved.shape.by_form * d.form;
+    x += m.x_by_s * ds;
+    y += m.y_by_s * ds + m.y_by_psi * d.psi;
+    if (g.any_strong) cut_derivative(g, moved.share, moved.x, moved.y, x, y);
+  }
+  add_cell(x, y, d.force);
+}
+
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
                                const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
-  Pack mean = cell.mean;  // of the bound, as far as tractions have the march's direction
-  [[maybe_unused]] Pack x_by_s, y_by_s, y_by_psi;
-  if constexpr (entering) {
-    mean = select(moving, mean, zero);
-    x_by_s = zero - mean * after.x();
-    y_by_s = mean * (g.psi - after.y());
-    y_by_psi = mean * moved.shape.s;
-    mean = mean * (1.0 - moved.shape.s);
-  }
-  const Pack rho_x = mean * after.x(), rho_y = mean * after.y();
+  const CellMeans means = cell_means<entering>(g, cell, moving, after, moved);
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
     Pack angle, ahead, ratio = zero;
     turn_derivative<entering>(s, cell, before.stuck, k, d, angle, ahead);
-    if (moved.any_sticks) stick_derivative<entering>(g, s, cell, before, after, moved, d, ratio, angle);
-    if (before.stuck || moved.any_sticks) d.ratio = ratio;
-    d.angle = entering ? select(moving, angle, d.angle) : angle;
-    d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
-    Pack x = -(rho_y * d.angle), y = rho_x * d.angle;
-    if (moved.any_sticks) {
-      x += mean * ratio * after.ex;
-      y += mean * ratio * after.ey;
-    }
-    if constexpr (entering) {
-      const Pack ds = moved.shape.by_end * d.slip_end + moved.shape.by_form * d.form;
-      x += x_by_s * ds;
-      y += y_by_s * ds + y_by_psi * d.psi;
-      if (g.any_strong) cut_derivative(g, moved.share, moved.x, moved.y, x, y);
-    }
-    add_cell(x, y, d.force);
+    if (moved.any_sticks)
+      stick_derivative<entering>(g, s, cell, before, after, moved,
+                                 Growth{d.over_cell.gx, d.over_cell.gy, d.over_cell.curvature}, d, ratio,
+                                 angle);
+    end_derivative<entering>(g, moving, before, after, moved, means, ratio, angle, ahead, d);
   }
 }
 
@@ -415,7 +455,8 @@ inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
   sums.force.stick_t_py += g.lambda * t_bent + g.psi * s.t_straight;
 }
 
-inline void add_stick(const Group& g, const StickSums& s, Derivative& d) {
+template <class Changes>
+inline void add_stick_derivative(const Group& g, const StickSums& s, Changes& d) {
   const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
   const Pack change = d.slip_end * s.slope + d.form * s.form;  // of the sum of s
   const Pack t_change = d.slip_end * s.t_slope + d.form * s.t_form;
@@ -529,35 +570,45 @@ inline void scale_slip(const StripFastsimMarch& task, std::int32_t first, double
   }
 }
 
+/// Cell i of all strips.
+inline Cell cell_of(const StripFastsimMarch& task, std::int32_t i) {
+  const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
+  const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
+  const double t_before =
+      (i - 0.5) * h;  // as it was then: a strip's bits do not depend on the others of its group
+  return {i, t,     1.0 - t, t_before * (2.0 - t_before), shape, task.shape->mean[i],
+          h, per_h, behind,  task.inverse_weight[i]};
+}
+
+/// Sums over the first stick zone that begin with its cells.
+inline StickSums first_stick_sums(const StripFastsimMarch& task, const Group& g) {
+  StickSums sums = {};
+  const Pack near = larger(0.0, task.cells - g.slip_end * (0.5 * task.cells));
+  sums.root_near = root(near);
+  sums.power_near = near * sums.root_near;
+  return sums;
+}
+
 /// What is particular to strip FASTSIM: see march_groups().
 template <Output output, class Task>
 struct March {
   using Marching = strip::Marching;
   using Derivative = strip::Derivative;
+  static constexpr std::int32_t inputs = simd::inputs, in_flight = simd::in_flight;
   static constexpr bool stays = true;
   static constexpr bool sensitivities = output == Output::sensitivities;
 
   const Task& task;
   simd::Sums& total;
-  double h, per_h;
 
   void prepare(std::int32_t at, std::int32_t count, Marching& m, Derivative (&derivative)[inputs]) const {
     strip::prepare(task, at, count, m.group, m.state);
-    m.stick = {};
+    m.stick = first_stick_sums(task, m.group);
     m.sums = {};
     if constexpr (output == Output::fields) m.slip = slip_shape(task, m.group);
-    const Pack near = larger(0.0, task.cells - m.group.slip_end * per_h);
-    m.stick.root_near = root(near);
-    m.stick.power_near = near * m.stick.root_near;
     if constexpr (sensitivities) differentiate(task, m.group, derivative);
   }
-  Cell cell(std::int32_t i) const {
-    const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
-    const double t_before =
-        (i - 0.5) * h;  // as it was then: a strip's bits do not depend on the others of its group
-    return {i, t,     1.0 - t, t_before * (2.0 - t_before), shape, task.shape->mean[i],
-            h, per_h, behind,  task.inverse_weight[i]};
-  }
+  Cell cell(std::int32_t i) const { return cell_of(task, i); }
   void stay(const Cell& cell, Marching& m, Derivative (&derivative)[inputs]) const {
     strip::stay<output>(task, cell, m, derivative);
   }
@@ -566,7 +617,7 @@ struct March {
     strip::finish(task, m, total);
     if constexpr (sensitivities) {
       for (std::int32_t n = 0; n < inputs; ++n) {
-        add_stick(m.group, m.stick, derivative[n]);
+        add_stick_derivative(m.group, m.stick, derivative[n]);
         add_derivative(m.group, task.cells, derivative[n].force, n, total);
       }
     }
@@ -578,8 +629,7 @@ struct March {
 template <Output output, class Task>
 void strip_fastsim_kernel(const Task& task, Sums& total) {
   total = {};
-  const std::int32_t slips =
-      march_groups<output>(task, strip::March<output, Task>{task, total, 2.0 / task.cells, 0.5 * task.cells});
+  const std::int32_t slips = march_groups<output>(task, strip::March<output, Task>{task, total});
   const double power = strip::balance_of_power(task, total);
   if constexpr (output == Output::fields)
     strip::scale_slip(task, slips, total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0);

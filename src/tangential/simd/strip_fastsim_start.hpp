@@ -217,38 +217,76 @@ struct Angle {
   Pack change(Pack dx, Pack dy) const { return turn_x * dx + turn_y * dy; }
 };
 
-/// Derivatives of what prepare() sets. What costs a root or a divide is the same for all inputs.
-inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
-  constexpr int substitutions = 3;  // as in prepare()
-  const Pack zero = 0.0, one = 1.0;
-  const Pack lead = g.gy + 2.0 * g.curvature;
-  const Pack near = select(g.near_edge < one, g.near_edge, zero);
-  const Pack form_by_near = 4.0 * (near * near * near);
+/// What the onset of slip changes with: what costs a root or a divide is the same for all inputs.
+struct Onset {
+  Pack u, c;  ///< u_s: gx^2 + c^2 = u^2, c = gy + curvature u
+  Pack lead, form_by_near, per_by_u, per_end;
+  Angle at_end;
 
-  // u_s: gx^2 + c^2 = u^2, c = gy + curvature u
-  const Pack u = g.slip_end, c = g.gy + g.curvature * u;
-  const Pack by_u = u - c * g.curvature;
-  const Mask inside = (u > zero) & (u < 2.0) & (magnitude(by_u) > 1e-280);
-  const Pack per_by_u = select(inside, one / select(inside, by_u, one), zero);
-  const Pack per_end = one / (u + 1e-14);
-  const Angle at_end(g.gx, c);
+  explicit Onset(const Group& g) {
+    const Pack zero = 0.0, one = 1.0;
+    lead = g.gy + 2.0 * g.curvature;
+    const Pack near = select(g.near_edge < one, g.near_edge, zero);
+    form_by_near = 4.0 * (near * near * near);
+    u = g.slip_end;
+    c = g.gy + g.curvature * u;
+    const Pack by_u = u - c * g.curvature;
+    const Mask inside = (u > zero) & (u < 2.0) & (magnitude(by_u) > 1e-280);
+    per_by_u = select(inside, one / select(inside, by_u, one), zero);
+    per_end = one / (u + 1e-14);
+    at_end = Angle(g.gx, c);
+  }
 
-  // the direction of a strip that slips from its leading edge on, and those before the substitutions
-  const Mask at_edge = u >= 2.0;
-  const bool any_at_edge = any(at_edge);
+  /// Sets what changes with the growth of adhesion tractions.
+  template <class Changes>
+  void differentiate(const Group& g, Pack gx, Pack gy, Pack curvature, Changes& d) const {
+    d.form = form_by_near * (0.5 * (g.gx * gx + lead * (gy + 2.0 * curvature)));
+    const Pack c_input = gy + curvature * u;
+    d.slip_end = (g.gx * gx + c * c_input) * per_by_u;
+    const Pack c_change = c_input + g.curvature * d.slip_end;
+    d.kappa = -((gx + g.kappa * d.slip_end) * per_end);
+    d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
+    d.psi = -curvature;
+    d.angle = at_end.change(gx, c_change);
+  }
+};
+
+/// The direction of a strip that slips from its leading edge on, found by substitutions as in prepare(): how
+/// its angle changes.
+struct EdgeDirection {
+  static constexpr int substitutions = 3;
   Angle angles[substitutions];
-  Pack elastic_x[substitutions], elastic_y[substitutions];  // slip by the angle before
-  if (any_at_edge) {
+  Pack x[substitutions], y[substitutions];  ///< direction of the slip, with which the elastic slip goes
+
+  explicit EdgeDirection(const Group& g) {
     Pack wx = g.wx, wy = g.wy + g.spin;
     for (int n = 0; n < substitutions; ++n) {
       angles[n] = Angle(wx, wy);
-      const Pack inverse = one / (root(wx * wx + wy * wy) + 1e-100);
-      elastic_x[n] = g.elastic * (wx * inverse);
-      elastic_y[n] = g.elastic * (wy * inverse);
-      wx = g.wx - elastic_x[n];
-      wy = g.wy + g.spin + elastic_y[n];
+      const Pack inverse = 1.0 / (root(wx * wx + wy * wy) + 1e-100);
+      x[n] = wx * inverse;
+      y[n] = wy * inverse;
+      wx = g.wx - g.elastic * x[n];
+      wy = g.wy + g.spin + g.elastic * y[n];
     }
   }
+
+  /// With the slip, and with what the elastic slip is multiplied by.
+  Pack change(const Group& g, Pack wx, Pack wy, Pack elastic) const {
+    Pack angle = angles[0].change(wx, wy);
+    for (int n = 1; n < substitutions; ++n)
+      angle = angles[n].change((wx + (g.elastic * y[n - 1]) * angle) - elastic * x[n - 1],
+                               (wy + (g.elastic * x[n - 1]) * angle) + elastic * y[n - 1]);
+    return angle;
+  }
+};
+
+/// Derivatives of what prepare() sets.
+inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
+  const Pack zero = 0.0;
+  const Onset onset(g);
+  const Mask at_edge = onset.u >= 2.0;
+  const bool any_at_edge = any(at_edge);
+  const EdgeDirection edge(g);
 
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
@@ -265,23 +303,8 @@ inline void differentiate(const StripFastsimTask& task, const Group& g, Derivati
     }
     d.wy += task.torsion.d[k];
     d.turning = task.turning.d[k] / task.turning.value;
-    d.form = form_by_near * (0.5 * (g.gx * d.gx + lead * (d.gy + 2.0 * d.curvature)));
-
-    const Pack c_input = d.gy + d.curvature * u;
-    d.slip_end = (g.gx * d.gx + c * c_input) * per_by_u;
-    const Pack c_change = c_input + g.curvature * d.slip_end;
-    d.kappa = -((d.gx + g.kappa * d.slip_end) * per_end);
-    d.lambda = -((c_change + g.lambda * d.slip_end) * per_end);
-    d.psi = -d.curvature;
-
-    d.angle = at_end.change(d.gx, c_change);
-    if (any_at_edge) {
-      const Pack dwy = d.wy + d.spin;
-      Pack angle = angles[0].change(d.wx, dwy);
-      for (int n = 1; n < substitutions; ++n)
-        angle = angles[n].change(d.wx + elastic_y[n - 1] * angle, dwy + elastic_x[n - 1] * angle);
-      d.angle = select(at_edge, angle, d.angle);
-    }
+    onset.differentiate(g, d.gx, d.gy, d.curvature, d);
+    if (any_at_edge) d.angle = select(at_edge, edge.change(g, d.wx, d.wy + d.spin, zero), d.angle);
     d.over_cell = advance_over(d, zero, 2.0 / task.cells);
   }
 }

@@ -102,6 +102,27 @@ struct SurfaceStripsTask : StripFastsimMarch {
   const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
 
+/// What the forces of one of these strips depend on, besides its size and bound, to which they are
+/// proportional.
+enum SurfaceStripInput : std::int32_t {
+  strip_growth_x,
+  strip_growth_y,
+  strip_curvature,
+  strip_slip_x,
+  strip_slip_y,
+  strip_spin,  ///< times the half length
+  strip_elastic,
+  strip_turn_x,
+  strip_turn_y,
+  strip_inputs
+};
+
+/// Forces of the strips and their derivatives: element ((input * 3 + force), strip j) at
+/// ((input * 3 + force) * strips + j), force of fx, fy, mz.
+struct SurfaceStripsSlopesTask : SurfaceStripsTask {
+  double* slopes;
+};
+
 }  // namespace simd
 
 }  // namespace wrc

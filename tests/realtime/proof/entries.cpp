@@ -183,7 +183,7 @@ int32_t wheel_sensitivities(Wheel& wheel) {
   input.wheel.yaw = wheel.pose.yaw;
   input.wheel.velocity[0] = 40.0;
   input.wheel.angular_velocity[1] = -87.0;
-  input.friction.coefficient = 0.0;
+  input.friction.coefficient = wheel.friction.coefficient;
   if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = wheel.load.normal_force;
