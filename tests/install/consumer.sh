@@ -66,6 +66,18 @@ case $way in
   plain)
     cc -std=c99 -I"$prefix/include" "$example" -L"$(library_directory)" -lwrc -o "$scratch/first_step"
     LD_LIBRARY_PATH=$(library_directory) runs "$scratch/first_step"
+    # A program of interface 1 asks for libwrc.so.1, which this library neither is nor stands for.
+    mkdir -p "$scratch/old"
+    echo 'unsigned wrc_version(void) { return 1; }' >"$scratch/old.c"
+    cc -shared -fPIC -Wl,-soname,libwrc.so.1 "$scratch/old.c" -o "$scratch/old/libwrc.so.1"
+    echo 'unsigned wrc_version(void); int main(void) { return wrc_version() == 0; }' >"$scratch/old_program.c"
+    cc "$scratch/old_program.c" "$scratch/old/libwrc.so.1" -o "$scratch/old_program"
+    LD_LIBRARY_PATH=$scratch/old "$scratch/old_program"
+    if LD_LIBRARY_PATH=$(library_directory) "$scratch/old_program" 2>"$scratch/refusal"; then
+      echo "a program linked with libwrc.so.1 runs"
+      exit 1
+    fi
+    grep -F libwrc.so.1 "$scratch/refusal"
     ;;
   dlopen)
     cc -std=c99 -I"$prefix/include" "$source/examples_c/load_at_run_time.c" -ldl -o "$scratch/load_at_run_time"
