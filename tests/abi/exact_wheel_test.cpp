@@ -7,55 +7,26 @@
 #include <string>
 
 #include "reference_contact.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
 
 /// S1002 on the benchmark UIC60 as the reference results have them: frictionless, 80 kN.
-class ExactWheel : public testing::Test {
+class ExactWheel : public testing::Test, protected PlacedWheel {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wheel_state& wheel = input.wheel;
-  wrc_friction& friction = input.friction;
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-  wrc_wrench wrench = wrc_wrench_default(), fast = wrc_wrench_default();
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
+  wrc_wrench fast = wrc_wrench_default();
 
   ExactWheel() {
-    config.wheel.kind = WRC_PROFILE_S1002;
-    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.material.shear_modulus = 82e9;
-    config.material.poisson = 0.28;
-    config.track.placement = WRC_PLACEMENT_ORIGIN;
-    config.track.rail_origin = 0.7605325577;
-    wheel.velocity[0] = 20.0;
-    wheel.angular_velocity[1] = -20.0 / 0.46;
+    take_reference_bodies();
     friction.coefficient = 0.0;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 80e3;
     options.cell_x = options.cell_s = 4e-4;
   }
-  void SetUp() override {
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    create(WRC_SIDE_RIGHT);
-  }
-  /// From here on the wheel of that side.
-  void create(int32_t side) {
-    wrc_contact_destroy(contact);
-    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
-  }
-  ~ExactWheel() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
+  void SetUp() override { create(); }
   int32_t solve() { return wrc_exact_wrench(contact, &input, &options, &wrench); }
-  std::string error() const {
-    char text[256];
-    EXPECT_EQ(wrc_contact_last_error(contact, text, sizeof text), WRC_OK);
-    return text;
-  }
 };
 
 // CONTACT 25.2, conformal with turned coefficients, 0.2 mm, without friction: lateral force at 80 kN.
@@ -77,8 +48,8 @@ TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
   friction = wrc_friction_default();
   wheel.y = 3e-3;
   wheel.yaw = 2e-3;
-  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
-    create(side);
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    take(which);
     ASSERT_EQ(solve(), WRC_OK) << error();
     ASSERT_EQ(wrc_contact_wrench(contact, &input, &fast), WRC_OK) << error();
     for (int i = 0; i < 3; ++i) {
@@ -102,7 +73,7 @@ TEST_F(ExactWheel, SidesAreMirrorImagesAndHeightGivesTheLoadBack) {
   wheel.angular_velocity[2] = 0.02;
   ASSERT_EQ(solve(), WRC_OK) << error();
   const wrc_wrench right = wrench;
-  create(WRC_SIDE_LEFT);
+  take(WRC_SIDE_LEFT);
   wheel.y = -5e-3;
   wheel.yaw = -3e-3;
   wheel.angular_velocity[2] = -0.02;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "presets.hpp"
-#include "wrc/wrc.h"
+#include "reference_contact.hpp"
 
 namespace {
 
@@ -20,34 +20,22 @@ struct Motion {
 };
 
 /// One wheel of a wheelset on its rail.
-class Wheel {
+class Wheel : public ReferenceWheel {
  public:
-  wrc_config config = wrc_config_default();
-  int32_t on = WRC_SIDE_RIGHT;
-  wrc_load load = wrc_load_default();
-  double friction = 0.3, speed = 20.0;
-  wrc_output output = wrc_output_default();
-  wrc_contact_point& point = output.point;
-  wrc_normal_solution& normal = output.normal;
-  wrc_forces& forces = output.forces;
-  wrc_damage& damage = output.damage;
-
-  Wheel() { load.normal_force = 80e3; }
-  ~Wheel() { release(); }
-  Wheel(const Wheel&) = delete;
-  Wheel& operator=(const Wheel&) = delete;
+  Wheel() {
+    config.track.rail_inclination = 0.025;
+    rail.kind = WRC_PROFILE_60E1;
+    friction.coefficient = 0.3;
+    creepage.speed = 20.0;
+  }
 
   int32_t roll(const Motion& motion) {
-    make();
-    wrc_pose pose = wrc_pose_default();
-    pose.lateral = motion.lateral;
-    pose.yaw = motion.yaw;
-    pose.roll = motion.roll;
-    return step(pose, nullptr, motion);
+    pose = {motion.lateral, motion.roll, motion.yaw};
+    creep(motion);
+    return step();
   }
   /// On a gap h = y^2 / (2 R) that is the same on both sides of y = 0.
   int32_t roll_on_symmetric_gap(const Motion& motion) {
-    make();
     constexpr uint32_t rows = 101;
     double y[rows], height[rows], curvature[rows];
     for (uint32_t j = 0; j < rows; ++j) {
@@ -60,17 +48,20 @@ class Wheel {
     gap.y = y;
     gap.height = height;
     gap.curvature = curvature;
-    return step(wrc_pose_default(), &gap, motion);
+    creep(motion);
+    input.gap = &gap;
+    const int32_t status = step();
+    input.gap = nullptr;
+    return status;
   }
   int32_t roll_on(const wrc_ellipse& own, const Motion& motion) {
-    make();
-    const wrc_creepage creepage = creepage_of(motion);
-    const wrc_friction mu = friction_of();
-    return wrc_contact_tangential(contact_, &own, &creepage, &mu, &forces);
+    if (model == nullptr) create();
+    creep(motion);
+    return wrc_contact_tangential(contact, &own, &creepage, &friction, &forces);
   }
   wrc_view field(int32_t id, int32_t of_patch = 0) const {
     wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact_, of_patch, id, &view), WRC_OK) << id;
+    EXPECT_EQ(wrc_contact_field(contact, of_patch, id, &view), WRC_OK) << id;
     return view;
   }
   /// Integral of a field of cells over all patches.
@@ -89,38 +80,11 @@ class Wheel {
   double creep_force() const { return std::hypot(forces.fx, forces.fy); }
 
  private:
-  void make() {
-    if (contact_ != nullptr) return;
-    config.track.rail_inclination = 0.025;
-    config.wheel.kind = WRC_PROFILE_S1002;
-    config.rail.kind = WRC_PROFILE_60E1;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model_), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model_, on, nullptr, &contact_), WRC_OK);
-  }
-  void release() {
-    wrc_contact_destroy(contact_);
-    wrc_model_destroy(model_);
-  }
-  wrc_creepage creepage_of(const Motion& motion) const {
-    wrc_creepage creepage = wrc_creepage_default();
+  void creep(const Motion& motion) {
     creepage.longitudinal = motion.longitudinal;
     creepage.lateral = motion.side;
     creepage.spin = motion.spin;
-    creepage.speed = speed;
-    return creepage;
   }
-  wrc_friction friction_of() const {
-    wrc_friction mu = wrc_friction_default();
-    mu.coefficient = friction;
-    return mu;
-  }
-  int32_t step(const wrc_pose& pose, const wrc_gap* gap, const Motion& motion) {
-    const wrc_input input = {sizeof input, 0, pose, gap, load, creepage_of(motion), friction_of()};
-    return wrc_contact_step(contact_, &input, &output);
-  }
-
-  wrc_model* model_ = nullptr;
-  wrc_contact* contact_ = nullptr;
 };
 
 struct Methods {
@@ -157,7 +121,7 @@ TEST_P(Physics, LeftWheelIsTheMirrorImageOfTheRight) {
   Wheel right, left;
   choose(right);
   choose(left);
-  left.on = WRC_SIDE_LEFT;
+  left.side = WRC_SIDE_LEFT;
   for (const Motion& m :
        {Motion{}, Motion{0.003, 0.004, 0.0, 5e-4, -1e-3, 0.3}, Motion{-0.004, -0.01, 2e-4, -2e-3, 1e-4, -0.2},
         Motion{0.0055, 0.02, 0.0, 1e-4, 4e-4, 2.0}}) {
@@ -257,7 +221,7 @@ TEST_P(Physics, PowerIsTheIntegralOfItsField) {
     ASSERT_GE(wheel.roll({0.002, 0.0, 0.0, 1e-3, -2e-3, spin}), 0);
     EXPECT_NEAR(wheel.integral(WRC_FIELD_POWER_DENSITY), wheel.forces.power, 1e-9 * wheel.forces.power);
     EXPECT_NEAR(wheel.damage.power, wheel.forces.power, 1e-9 * wheel.forces.power);
-    EXPECT_NEAR(wheel.damage.t_gamma, wheel.forces.power / wheel.speed, 1e-9 * wheel.damage.t_gamma);
+    EXPECT_NEAR(wheel.damage.t_gamma, wheel.forces.power / wheel.creepage.speed, 1e-9 * wheel.damage.t_gamma);
   }
 }
 
@@ -274,7 +238,7 @@ TEST_P(Physics, PowerIsForceTimesCreepage) {
         Motion{0.001, 0.0, 0.0, 0.03, 0.02, 1.0}}) {
     ASSERT_GE(wheel.roll(m), 0);
     const wrc_forces& f = wheel.forces;
-    const double spent = -wheel.speed * (f.fx * m.longitudinal + f.fy * m.side + f.mz * m.spin);
+    const double spent = -wheel.creepage.speed * (f.fx * m.longitudinal + f.fy * m.side + f.mz * m.spin);
     EXPECT_NEAR(f.power, spent, (m.spin == 0.0 ? 0.01 : 0.1) * spent) << m.longitudinal << " " << m.side;
   }
 }
@@ -290,7 +254,7 @@ TEST_P(Physics, FullSlidingOpposesTheCreepageWithAllTheFriction) {
   for (int degrees = 0; degrees < 360; degrees += 15) {
     const double angle = degrees * std::acos(-1.0) / 180.0;
     ASSERT_GE(wheel.roll({0.0, 0.0, 0.0, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.0}), 0);
-    const double limit = wheel.friction * wheel.forces.fn;
+    const double limit = wheel.friction.coefficient * wheel.forces.fn;
     EXPECT_NEAR(wheel.creep_force(), limit, 1e-3 * limit) << degrees;
     const double across = wheel.forces.fx * std::sin(angle) - wheel.forces.fy * std::cos(angle);
     // In the half-space tractions along one axis also move the surface along the other, a trace of the slip.
@@ -332,7 +296,7 @@ TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
   wheel.config.tangential.method = WRC_TANGENTIAL_FASTSIM;
   wheel.config.grid.strips = 200;
   wheel.config.grid.cells = 200;
-  wheel.friction = 2.0;
+  wheel.friction.coefficient = 2.0;
   for (double psi : {0.0, 0.3, -0.5}) {
     wrc_ellipse own = wrc_ellipse_default();
     own.a = 6e-3;
@@ -363,7 +327,7 @@ TEST(Continuity, NoStepOfALateralScanFails) {
   for (int32_t method = WRC_NORMAL_HERTZ; method <= WRC_NORMAL_STRIP_HALFSPACE; ++method) {
     for (int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
       Wheel wheel;
-      wheel.on = side;
+      wheel.side = side;
       wheel.config.normal.method = method;
       double area_before = 0.0, fy_before = 0.0, largest_area = 0.0, largest_fy = 0.0, at_area = 0.0,
              at_fy = 0.0;
@@ -376,7 +340,8 @@ TEST(Continuity, NoStepOfALateralScanFails) {
         EXPECT_NEAR(wheel.forces.fn, 80e3, 1e-3) << "method " << method << " at " << 1e3 * lateral << " mm";
         if (i > -120) {
           const double area = std::fabs(wheel.normal.area - area_before) / area_before;
-          const double fy = std::fabs(wheel.forces.fy - fy_before) / (wheel.friction * wheel.forces.fn);
+          const double fy =
+              std::fabs(wheel.forces.fy - fy_before) / (wheel.friction.coefficient * wheel.forces.fn);
           if (area > largest_area) largest_area = area, at_area = lateral;
           if (fy > largest_fy) largest_fy = fy, at_fy = lateral;
         }

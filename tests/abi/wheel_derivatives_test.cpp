@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference_contact.hpp"
+#include "wheel_on_rail.hpp"
 
 namespace {
 
@@ -16,26 +16,14 @@ constexpr double differences_see = 1e-3;
 constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
 
 /// S1002 on the benchmark UIC60 with a little of everything.
-class WheelDerivatives : public testing::TestWithParam<int32_t> {
+class WheelDerivatives : public testing::TestWithParam<int32_t>, protected PlacedWheel {
  protected:
-  wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wheel_state& wheel = input.wheel;
-  wrc_rail_state& rail = input.rail;
-  wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
 
   WheelDerivatives() {
-    wrc_config config = wrc_config_default();
-    config.wheel.kind = WRC_PROFILE_S1002;
-    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    input.friction.coefficient = 0.0;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    EXPECT_EQ(wrc_contact_create(model, GetParam(), nullptr, &contact), WRC_OK);
+    friction.coefficient = 0.0;
     wheel.roll = -0.7e-3;
     wheel.yaw = 3e-3;
-    wheel.velocity[0] = 20.0;
     wheel.velocity[1] = 0.03;
     wheel.velocity[2] = 0.02;
     wheel.angular_velocity[0] = 0.01;
@@ -48,10 +36,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t> {
     rail.z_velocity = -0.01;
     rail.roll_velocity = 0.02;
   }
-  ~WheelDerivatives() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
+  void SetUp() override { create(GetParam()); }
   double* number(int column) {
     double* const numbers[columns] = {&wheel.y,
                                       &wheel.z,

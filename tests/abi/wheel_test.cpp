@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference_contact.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_api.h"
 
 namespace {
@@ -46,25 +47,10 @@ void put(const Vector& v, double* to) { std::copy(v.begin(), v.end(), to); }
 constexpr double radius = 0.46, half_base = 0.75, rail_origin = 0.7605325577;
 
 /// S1002 on the benchmark UIC60, rolling with a little of everything; the rail displaced and moving.
-class WheelOnRail : public testing::Test {
+class WheelOnRail : public testing::Test, protected PlacedWheel {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wheel_state& wheel = input.wheel;
-  wrc_rail_state& rail = input.rail;
-  wrc_friction& friction = input.friction;
-  wrc_wrench wrench = wrc_wrench_default();
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
-  int32_t side = WRC_SIDE_RIGHT;  ///< of that
-
   WheelOnRail() {
-    config.wheel.kind = WRC_PROFILE_S1002;
-    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.material.shear_modulus = 82e9;
-    config.material.poisson = 0.28;
-    config.track.placement = WRC_PLACEMENT_ORIGIN;
-    config.track.rail_origin = rail_origin;
+    take_reference_bodies();
     wheel.y = 1e-3;
     wheel.z = 1.2e-3;
     wheel.roll = -0.7e-3;
@@ -77,30 +63,6 @@ class WheelOnRail : public testing::Test {
     rail.y_velocity = 0.01;
   }
   void SetUp() override { create(); }
-  ~WheelOnRail() override {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-  void create() {
-    take(WRC_SIDE_RIGHT);
-    wrc_model_destroy(model);
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    take(WRC_SIDE_RIGHT);
-  }
-  /// From here on the wheel of that side.
-  void take(int32_t which) {
-    wrc_contact_destroy(contact);
-    contact = nullptr;
-    side = which;
-    if (model == nullptr) return;
-    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
-  }
-  int32_t step() { return wrc_contact_wrench(contact, &input, &wrench); }
-  std::string error() const {
-    char text[256];
-    EXPECT_EQ(wrc_contact_last_error(contact, text, sizeof text), WRC_OK);
-    return text;
-  }
   void expect_works() {
     ASSERT_EQ(step(), WRC_OK) << error();
     EXPECT_GT(wrench.normal_force, 1e3);
