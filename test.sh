@@ -6,7 +6,8 @@
 #                      written twice, clang-tidy over what changed lately, manual, main job
 #   ./test.sh quick    the release build and its tests only
 #   ./test.sh all      besides: all tests of the clang and mingw builds, the golden hashes from every compiler and
-#                      optimisation, kernel symbols at every optimisation, clang-tidy over everything, run.sh's own build
+#                      optimisation, kernel symbols at every optimisation, clang-tidy over everything, run.sh's own build,
+#                      a method, member, field and status added to a copy
 # Before the last line stands what each part took; the last line counts. The exit status is 0 if something passed and
 # nothing failed.
 set -euo pipefail
@@ -16,12 +17,12 @@ cd "$(dirname "$0")"
 case ${1:-} in
   "" | quick) ;;
   all) export WRC_TEST_ALL=1 ;;
-  *) sed -n '2,12s/^# *//p' "$0"; exit 2 ;;
+  *) sed -n '2,13s/^# *//p' "$0"; exit 2 ;;
 esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
   clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
-  valgrind similarity-tester
+  valgrind similarity-tester python3-clang-14
 
 # suite PRESET [TESTS TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that match TESTS.
 suite() {
@@ -81,6 +82,7 @@ if [ "${1:-}" != quick ]; then
   part mingw mingw_suite
   part golden count_check "golden hashes of other builds" golden
   part counts count_check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
+  ! all || part growth count_check "what a new thing costs" tests/growth/growth.sh build
   part format count_check "clang-format" formatted
   part duplicates count_check "code written twice" tests/duplicates.sh
   part tidy count_check "clang-tidy" tidy

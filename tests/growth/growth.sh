@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# What a new thing costs: each patch here adds one to the tree, and may touch so many files written by hand, its own new
+# ones and its test counted, generated ones not.
+#   growth.sh check [NAME...]    the patches apply, and their counts
+#   growth.sh build [NAME...]    besides, each on a copy of the tree: generates, builds the library, runs the test
+# Needs git; `build` python3-clang-14 besides. Status 77 without.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+what=${1:-check}
+shift || true
+# name, most files, target of its test, which tests
+patches='
+tangential_method  5  unit_tests  ShenHedrickElkins.*
+struct_member      3  abi_tests   WearFactor.*
+field              3  abi_tests   Utilisation.*
+status             1  abi_tests   Statuses.*
+'
+command -v git >/dev/null || { echo "skipped: no git"; exit 77; }
+[ "$what" = check ] || python3 -c 'import sys; sys.path.append("/usr/lib/python3/dist-packages"); import clang.cindex' 2>/dev/null ||
+  { echo "skipped: no libclang for Python"; exit 77; }
+
+# Every file of a tree with its checksum.
+sums() { (cd "$1" && find . -type f -not -path './build/*' -print0 | sort -z | xargs -0 sha256sum); }
+differing() { diff "$1" "$2" | sed -nE 's/^[<>] [0-9a-f]+ +//p' | sort -u; }
+
+# count NAME MOST FILES
+count() {
+  echo "$1: $3 files by hand, $2 at most"
+  [ "$3" -ge 1 ] && [ "$3" -le "$2" ]
+}
+
+# built NAME MOST TARGET TESTS: the patch on a copy.
+built() {
+  local copy=$scratch/$1 test
+  mkdir "$copy"
+  (cd "$root" && git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy")
+  sums "$copy" >"$scratch/before"
+  (cd "$copy" && git apply --whitespace=nowarn "$here/$1.patch") || return 1
+  sums "$copy" >"$scratch/patched"
+  python3 "$copy/tools/interface/describe.py" >"$scratch/log" || { cat "$scratch/log"; return 1; }
+  sums "$copy" >"$scratch/generated"
+  differing "$scratch/before" "$scratch/patched" >"$scratch/by_hand"
+  differing "$scratch/patched" "$scratch/generated" >"$scratch/by_generator"
+  if comm -12 "$scratch/by_hand" "$scratch/by_generator" | grep .; then
+    echo "$1: these are generated and patched too"
+    return 1
+  fi
+  echo "$1: $(wc -l <"$scratch/by_generator") files generated"
+  count "$1" "$2" "$(wc -l <"$scratch/by_hand")" || { cat "$scratch/by_hand"; return 1; }
+  # Its own test alone: files without one of these names are left out.
+  for test in "$copy/tests/${3%_tests}"/*_test.cpp; do
+    grep -q "(${4%%.*}," "$test" || rm "$test"
+  done
+  (cd "$copy" && cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_FORTRAN=OFF -DWRC_EXAMPLES=ON &&
+    cmake --build build -j 2 --target "$3") >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+  "$copy/build/tests/$3" --gtest_filter="$4" >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+  grep '^\[  PASSED  \]' "$scratch/log"
+  ! grep -q 'PASSED  \] 0 tests' "$scratch/log"
+  rm -rf "$copy"
+}
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+wrong=0
+while read -r name most target tests; do
+  [ -n "$name" ] || continue
+  [ $# -eq 0 ] || [[ " $* " == *" $name "* ]] || continue
+  if ! (cd "$root" && git apply --check --whitespace=nowarn "$here/$name.patch"); then
+    echo "$name: does not apply"
+    wrong=1
+  elif [ "$what" = build ]; then
+    built "$name" "$most" "$target" "$tests" || wrong=1
+  else
+    count "$name" "$most" "$(grep -c '^diff --git' "$here/$name.patch")" || wrong=1
+  fi
+done <<<"$patches"
+exit $wrong
