@@ -120,40 +120,46 @@ void run_plain_numbers(wrc_contact*, Hash& hash) {
   }
 }
 
-/// Wheels on rails, both sides of one model: tread, two regions, flange, apart; at given heights and under
-/// given loads.
+/// A wheel on a rail, even numbers on the right side: tread, two regions, flange, apart; at a given height or
+/// under a given load.
+wrc_wheel_input wheel_on_rail(int i, Numbers& numbers) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
+  wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+  const double outward = i % 2 == 0 ? 1.0 : -1.0;
+  wheel.y = outward * numbers.between(-6e-3, 6.9e-3);
+  wheel.z = numbers.between(-0.3e-3, 0.4e-3);
+  wheel.roll = numbers.between(-0.2e-3, 0.2e-3);
+  wheel.yaw = numbers.between(-0.02, 0.02);
+  const double speed = i % 8 == 0 ? 0.0 : numbers.between(-60.0, 60.0);
+  wheel.velocity[0] = speed;
+  wheel.velocity[1] = numbers.between(-0.1, 0.1);
+  wheel.velocity[2] = numbers.between(-0.05, 0.05);
+  wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
+  wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
+  wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
+  wrc_rail_state rail = wrc_rail_state_default();
+  rail.y = numbers.between(-1e-3, 1e-3);
+  rail.roll = numbers.between(-5e-3, 5e-3);
+  rail.z_velocity = numbers.between(-0.05, 0.05);
+  if (i % 4 != 0) input.rail = rail;
+  if (i % 6 == 0) input.friction.coefficient = 0.0;
+  if (i % 7 == 3) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = numbers.between(2e4, 1.2e5);
+  } else {
+    input.damping = numbers.between(0.0, 0.3);
+  }
+  return input;
+}
+
+/// Wheels on rails, both sides of one model.
 void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 40; ++i) {
-    wrc_wheel_input input = wrc_wheel_input_default();
-    wrc_wheel_state& wheel = input.wheel;
+    const wrc_wheel_input input = wheel_on_rail(i, numbers);
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
-    wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
-    const double outward = i % 2 == 0 ? 1.0 : -1.0;
-    wheel.y = outward * numbers.between(-6e-3, 6.9e-3);
-    wheel.z = numbers.between(-0.3e-3, 0.4e-3);
-    wheel.roll = numbers.between(-0.2e-3, 0.2e-3);
-    wheel.yaw = numbers.between(-0.02, 0.02);
-    const double speed = i % 8 == 0 ? 0.0 : numbers.between(-60.0, 60.0);
-    wheel.velocity[0] = speed;
-    wheel.velocity[1] = numbers.between(-0.1, 0.1);
-    wheel.velocity[2] = numbers.between(-0.05, 0.05);
-    wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
-    wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
-    wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
-    wrc_rail_state rail = wrc_rail_state_default();
-    rail.y = numbers.between(-1e-3, 1e-3);
-    rail.roll = numbers.between(-5e-3, 5e-3);
-    rail.z_velocity = numbers.between(-0.05, 0.05);
-    if (i % 4 != 0) input.rail = rail;
-    if (i % 6 == 0) input.friction.coefficient = 0.0;
-    if (i % 7 == 3) {
-      input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-      input.vertical_load = numbers.between(2e4, 1.2e5);
-    } else {
-      input.damping = numbers.between(0.0, 0.3);
-    }
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment}) {
@@ -169,6 +175,19 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
                             region.force[1], region.moment[2], region.power, region.creepage[0]})
         hash.add(number);
     }
+  }
+}
+
+/// Their derivatives.
+void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(7);
+  for (int i = 0; i < 40; ++i) {
+    const wrc_wheel_input input = wheel_on_rail(i, numbers);
+    wrc_wrench_sensitivities found{};
+    hash.add(wrc_contact_wrench_sensitivities(i % 2 == 0 ? right : left, &input, nullptr, &found));
+    for (const auto& row : found.wrench)
+      for (double number : row) hash.add(number);
+    for (double number : found.z) hash.add(number);
   }
 }
 
@@ -209,6 +228,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"refused input", model, {}, run_refused});
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
+  plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 }
 
 Plan golden_plan() {
