@@ -77,4 +77,14 @@ Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcep
   return {};
 }
 
+Fault begin_solution(const NormalProblem& problem, Strips& output, NormalSolution& solution,
+                     FirstTouch& touch) noexcept {
+  solution = {};
+  const Fault fault = check_normal_problem(problem, output);
+  if (fault.status != WRC_OK) return fault;
+  touch.lowest = minimum(problem.gap);
+  touch.row = interpolate(problem.gap, touch.lowest.y);
+  return {};
+}
+
 }  // namespace wrc

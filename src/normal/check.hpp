@@ -10,4 +10,14 @@ namespace wrc {
 /// and there is nothing to solve.
 Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcept;
 
+/// Where the undeformed bodies first touch.
+struct FirstTouch {
+  GapMinimum lowest;
+  GapRow row;  ///< there
+};
+
+/// How most methods begin: the solution cleared, the problem checked, first touch found.
+Fault begin_solution(const NormalProblem& problem, Strips& output, NormalSolution& solution,
+                     FirstTouch& touch) noexcept;
+
 }  // namespace wrc

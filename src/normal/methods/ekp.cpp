@@ -24,34 +24,34 @@ PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const La
 
 Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
                 NormalSolution& solution) noexcept {
-  solution = {};
-  const Fault fault = check_normal_problem(problem, strips);
+  FirstTouch touch;
+  const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
   const GapRows& rows = problem.gap;
-  const GapMinimum lowest = minimum(rows);
-  const GapRow contact = interpolate(rows, lowest.y);
-  const double coefficient_x = 0.5 * contact.curvature;
+  const double coefficient_x = 0.5 * touch.row.curvature;
 
   const bool every_region = options.scale == EkpScale::ellipse;
   const auto scale_at = [&](double approach) {
-    const LateralCurvature lateral = every_region ? curvature_of_all_regions(rows, lowest, approach)
-                                                  : lateral_curvature(rows, lowest, approach);
+    const LateralCurvature lateral = every_region ? curvature_of_all_regions(rows, touch.lowest, approach)
+                                                  : lateral_curvature(rows, touch.lowest, approach);
     return penetration_scale(options.scale, coefficient_x, lateral, approach);
   };
   bool at_edge = false;
   const auto force = [&](double approach, const PenetrationScale& scale, const Span& span) {
     at_edge = span.at_edge;
     if (every_region) {
-      const OverlapRegions regions = overlap_regions(rows, lowest, scale, approach, span, problem.strips / 2);
+      const OverlapRegions regions =
+          overlap_regions(rows, touch.lowest, scale, approach, span, problem.strips / 2);
       at_edge = regions.at_edge;
-      divide_regions(*problem.kernels, rows, lowest, scale, approach, regions, problem.strips, strips);
+      divide_regions(*problem.kernels, rows, touch.lowest, scale, approach, regions, problem.strips, strips);
     } else {
-      divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+      divide_span(*problem.kernels, rows, touch.lowest, scale, approach, span, problem.strips, strips);
     }
-    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
+    return impose_approach(*problem.kernels, approach, problem.material, touch.row.centre, touch.lowest.y,
+                           strips);
   };
-  return solve_by_search(problem, lowest, coefficient_x, scale_at, force, at_edge, strips, solution);
+  return solve_by_search(problem, touch.lowest, coefficient_x, scale_at, force, at_edge, strips, solution);
 }
 
 }  // namespace wrc

@@ -9,14 +9,11 @@
 namespace wrc {
 
 Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
-  solution = {};
-  Fault fault = check_normal_problem(problem, strips);
+  FirstTouch touch;
+  Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
-  const GapRows& rows = problem.gap;
-  const GapMinimum lowest = minimum(rows);
-  const GapRow contact = interpolate(rows, lowest.y);
-  const double coefficient_x = 0.5 * contact.curvature;
+  const double coefficient_x = 0.5 * touch.row.curvature;
 
   HertzEllipse ellipse;
   bool at_edge = false;
@@ -29,13 +26,13 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
         hertz_ellipse(coefficient_x, lateral.coefficient, approach, problem.material.normal_compliance());
     return ellipse.normal_force;
   };
-  fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
+  fault = search_approach(problem, touch.lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
                           solution);
   if (fault.failed()) return fault;
 
-  sdec_strips({ellipse.a, ellipse.b, 0.0}, contact.centre, lowest.y, solution.normal_force, problem.strips,
-              strips);
-  complete_solution(strips, lowest, at_edge, solution, fault);
+  sdec_strips({ellipse.a, ellipse.b, 0.0}, touch.row.centre, touch.lowest.y, solution.normal_force,
+              problem.strips, strips);
+  complete_solution(strips, touch.lowest, at_edge, solution, fault);
   return fault;
 }
 

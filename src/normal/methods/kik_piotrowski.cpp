@@ -11,13 +11,11 @@ namespace wrc {
 
 Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options, Strips& strips,
                            NormalSolution& solution) noexcept {
-  solution = {};
-  const Fault fault = check_normal_problem(problem, strips);
+  FirstTouch touch;
+  const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
   const GapRows& rows = problem.gap;
-  const GapMinimum lowest = minimum(rows);
-  const GapRow contact = interpolate(rows, lowest.y);
   const PenetrationScale scale{.at_centre = options.penetration_scale};
 
   bool at_edge = false;
@@ -25,15 +23,16 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
   const auto scale_at = [&](double) { return scale; };
   const auto force = [&](double approach, const PenetrationScale&, const Span& span) {
     at_edge = span.at_edge;
-    divide_span(*problem.kernels, rows, lowest, scale, approach, span, problem.strips, strips);
+    divide_span(*problem.kernels, rows, touch.lowest, scale, approach, span, problem.strips, strips);
     for (std::int32_t j = 0; j < strips.count; ++j) {
       const double row_curvature = gap.at(strips.y[j]).curvature;
-      strips.half_length[j] *= std::sqrt(row_curvature / contact.curvature);
-      strips.centre[j] = contact.centre;
+      strips.half_length[j] *= std::sqrt(row_curvature / touch.row.curvature);
+      strips.centre[j] = touch.row.centre;
     }
-    return impose_approach(*problem.kernels, approach, problem.material, contact.centre, lowest.y, strips);
+    return impose_approach(*problem.kernels, approach, problem.material, touch.row.centre, touch.lowest.y,
+                           strips);
   };
-  return solve_by_search(problem, lowest, 0.5 * contact.curvature, scale_at, force, at_edge, strips,
+  return solve_by_search(problem, touch.lowest, 0.5 * touch.row.curvature, scale_at, force, at_edge, strips,
                          solution);
 }
 

@@ -39,16 +39,15 @@ class LocalCurvature {
 
 Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Strips& strips,
                         NormalSolution& solution) noexcept {
-  solution = {};
-  const Fault fault = check_normal_problem(problem, strips);
+  FirstTouch touch;
+  const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
   const GapRows& rows = problem.gap;
-  const GapMinimum lowest = minimum(rows);
   const double compliance = problem.material.normal_compliance();
   bool at_edge = false;
   const auto scale_at = [&](double approach) {
-    const Span half_depth = penetration_span(rows, lowest, PenetrationScale{}, approach);
+    const Span half_depth = penetration_span(rows, touch.lowest, PenetrationScale{}, approach);
     return LocalCurvature(rows, reach(std::max(0.5 * half_depth.width(), least_half_chord)));
   };
   const auto force = [&](double approach, LocalCurvature local, const Span& span) {
@@ -63,7 +62,7 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
       const HertzShape shape = place.shape();
       // A dip of the overlap between two rows must not end in the root of a negative number.
       const double overlap =
-          std::max(shape.eps_y * approach - (place.height - lowest.height), 1e-12 * approach);
+          std::max(shape.eps_y * approach - (place.height - touch.lowest.height), 1e-12 * approach);
       const HertzEllipse ellipse =
           hertz_ellipse(shape, place.coefficient_x, overlap / shape.eps_y, compliance);
       strips.centre[j] = place.centre;
@@ -73,8 +72,8 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
     }
     return load;
   };
-  return solve_by_search(problem, lowest, 0.5 * interpolate(rows, lowest.y).curvature, scale_at, force,
-                         at_edge, strips, solution);
+  return solve_by_search(problem, touch.lowest, 0.5 * touch.row.curvature, scale_at, force, at_edge, strips,
+                         solution);
 }
 
 }  // namespace wrc
