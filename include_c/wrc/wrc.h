@@ -859,7 +859,8 @@ WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, ui
  *   "input.load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach
  *   instead"
  * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
- * sentence of the saved state. Calls that take a const contact (wrc_contact_field, wrc_contact_save) do not change it.
+ * sentence of the saved state. Calls that take a const contact (wrc_contact_patch, _field, _region,
+ * _save) do not change it.
  * @param contact the contact
  * @param[out] buffer the sentence, terminated, cut if need be
  * @param size bytes of buffer
@@ -1022,7 +1023,7 @@ WRC_API int32_t wrc_contact_step_flat(wrc_contact* contact, const double* in, do
  * @param[out] patch the patch
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_patch(wrc_contact* contact, int32_t index, wrc_patch* patch);
+WRC_API int32_t wrc_contact_patch(const wrc_contact* contact, int32_t index, wrc_patch* patch);
 
 /** Shows a field of one patch after the last call without copying it.
  * @param contact the contact

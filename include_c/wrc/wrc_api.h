@@ -40,7 +40,7 @@ struct wrc_api {
   void (*contact_destroy)(wrc_contact*); /**< wrc_contact_destroy() */
   int32_t (*contact_save)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save() */
   int32_t (*contact_restore)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore() */
-  int32_t (*contact_patch)(wrc_contact*, int32_t, wrc_patch*); /**< wrc_contact_patch() */
+  int32_t (*contact_patch)(const wrc_contact*, int32_t, wrc_patch*); /**< wrc_contact_patch() */
   int32_t (*linear_coefficients)(double, double, double, wrc_coefficients*); /**< wrc_linear_coefficients() */
   int32_t (*shakedown_limit)(double, double*); /**< wrc_shakedown_limit() */
   int32_t (*wear_laws_init)(wrc_wear_laws*); /**< wrc_wear_laws_init() */
@@ -70,7 +70,7 @@ struct wrc_api {
   int32_t (*contact_step_flat)(wrc_contact*, const double*, double*); /**< wrc_contact_step_flat() */
   int32_t (*contact_field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_contact_field() */
   int32_t (*contact_wrench)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*); /**< wrc_contact_wrench() */
-  int32_t (*contact_region)(wrc_contact*, int32_t, wrc_region*); /**< wrc_contact_region() */
+  int32_t (*contact_region)(const wrc_contact*, int32_t, wrc_region*); /**< wrc_contact_region() */
   int32_t (*contact_wrench_batch)(wrc_contact* const*, uint32_t, const wrc_wheel_input*, uint64_t, wrc_wrench*, uint64_t, int32_t*);
     /**< wrc_contact_wrench_batch() */
   int32_t (*contact_wrench_flat)(wrc_contact*, const double*, double*); /**< wrc_contact_wrench_flat() */

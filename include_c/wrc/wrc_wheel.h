@@ -260,7 +260,7 @@ WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc
  * @param[out] region the region
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region).
  * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_region(wrc_contact* contact, int32_t index, wrc_region* region);
+WRC_API int32_t wrc_contact_region(const wrc_contact* contact, int32_t index, wrc_region* region);
 
 /** wrc_contact_wrench() for many contacts, in order; as wrc_contact_step_batch().
  * @param contacts count of them, each once

@@ -21,6 +21,15 @@ std::int32_t call(wrc_contact* handle, const Fault& cleared, Work&& work) noexce
   return contact.last.status;
 }
 
+/// Runs one that only reads a contact's results, its last sentence included. Else as call().
+template <typename Work>
+std::int32_t look(const wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
+  if (!valid(handle)) return WRC_ERROR_NULL;
+  if (cleared.failed()) return cleared.status;
+  const FloatingPointScope scope;
+  return work(*handle->contact);
+}
+
 /// Element of an array of the caller's, `offset` bytes behind the first; none of no array.
 template <typename Element>
 Element* element(Element* first, std::uint64_t offset) {

@@ -450,40 +450,38 @@ int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out
   });
 }
 
-int32_t wrc_contact_patch(wrc_contact* handle, int32_t index, wrc_patch* patch) {
-  return abi::call(handle, abi::clear(patch), [&](Contact& contact) -> Fault {
-    if (patch == nullptr) return {.status = WRC_ERROR_NULL, .field = "patch"};
-    if (contact.patches == 0)
-      return {.status = WRC_ERROR_SEQUENCE, .field = "patch", .cause = "there is no patch yet"};
-    const Fault outcome = abi::check(static_cast<double>(index), "index", "", 0.0, contact.patches - 1.0);
-    if (!outcome.failed()) abi::write(abi::patch_of(contact, contact.patch[index]), patch);
-    return outcome;
+int32_t wrc_contact_patch(const wrc_contact* handle, int32_t index, wrc_patch* patch) {
+  return abi::look(handle, abi::clear(patch), [&](const Contact& contact) -> int32_t {
+    if (patch == nullptr) return WRC_ERROR_NULL;
+    if (contact.patches == 0) return WRC_ERROR_SEQUENCE;
+    if (index < 0 || index >= contact.patches) return WRC_ERROR_RANGE;
+    abi::write(abi::patch_of(contact, contact.patch[index]), patch);
+    return WRC_OK;
   });
 }
 
 int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
-  const Fault cleared = abi::clear(view);
-  if (!abi::valid(handle) || view == nullptr) return WRC_ERROR_NULL;
-  if (cleared.failed()) return cleared.status;
-  if (field < 0 || field >= static_cast<int32_t>(std::size(wrc::field_rows))) return WRC_ERROR_UNSUPPORTED;
-  const Contact& contact = *handle->contact;
-  const wrc::FieldRow& row = wrc::field_rows[field];
-  if (!gives_fields(contact) && row.is_of_tractions()) return WRC_ERROR_UNSUPPORTED;
-  const bool of_patch = row.grid != wrc::FieldGrid::gap_rows && contact.patches > 0;
-  if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
-  const wrc::Field found = find_field(contact, of_patch ? &contact.patch[patch] : nullptr, row);
-  if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
-  wrc_view ours{};
-  ours.data = found.data;
-  const auto elements = static_cast<uint64_t>(found.elements);
-  const bool cells = found.cells > 0;
-  ours.rank = cells ? 2 : 1;
-  ours.count[0] = cells ? static_cast<uint64_t>(found.cells) : elements;
-  ours.count[1] = cells ? elements : 1;
-  ours.stride[0] = cells ? elements : 1;
-  ours.stride[1] = 1;
-  abi::write(ours, view);
-  return WRC_OK;
+  return abi::look(handle, abi::clear(view), [&](const Contact& contact) -> int32_t {
+    if (view == nullptr) return WRC_ERROR_NULL;
+    if (field < 0 || field >= static_cast<int32_t>(std::size(wrc::field_rows))) return WRC_ERROR_UNSUPPORTED;
+    const wrc::FieldRow& row = wrc::field_rows[field];
+    if (!gives_fields(contact) && row.is_of_tractions()) return WRC_ERROR_UNSUPPORTED;
+    const bool of_patch = row.grid != wrc::FieldGrid::gap_rows && contact.patches > 0;
+    if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
+    const wrc::Field found = find_field(contact, of_patch ? &contact.patch[patch] : nullptr, row);
+    if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
+    const bool cells = found.cells > 0;
+    const auto elements = static_cast<uint64_t>(found.elements);
+    wrc_view ours{};
+    ours.data = found.data;
+    ours.rank = cells ? 2 : 1;
+    ours.count[0] = cells ? static_cast<uint64_t>(found.cells) : elements;
+    ours.count[1] = cells ? elements : 1;
+    ours.stride[0] = cells ? elements : 1;
+    ours.stride[1] = 1;
+    abi::write(ours, view);
+    return WRC_OK;
+  });
 }
 
 }  // extern "C"

@@ -241,15 +241,13 @@ int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_in
                    });
 }
 
-int32_t wrc_contact_region(wrc_contact* handle, int32_t index, wrc_region* region) {
-  return abi::call(handle, abi::clear(region), [&](wrc::Contact& contact) -> wrc::Fault {
-    if (region == nullptr) return {.status = WRC_ERROR_NULL, .field = "region"};
-    if (contact.wheel_solved == 0)
-      return {.status = WRC_ERROR_SEQUENCE, .field = "region", .cause = "call wrc_contact_wrench first"};
-    const wrc::Fault outcome =
-        abi::check(static_cast<double>(index), "index", "", 0.0, contact.wheel.wrench.regions - 1.0);
-    if (!outcome.failed()) abi::write(abi::region_of(contact, index), region);
-    return outcome;
+int32_t wrc_contact_region(const wrc_contact* handle, int32_t index, wrc_region* region) {
+  return abi::look(handle, abi::clear(region), [&](const wrc::Contact& contact) -> int32_t {
+    if (region == nullptr) return WRC_ERROR_NULL;
+    if (contact.wheel_solved == 0) return WRC_ERROR_SEQUENCE;
+    if (index < 0 || index >= contact.wheel.wrench.regions) return WRC_ERROR_RANGE;
+    abi::write(abi::region_of(contact, index), region);
+    return WRC_OK;
   });
 }
 
