@@ -60,8 +60,7 @@
  * @par On Windows
  * wrc.dll: link its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init
  * comes from _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in
- * the
- * process's code page.
+ * the process's code page.
  *
  * Valid as C99 to C23 and C++98 to C++23. "Paper" below is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
  */
@@ -193,10 +192,9 @@ enum wrc_available {
 };
 
 /** Arrays of the last step that wrc_contact_field() shows without copying, in the contact frame. Fields over cells have
- * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips (by
- * increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the
- * tractions live
- * on: of the ellipse, where the patch model has one. */
+ * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips
+ * (by increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the
+ * tractions live on: of the ellipse, where the patch model has one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
   WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
@@ -376,8 +374,7 @@ typedef struct wrc_gap {
  *     1 + 3/2 damping * approach_velocity,   never below 0,
  * on the elastic patch. The force so grows from zero at first touch and never pulls. Everything downstream (traction
  * bound, forces.fn, fields, damage) sees this pressure; wrc_normal_solution.damping_force is its share of the normal
- * force.
- * An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
+ * force. An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
 typedef struct wrc_load {
   int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
   uint32_t reserved;    /**< 0 */
@@ -410,12 +407,11 @@ typedef struct wrc_creepage {
                              result of wrc_contact_creepages. Too large: the way of creepage.speed has the larger share */
 } wrc_creepage;
 
-/** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that at
- * rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such
- * strips
- * carry no traction. A law over temperature is not there yet. A member that neither the kind nor the tangential method
- * reads must be its default: anything else is WRC_ERROR_UNSUPPORTED. Zones are
- * read where zones > 0. Theory manual, section 5. */
+/** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that
+ * at rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such
+ * strips carry no traction. A law over temperature is not there yet. A member that neither the kind nor the tangential
+ * method reads must be its default: anything else is WRC_ERROR_UNSUPPORTED. Zones are read where zones > 0. Theory
+ * manual, section 5. */
 typedef struct wrc_friction {
   double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 0 or 1e-4..2; 0, none, of a wheel on a
                              rail alone (wrc_wheel.h) [0.3]. Too small: friction must be positive. Too large: did you pass
@@ -444,10 +440,9 @@ typedef struct wrc_friction {
   uint32_t reserved;    /**< 0 */
 } wrc_friction;
 
-/** An equivalent double ellipse and the load it carries: two half ellipses of equal length that meet at the joint. Found
- * for every patch; or handed over as a patch, exactly (then pressure is semi-elliptic, p0 = 1.5 N / (pi a b), and the
- * joint
- * lies at the origin of the contact frame). */
+/** An equivalent double ellipse and the load it carries: two half ellipses of equal length that meet at the joint.
+ * Found for every patch; or handed over as a patch, exactly (then pressure is semi-elliptic, p0 = 1.5 N / (pi a b),
+ * and the joint lies at the origin of the contact frame). */
 typedef struct wrc_ellipse {
   double a;            /**< semi-axis along rolling, 1e-6..0.1 m [0]. Too large: did you pass mm? */
   double b;            /**< half its width, 1e-6..0.1 m; it reaches from y - b (1 - psi) to y + b (1 + psi) [0]. Too large:
@@ -679,13 +674,10 @@ WRC_API const char* wrc_status_text(int32_t status);
 
 /** @name Defaults
  * wrc_X_default() gives a struct with its defaults (the values in brackets above; zero and NULL where none are given),
- * of
- * the size the caller was compiled with. wrc_X_init() does the same to a struct of the caller; of one that has
- * struct_size,
- * which must be set before, it writes that many bytes. Returns WRC_OK, WRC_ERROR_NULL (the pointer is NULL),
- * WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows: the library is
- * older
- * than the header; wrc_X_default() gives zeros then, and every call refuses them).
+ * of the size the caller was compiled with. wrc_X_init() does the same to a struct of the caller; of one that has
+ * struct_size, which must be set before, it writes that many bytes. Returns WRC_OK, WRC_ERROR_NULL (the pointer is
+ * NULL), WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows: the
+ * library is older than the header; wrc_X_default() gives zeros then, and every call refuses them).
  * @rt hard @thread free
  * @{ */
 WRC_API int32_t wrc_profile_init(wrc_profile* profile); /**< Defaults: profile. */
@@ -739,10 +731,9 @@ WRC_DEFAULT_SIZED(wrc_patch)
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
-/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility
- * and regularisation of config.tangential, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
- * friction.slope_fall > 0;
- * "KBTNH-type table" needs config.tangential.force_table.
+/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility and
+ * regularisation of config.tangential, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
+ * friction.slope_fall > 0; "KBTNH-type table" needs config.tangential.force_table.
  * @param[in,out] config of wrc_config_default()
  * @param name one of WRC_PRESET_LIST (wrc_methods.h), as written there, for example "FASTSIM-SDEC"
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
@@ -955,15 +946,14 @@ WRC_API int32_t wrc_contact_damage(wrc_contact* contact, wrc_damage* damage);
  * contact */
 WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
-/** Derivatives of the forces of the last wrc_contact_tangential or wrc_contact_step by creepages, load and friction, for
- * implicit integrators and linearisation: those of the discrete model itself, carried along with the forces (forward
- * mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between stick and
- * slip;
- * there it is the derivative from one side. Where strips stick a second time, which takes large spin, it jumps there by
- * up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and strip FASTSIM,
- * where
- * neither friction nor the slope (modified FASTSIM) falls; all else has central differences instead, with steps of a
- * thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields included.
+/** Derivatives of the forces of the last wrc_contact_tangential or wrc_contact_step by creepages, load and friction,
+ * for implicit integrators and linearisation: those of the discrete model itself, carried along with the forces
+ * (forward mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between
+ * stick and slip; there it is the derivative from one side. Where strips stick a second time, which takes large spin,
+ * it jumps there by up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and
+ * strip FASTSIM, where neither friction nor the slope (modified FASTSIM) falls; all else has central differences
+ * instead, with steps of a thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields
+ * included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_contact_tangential());
@@ -973,13 +963,12 @@ WRC_API int32_t wrc_contact_sensitivities(wrc_contact* contact, wrc_sensitivity*
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
  * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
  * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held.
- * Nothing
- * in the contact changes, fields included.
+ * Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
  * @return WRC_OK; the flags of wrc_contact_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential,
- * or on strips or a
- * patch of the caller), and those of wrc_contact_step() where a neighbouring step fails. @rt hard @thread contact */
+ * or on strips or a patch of the caller), and those of wrc_contact_step() where a neighbouring step fails. @rt hard
+ * @thread contact */
 WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
 
 /** All stages at once: geometry (without input->gap) or the given gap, normal, regularise, tangential, damage.

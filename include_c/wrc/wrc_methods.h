@@ -52,14 +52,11 @@ enum wrc_patch_model {
 /** The tangential methods by their published names, X(identifier, name, WRC_TANGENTIAL_..., WRC_PATCH_MODEL_...,
  * WRC_BOUND_..., WRC_FLEXIBILITY_..., WRC_REGULARISE_..., slope falls). wrc_config_use() sets a configuration by name;
  * bound, flexibilities and regularisation may then be chosen otherwise where the method reads them. The last column is
- * 1
- * where friction.slope_fall > 0 belongs to the name.
- * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L, -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and
- * its
- * modified form, Sichani, Enblom and Berg, VSD 54 (2016); FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and
- * Cole,
- * VSD 51 (2013). KBTNH-type table, after Piotrowski, Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space:
- * own. */
+ * 1 where friction.slope_fall > 0 belongs to the name.
+ * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L,
+ * -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and its modified form, Sichani, Enblom and Berg, VSD 54 (2016);
+ * FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and Cole, VSD 51 (2013). KBTNH-type table, after Piotrowski,
+ * Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space: own. */
 #define WRC_PRESET_LIST(X)                                                                                       \
   X(fastsim, "FASTSIM", FASTSIM, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastsim_eqe, "FASTSIM-EQ.E", FASTSIM, ELLIPSE_AT_MIDDLE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                 \

@@ -177,12 +177,11 @@ WRC_DEFAULT_SIZED(wrc_exact_check_result)
 /** @endcond */
 /** @} */
 
-/** Samples the gap in a contact at the cell centres of a grid, its minimum at zero.
- * Of wrc_contact_geometry: the separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll)
- * and rail,
- * along the contact normal. The rows the real-time methods read are its expansion along x; beside steps of the
- * profile's curvature they leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a
- * parabola. Outside the rows' range of y the gap continues with the last row's slope.
+/** Samples the gap in a contact at the cell centres of a grid, its minimum at zero. Of wrc_contact_geometry: the
+ * separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail, along the contact
+ * normal. The rows the real-time methods read are its expansion along x; beside steps of the profile's curvature they
+ * leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a parabola. Outside the
+ * rows' range of y the gap continues with the last row's slope.
  * @param contact with a gap
  * @param grid where to sample
  * @param[out] gap nx * ny [m]; zero on failure, once the grid is known to be one

@@ -2,10 +2,9 @@
  * A wheel on a rail in one call, for multibody hosts: where both are and how they move in, the wrench between them out.
  * Part of wrc.h, which includes it; the conventions there (structs, statuses, classes) hold here.
  *
- * Nothing here chooses a contact point: every strip of the rail's surface has its own normal, overlap and slip, and the
- * strips' forces are summed in track axes. The wrench is therefore continuous in the whole pose; tread, gauge corner
- * and
- * flange are one problem, and two-point contact is nothing special.
+ * Nothing here chooses a contact point: every strip of the rail's surface has its own normal, overlap and slip, and
+ * the strips' forces are summed in track axes. The wrench is therefore continuous in the whole pose; tread, gauge
+ * corner and flange are one problem, and two-point contact is nothing special.
  *
  * @par Frames, origins, signs (SI: m, N, rad, s)
  *
@@ -105,11 +104,10 @@ typedef struct wrc_wheel_state {
                                    degrees? the axle is the y axis */
 } wrc_wheel_state;
 
-/** Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel runs along a rail
- * that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular velocity
- * and
- * orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in these axes
- * then. */
+/** Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel runs along a
+ * rail that is bent but at rest they are 0: what the rail's slope adds is there when the wheel's velocity, angular
+ * velocity and orientation are given in axes turned into the rail's direction (docs/hosts.md), and the wrench is in
+ * these axes then. */
 typedef struct wrc_rail_state {
   double y;             /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0]. Did you pass mm? */
   double z;             /**< the same downwards, -0.2..0.2 m [0]. Did you pass mm? */
@@ -233,11 +231,10 @@ WRC_DEFAULT_SIZED(wrc_region)
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _BEYOND_GAP (deeper than 2 mm: continued with
- * the
- * stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there is
- * room for;
- * the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles or of
- * other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
+ * the stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there
+ * is room for; the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
+ * profiles or of other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this
+ * pose).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
@@ -284,8 +281,7 @@ WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t 
  * @param contact as for wrc_contact_wrench()
  * @param in WRC_FLAT_WHEEL_INPUTS numbers: reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
  * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0:
- * none),
- * prescribed, vertical load [N], damping [s/m]
+ * none), prescribed, vertical load [N], damping [s/m]
  * @param[out] out WRC_FLAT_WHEEL_OUTPUTS numbers: force x, y, z [N], moment x, y, z [N m], on the rail force x, y, z,
  * moment x, y, z, then z [m], normal force [N], area [m^2], peak pressure [Pa], power [W], regions
  * @return as wrc_contact_wrench(). @rt hard @thread contact */
