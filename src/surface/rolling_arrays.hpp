@@ -11,7 +11,7 @@ namespace wrc {
 
 /// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
 struct RollingMeans {
-  enum Mean { slip, slender, edge, lateral, spin, friction, place, longitudinal, variance, means };
+  enum Mean { slip, slender, edge, lateral, spin, friction, location, longitudinal, variance, means };
 };
 
 /// One element per strip, in the caller's workspace.

@@ -134,7 +134,7 @@ void linear_theory(const SurfaceRollingInputOf<Number>& in, const RollingArraysO
     a.mean[lateral][j] = 2.0 / pi * G * c.c22 * in.slip_y[j] * area;
     a.mean[spin][j] = 0.75 * G * c.c23 * in.spin[j] * l * area;
     a.mean[friction][j] = in.friction[j] * N;
-    a.mean[place][j] = in.place[j] * N;
+    a.mean[location][j] = in.place[j] * N;
   }
   take_means(in, a, slip, longitudinal);
   for (std::int32_t j = 0; j < in.count; ++j) {
@@ -142,7 +142,7 @@ void linear_theory(const SurfaceRollingInputOf<Number>& in, const RollingArraysO
     const Number area = value_of(a.load[j]) > 0.0 ? in.half_length[j] * in.width[j] : Number(0.0);
     a.own[j] = gain(u, poisson) * (in.slip_x[j] - a.mean[slip][j]);
     a.mean[longitudinal][j] = 2.0 / pi * G * a.c11[j] * (a.mean[slip][j] + a.own[j]) * area;
-    const Number from_middle = in.place[j] - a.mean[place][j];
+    const Number from_middle = in.place[j] - a.mean[location][j];
     a.mean[variance][j] = from_middle * from_middle * a.load[j];
   }
   take_means(in, a, longitudinal, means);
@@ -203,7 +203,7 @@ void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<
     a.edge_y[j] = 2.0 * by_y * soft_y;
 
     const Number across =
-        (in.place[j] - a.mean[place][j]) / root(5.0 * larger(a.mean[variance][j], Number(least_variance)));
+        (in.place[j] - a.mean[location][j]) / root(5.0 * larger(a.mean[variance][j], Number(least_variance)));
     const Number elastic = a.mean[edge][j] * per_size;
     a.slip_x[j] = in.slip_x[j] + elastic * (e + s) * across * fitted(SurfaceCalibration::twist_x);
     a.slip_y[j] = in.slip_y[j] + elastic * (s * fitted(SurfaceCalibration::torsion) +
