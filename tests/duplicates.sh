@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Pairs of places in src/ that are the same piece of code written twice, found by Debian's similarity-tester: runs of more
 # than 6 lines that agree token by token whatever the names, if they are 60 tokens or more or their lines are the same.
-# Generated files are left out, and lines that copy one member to another do not count. Fails on a pair that is not in the list below with its reason, and on a line of the
-# list that no pair needs any more. Status 77 without the tester.
+# Generated files are left out, and lines that copy one member to another do not count. Fails on a pair that is not in the
+# list below with its reason, and on a line of the list that no pair needs any more. Status 77 without the tester.
 #   duplicates.sh [SOURCE_DIRECTORY]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/..}"
@@ -15,7 +15,7 @@ src/contact/methods.cpp                src/contact/methods.cpp                  
 src/tangential/simd/march_kernel.hpp   src/tangential/simd/strip_fastsim_start.hpp    1  two tasks with members of their own, loaded into vectors
 src/surface/surface_calibration.hpp    src/tangential/methods/strip_calibration.hpp   1  two enumerations of fitted constants
 src/abi/sensitivities.cpp              src/abi/sensitivities.cpp                      1  two calls whose results have members of their own
-src/abi/stages.cpp                     src/abi/wheel.cpp                              1  the loops of two batch calls
+src/abi/stages.cpp                     src/abi/wheel.cpp                              1  the parameters of two batch calls
 '
 python3 - "$known" $(git ls-files 'src/*.cpp' 'src/*.hpp' 'src/*.c' | grep -v generated) <<'PYTHON'
 import collections, re, subprocess, sys

@@ -37,4 +37,21 @@ Element* element(Element* first, std::uint64_t offset) {
   return first == nullptr ? nullptr : reinterpret_cast<Element*>(reinterpret_cast<Byte*>(first) + offset);
 }
 
+/// `one` for each contact, in order, with its input and its output; the gravest status. An array that is
+/// missing is a NULL in every call, so that what there is of outputs gets zeroed.
+template <typename Input, typename Output, typename One>
+std::int32_t batch(wrc_contact* const* contacts, std::uint32_t count, const Input* inputs,
+                   std::uint64_t input_stride, Output* outputs, std::uint64_t output_stride,
+                   std::int32_t* statuses, One&& one) {
+  const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
+  Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::int32_t status = one(contacts == nullptr ? nullptr : contacts[i],
+                                    element(inputs, i * input_stride), element(outputs, i * output_stride));
+    if (statuses != nullptr) statuses[i] = status;
+    keep_worst(gravest, Fault{.status = status});
+  }
+  return gravest.status;
+}
+
 }  // namespace wrc::abi

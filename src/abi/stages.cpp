@@ -402,17 +402,7 @@ int32_t wrc_contact_step(wrc_contact* handle, const wrc_input* input, wrc_output
 int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
                                uint64_t input_stride, wrc_output* outputs, uint64_t output_stride,
                                int32_t* statuses) {
-  // An array that is missing is a NULL in every step, so that what there is of outputs gets zeroed.
-  const bool missing = contacts == nullptr || inputs == nullptr || outputs == nullptr;
-  Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
-  for (uint32_t i = 0; i < count; ++i) {
-    const int32_t status =
-        abi::step(contacts == nullptr ? nullptr : contacts[i], abi::element(inputs, i * input_stride),
-                  abi::element(outputs, i * output_stride));
-    if (statuses != nullptr) statuses[i] = status;
-    keep_worst(gravest, Fault{.status = status});
-  }
-  return gravest.status;
+  return abi::batch(contacts, count, inputs, input_stride, outputs, output_stride, statuses, abi::step);
 }
 
 int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out) {

@@ -254,16 +254,8 @@ int32_t wrc_contact_region(const wrc_contact* handle, int32_t index, wrc_region*
 int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
                                  uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
                                  int32_t* statuses) {
-  const bool missing = contacts == nullptr || inputs == nullptr || wrenches == nullptr;
-  wrc::Fault gravest{.status = missing ? WRC_ERROR_NULL : WRC_OK};
-  for (uint32_t i = 0; i < count; ++i) {
-    const int32_t status =
-        abi::wheel_step(contacts == nullptr ? nullptr : contacts[i], abi::element(inputs, i * input_stride),
-                        abi::element(wrenches, i * wrench_stride));
-    if (statuses != nullptr) statuses[i] = status;
-    keep_worst(gravest, wrc::Fault{.status = status});
-  }
-  return gravest.status;
+  return abi::batch(contacts, count, inputs, input_stride, wrenches, wrench_stride, statuses,
+                    abi::wheel_step);
 }
 
 int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* out) {
