@@ -1,4 +1,4 @@
-/// What strip FASTSIM on the surface is told of every strip (surface_rolling.hpp), from loads, slips and
+/// The numbers strip FASTSIM on the surface has of every strip (surface_rolling.hpp), from loads, slips and
 /// coefficients: for plain numbers, and for numbers that carry derivatives.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Derivatives of strip FASTSIM where every strip is told its own numbers: by each of those numbers
+/// Derivatives of strip FASTSIM where every strip has numbers of its own: by each of those numbers
 /// (SurfaceStripInput), strip by strip.
 ///
 /// The steps, and what their results change with, are those of strip_fastsim_kernel.hpp. Each input enters a
