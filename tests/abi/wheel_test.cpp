@@ -932,4 +932,52 @@ TEST_F(WheelOnRail, TheFunctionTableHoldsTheWheelStep) {
   EXPECT_EQ(api->region_init, &wrc_region_init);
 }
 
+/// A cylinder on a rail with 21 ridges: more regions than are listed.
+class RidgedRail : public testing::Test, protected PlacedWheel {
+ protected:
+  RidgedRail() {
+    constexpr double pi = 3.14159265358979, ridge = 3e-3, depth = 60e-6;
+    for (int i = -340; i <= 340; ++i) {
+      y_.push_back(1e-4 * i);
+      const double beside = std::max(0.0, std::fabs(y_.back()) - 30e-3);
+      z_.push_back(0.5 * depth * (1.0 - std::cos(2.0 * pi * y_.back() / ridge)) + 500.0 * beside * beside);
+      level_.push_back(0.0);
+    }
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = half_base;
+    for (wrc_profile* profile : {&config.wheel, &config.rail}) {
+      profile->kind = WRC_PROFILE_POINTS;
+      profile->count = static_cast<uint32_t>(y_.size());
+      profile->y = y_.data();
+      profile->z = profile == &config.rail ? z_.data() : level_.data();
+    }
+    wheel.velocity[1] = 0.05;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 100e3;
+  }
+  void SetUp() override {
+    char text[256] = "";
+    ASSERT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
+    create();
+  }
+
+  std::vector<double> y_, z_, level_;
+};
+
+TEST_F(RidgedRail, TheLastRegionTakesWhatIsNotListed) {
+  ASSERT_EQ(step(), WRC_FLAG_MORE_PATCHES) << error();
+  ASSERT_EQ(wrench.regions, 16);
+  Vector force{};
+  double area = 0.0;
+  for (int32_t i = 0; i < wrench.regions; ++i) {
+    wrc_region region = wrc_region_default();
+    ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
+    force = force + vector_of(region.force);
+    area += region.area;
+  }
+  EXPECT_NEAR(length(force - vector_of(wrench.force)), 0.0, 1e-9 * length(force));
+  EXPECT_NEAR(wrench.force[2], -100e3, 1e-3);
+  EXPECT_NEAR(area, wrench.area, 1e-12 * area);
+}
+
 }  // namespace
