@@ -1,6 +1,7 @@
 /// Derivatives of the wrench of a wheel on a rail, against central differences.
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -150,6 +151,41 @@ TEST_P(WheelDerivatives, NearStandstillBothWaysHaveAShare) {
   expect_differences(differences_see);
 }
 
+TEST_P(WheelDerivatives, StraightAhead) {
+  input.friction.coefficient = 0.3;
+  wheel.roll = wheel.yaw = rail.roll = 0.0;
+  press(0.0, 60e3);
+  expect_differences(differences_see);
+}
+
+TEST_P(WheelDerivatives, FiniteAtAnyPose) {
+  input.friction.coefficient = 0.3;
+  std::mt19937_64 random(3);
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  wrc_wrench alone = wrc_wrench_default();
+  for (int i = 0; i < 300; ++i) {
+    wheel.y = between(-15e-3, 15e-3);
+    wheel.z = between(-3e-3, 3e-3);
+    wheel.roll = between(-0.04, 0.04);
+    wheel.yaw = between(-0.04, 0.04);
+    wheel.velocity[0] = i % 10 == 0 ? 0.0 : between(-60.0, 60.0);
+    wheel.angular_velocity[1] = i % 10 == 5 ? 0.0 : -wheel.velocity[0] / 0.46;
+    input.damping = between(0.0, 1.0);
+    const int32_t status = wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found);
+    ASSERT_GE(status, WRC_OK);
+    for (const auto& row : found.wrench)
+      for (const double entry : row) ASSERT_TRUE(std::isfinite(entry)) << i;
+    // what was differentiated is the wrench of the step, flag for flag
+    const int32_t of_step = wrc_contact_wrench(contact, &input, &alone);
+    if (status != WRC_FLAG_MORE_PATCHES) {
+      ASSERT_EQ(status, of_step);
+    }
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(wrench.moment[k], alone.moment[k]);
+  }
+}
+
 TEST_P(WheelDerivatives, AxesAndReferenceOfTheHost) {
   wheel.reference = WRC_REFERENCE_WHEEL;
   wheel.angular_axes = WRC_AXES_BODY;
@@ -188,6 +224,21 @@ TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
   EXPECT_NEAR(found.z[WRC_BY_RAIL_Z], 1.0, 1e-9);
   for (int r = 0; r < rows; ++r) EXPECT_EQ(found.wrench[r][WRC_BY_Z], 0.0);
   for (int k = 0; k < columns; ++k) EXPECT_NEAR(found.wrench[2][k], 0.0, 1e-9 * stiffness);
+  // Loads are met to 1e-8, which at a stiffness of 1e9 N/m is 1e-12 m.
+  const wrc_wrench_sensitivities at_load = found;
+  for (const int k : {WRC_BY_Y, WRC_BY_ROLL, WRC_BY_YAW, WRC_BY_RAIL_Y}) {
+    const double value = *number(k), h = 1e-7;
+    wrc_wrench ends[2] = {wrench, wrench};
+    for (int end = 0; end < 2; ++end) {
+      *number(k) = value + (end == 0 ? -h : h);
+      ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), WRC_OK);
+    }
+    *number(k) = value;
+    EXPECT_NEAR(at_load.z[k], (ends[1].z - ends[0].z) / (2.0 * h), 2e-3 * std::fabs(at_load.z[WRC_BY_ROLL]))
+        << k;
+    EXPECT_NEAR(at_load.wrench[1][k], (ends[1].force[1] - ends[0].force[1]) / (2.0 * h), 2e-3 * stiffness)
+        << k;
+  }
 }
 
 TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
