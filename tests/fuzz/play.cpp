@@ -1,6 +1,7 @@
 #include "play.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <vector>
@@ -318,6 +319,11 @@ class Case {
     for (int k = 0; k < 3; ++k) {
       expect(std::fabs(force[k] - wrench.force[k]) <= 1e-9 * size, "regions add up to the wrench");
     }
+    wrc_wrench_sensitivities found{};
+    hand_over([&] { return wrc_contact_wrench_sensitivities(contact_, &given.input, nullptr, &found); });
+    expect(std::all_of(&found.wrench[0][0], &found.wrench[0][0] + 6 * WRC_WRENCH_INPUTS,
+                       [](double entry) { return std::isfinite(entry); }),
+           "every derivative is finite");
     if (config_.normal.warm_start != 0 || !choices_.one_in(4)) return;
     expect(wrc_contact_wrench(contact_, &given.input, &again) == status, "the same call has the same status");
     expect(std::memcmp(&wrench, &again, sizeof wrench) == 0, "the same call gives the same bits");
