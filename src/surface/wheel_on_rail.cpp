@@ -138,21 +138,7 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, 
   const auto mirror = [&](double* a) {
     for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
   };
-  SurfaceRollingInput rolls;
-  rolls.count = count;
-  rolls.place = w.place;
-  rolls.width = w.width;
-  rolls.half_length = w.half_length;
-  rolls.peak = w.peak;
-  rolls.curvature = w.curvature;
-  rolls.slip_x = w.slip_x;
-  rolls.slip_y = w.slip_y;
-  rolls.spin = w.spin;
-  rolls.friction = w.friction;
-  rolls.normal_shear_modulus = model.material.shear_modulus;
-  rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
-  rolls.coefficients = &model.coefficients;
-  rolls.grid = model.grid;
+  const auto rolls = rolling_input<double>(model, in, count, w);
   if (backwards) {
     mirror(w.slip_x);
     mirror(w.spin);

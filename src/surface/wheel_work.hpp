@@ -4,7 +4,10 @@
 #include <cstdint>
 
 #include "surface/overlap.hpp"
+#include "surface/surface_model.hpp"
 #include "surface/surface_normal.hpp"
+#include "surface/surface_rolling.hpp"
+#include "surface/wheel_on_rail.hpp"
 
 namespace wrc {
 
@@ -29,5 +32,27 @@ struct WheelWork {
       *other_fx, *other_fy, *other_mz;
   std::int32_t* candidate;  ///< of a strip in contact
 };
+
+/// What the strips in contact roll with: the arrays of these names in `strips`, and the model's numbers.
+template <class Number, class Strips>
+SurfaceRollingInputOf<Number> rolling_input(const SurfaceModel& model, const WheelOnRail& in,
+                                            std::int32_t count, const Strips& strips) {
+  SurfaceRollingInputOf<Number> rolls;
+  rolls.count = count;
+  rolls.place = strips.place;
+  rolls.width = strips.width;
+  rolls.half_length = strips.half_length;
+  rolls.peak = strips.peak;
+  rolls.curvature = strips.curvature;
+  rolls.slip_x = strips.slip_x;
+  rolls.slip_y = strips.slip_y;
+  rolls.spin = strips.spin;
+  rolls.friction = strips.friction;
+  rolls.normal_shear_modulus = model.material.shear_modulus;
+  rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
+  rolls.coefficients = &model.coefficients;
+  rolls.grid = model.grid;
+  return rolls;
+}
 
 }  // namespace wrc

@@ -97,21 +97,7 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
   const auto mirror = [n](Number* a) {
     for (std::int32_t k = 0; k < n; ++k) a[k] = -a[k];
   };
-  SurfaceRollingInputOf<Number> rolls;
-  rolls.count = n;
-  rolls.place = s.place;
-  rolls.width = s.width;
-  rolls.half_length = s.half_length;
-  rolls.peak = s.peak;
-  rolls.curvature = s.curvature;
-  rolls.slip_x = s.slip_x;
-  rolls.slip_y = s.slip_y;
-  rolls.spin = s.spin;
-  rolls.friction = s.friction;
-  rolls.normal_shear_modulus = model.material.shear_modulus;
-  rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
-  rolls.coefficients = &model.coefficients;
-  rolls.grid = model.grid;
+  const auto rolls = rolling_input<Number>(model, in, n, s);
   if (backwards) {
     mirror(s.slip_x);
     mirror(s.spin);
