@@ -1,4 +1,6 @@
 /// Wear by three laws: parameters checked and translated, results handed back.
+#include "abi/wear.hpp"
+
 #include "abi/call.hpp"
 
 namespace wrc::abi {
@@ -21,43 +23,42 @@ Fault check_order(const wrc_wear_laws& laws) {
                             laws.archard_severe_start)});
 }
 
-Fault read_laws(const wrc_wear_laws* theirs, WearLaws& laws) {
-  wrc_wear_laws ours;
-  Fault fault = read_or_defaults(theirs, "laws", ours);
-  if (!fault.failed()) fault = check_order(ours);
-  if (fault.failed()) return fault;
-  laws.t_gamma.t1 = ours.t_gamma_mild_end;
-  laws.t_gamma.t2 = ours.t_gamma_severe_start;
-  laws.t_gamma.slope_mild = ours.t_gamma_mild_slope;
-  laws.t_gamma.plateau = ours.t_gamma_plateau;
-  laws.t_gamma.slope_severe = ours.t_gamma_severe_slope;
-  laws.t_gamma.offset_severe = ours.t_gamma_severe_offset;
-  laws.sheffield.x1 = ours.sheffield_mild_end;
-  laws.sheffield.x2 = ours.sheffield_severe_end;
-  laws.sheffield.slope_mild = ours.sheffield_mild_slope;
-  laws.sheffield.slope_catastrophic = ours.sheffield_catastrophic_slope;
-  laws.sheffield.density = ours.density;
-  laws.archard.hardness = ours.hardness;
-  laws.archard.mild_low_speed = ours.archard_slow;
-  laws.archard.severe = ours.archard_severe;
-  laws.archard.mild_high_speed = ours.archard_fast;
-  laws.archard.seizure = ours.archard_seizure;
-  laws.archard.v1 = ours.archard_severe_start;
-  laws.archard.v2 = ours.archard_severe_end;
-  laws.archard.seizure_pressure = ours.seizure_pressure;
-  return {};
+}  // namespace
+
+WearLaws laws_of(const wrc_wear_laws& checked) {
+  WearLaws laws;
+  laws.t_gamma.t1 = checked.t_gamma_mild_end;
+  laws.t_gamma.t2 = checked.t_gamma_severe_start;
+  laws.t_gamma.slope_mild = checked.t_gamma_mild_slope;
+  laws.t_gamma.plateau = checked.t_gamma_plateau;
+  laws.t_gamma.slope_severe = checked.t_gamma_severe_slope;
+  laws.t_gamma.offset_severe = checked.t_gamma_severe_offset;
+  laws.sheffield.x1 = checked.sheffield_mild_end;
+  laws.sheffield.x2 = checked.sheffield_severe_end;
+  laws.sheffield.slope_mild = checked.sheffield_mild_slope;
+  laws.sheffield.slope_catastrophic = checked.sheffield_catastrophic_slope;
+  laws.sheffield.density = checked.density;
+  laws.archard.hardness = checked.hardness;
+  laws.archard.mild_low_speed = checked.archard_slow;
+  laws.archard.severe = checked.archard_severe;
+  laws.archard.mild_high_speed = checked.archard_fast;
+  laws.archard.seizure = checked.archard_seizure;
+  laws.archard.v1 = checked.archard_severe_start;
+  laws.archard.v2 = checked.archard_severe_end;
+  laws.archard.seizure_pressure = checked.seizure_pressure;
+  return laws;
 }
 
-}  // namespace
 }  // namespace wrc::abi
 
 extern "C" int32_t wrc_contact_wear(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
   namespace abi = wrc::abi;
   return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
-    wrc::WearLaws ours;
+    wrc_wear_laws ours;
     wrc::WearNumbers numbers;
-    wrc::Fault outcome = abi::read_laws(laws, ours);
-    if (!outcome.failed()) outcome = wrc::assess_wear(contact, ours, numbers);
+    wrc::Fault outcome = abi::read_or_defaults(laws, "laws", ours);
+    if (!outcome.failed()) outcome = abi::check_order(ours);
+    if (!outcome.failed()) outcome = wrc::assess_wear(contact, abi::laws_of(ours), numbers);
     if (outcome.failed()) return outcome;
     wrc_wear result = abi::defaults<wrc_wear>();
     result.worn_area_rate = numbers.worn_area_rate;

@@ -1,8 +1,6 @@
 /// Wear laws: material removed by frictional work, in three forms in use on railways.
 ///
-/// The constants are the published ones as far as the literature is remembered; none of them could be checked
-/// against the original text here ("unconfirmed"), and all depend on the pair of steels: they are parameters,
-/// to be replaced by the user's own.
+/// The published constants are the defaults of wrc_wear_laws; all depend on the pair of steels.
 #pragma once
 
 namespace wrc {
@@ -12,10 +10,10 @@ namespace wrc {
 ///   T-gamma < t1: slope_mild T / D;  t1..t2: plateau / D;  above t2: (slope_severe T - offset_severe) / D,
 /// in mm^2 per km with T in N and the wheel diameter D in mm.
 struct TGammaWearLaw {
-  double t1 = 100.0, t2 = 200.0;                      ///< [N]
-  double slope_mild = 0.25;                           ///< [mm^3/(km N)]
-  double plateau = 25.0;                              ///< [mm^3/km]
-  double slope_severe = 1.19, offset_severe = 154.0;  ///< [mm^3/(km N)], [mm^3/km]
+  double t1 = 0.0, t2 = 0.0;                       ///< [N]
+  double slope_mild = 0.0;                         ///< [mm^3/(km N)]
+  double plateau = 0.0;                            ///< [mm^3/km]
+  double slope_severe = 0.0, offset_severe = 0.0;  ///< [mm^3/(km N)], [mm^3/km]
 };
 
 /// Area lost per distance rolled [m^2/m]; t_gamma [N], wheel_diameter [m]. The published law jumps from
@@ -27,10 +25,10 @@ double worn_area_rate(const TGammaWearLaw& law, double t_gamma, double wheel_dia
 /// over x = T-gamma / A [N/mm^2]. Mild K = slope_mild x, severe a plateau, catastrophic slope_catastrophic
 /// beyond.
 struct SheffieldWearLaw {
-  double x1 = 10.4, x2 = 77.2;       ///< [N/mm^2]
-  double slope_mild = 5.3;           ///< [microgram/(m N)]
-  double slope_catastrophic = 61.9;  ///< [microgram/(m N)]
-  double density = 7850.0;           ///< [kg/m^3]
+  double x1 = 0.0, x2 = 0.0;        ///< [N/mm^2]
+  double slope_mild = 0.0;          ///< [microgram/(m N)]
+  double slope_catastrophic = 0.0;  ///< [microgram/(m N)]
+  double density = 0.0;             ///< [kg/m^3]
 };
 
 /// Depth lost per distance rolled [m/m]; t_gamma_density = frictional power density / rolling speed [N/m^2].
@@ -41,13 +39,13 @@ double wear_depth_rate(const SheffieldWearLaw& law, double t_gamma_density);
 /// Archard's law with the wear map of Jendel (Wear 253 (2002) 89; values unconfirmed): volume = k N s / H,
 /// the coefficient by sliding velocity and pressure.
 struct ArchardWearLaw {
-  double hardness = 3.0e9;        ///< H [Pa]
-  double mild_low_speed = 5e-4;   ///< k below v1 (map: 1e-4 to 10e-4) [-]
-  double severe = 35e-4;          ///< k from v1 to v2 (30e-4 to 40e-4) [-]
-  double mild_high_speed = 5e-4;  ///< k above v2 (1e-4 to 10e-4) [-]
-  double seizure = 350e-4;        ///< k where pressure exceeds seizure_pressure H (300e-4 to 400e-4) [-]
-  double v1 = 0.2, v2 = 0.7;      ///< [m/s]
-  double seizure_pressure = 0.8;  ///< of the hardness [-]
+  double hardness = 0.0;          ///< H [Pa]
+  double mild_low_speed = 0.0;    ///< k below v1 (map: 1e-4 to 10e-4) [-]
+  double severe = 0.0;            ///< k from v1 to v2 (30e-4 to 40e-4) [-]
+  double mild_high_speed = 0.0;   ///< k above v2 (1e-4 to 10e-4) [-]
+  double seizure = 0.0;           ///< k where pressure exceeds seizure_pressure H (300e-4 to 400e-4) [-]
+  double v1 = 0.0, v2 = 0.0;      ///< [m/s]
+  double seizure_pressure = 0.0;  ///< of the hardness [-]
 };
 
 /// Depth lost by a point of the surface per second in contact [m/s]: k p v / H; pressure [Pa],

@@ -30,17 +30,17 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
 void mirror(const ProfileMemory& memory, const Profile& profile);
 
 struct TrackDimensions {
-  double gauge = 1.435;           ///< between the gauge faces [m]
-  double gauge_depth = 0.014;     ///< the gauge is measured here, below the top of the rail [m]
+  double gauge = 0.0;             ///< between the gauge faces [m]
+  double gauge_depth = 0.0;       ///< the gauge is measured here, below the top of the rail [m]
   double rail_inclination = 0.0;  ///< of the given profile; 0 if its points are canted already [-]
   bool by_origin = false;    ///< the origin of the profile lies at rail_origin and z = 0, whatever the gauge
   double rail_origin = 0.0;  ///< distance of that origin from the track's centre line [m]
 };
 
 struct WheelsetDimensions {
-  double flange_back_distance = 1.360;   ///< between the flange backs [m]
+  double flange_back_distance = 0.0;     ///< between the flange backs [m]
   double flange_back_to_origin = 0.070;  ///< from the flange back to the origin of the wheel profile [m]
-  double nominal_radius = 0.460;         ///< at the origin of the wheel profile (tape circle) [m]
+  double nominal_radius = 0.0;           ///< at the origin of the wheel profile (tape circle) [m]
 };
 
 /// A rail in the track frame.

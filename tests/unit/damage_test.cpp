@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "abi/structs.hpp"
+#include "abi/wear.hpp"
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
@@ -100,15 +102,17 @@ TEST(Fatigue, ShakedownCurveFollowsFromTheStressesOfALineContact) {
   EXPECT_NEAR(shakedown_limit(0.0), 4.0, 1e-12);
 }
 
+WearLaws published_wear_laws() { return abi::laws_of(abi::defaults<wrc_wear_laws>()); }
+
 TEST(Wear, TGammaLawHasItsPublishedBranches) {
-  const TGammaWearLaw law;
+  const TGammaWearLaw law = published_wear_laws().t_gamma;
   EXPECT_NEAR(worn_area_rate(law, 50.0, 0.92), 0.25 * 50.0 / 920.0 * 1e-9, 1e-18);  // mm^2/km = 1e-9 m^2/m
   EXPECT_NEAR(worn_area_rate(law, 150.0, 0.92), 25.0 / 920.0 * 1e-9, 1e-18);
   EXPECT_NEAR(worn_area_rate(law, 300.0, 0.92), (1.19 * 300.0 - 154.0) / 920.0 * 1e-9, 1e-18);
 }
 
 TEST(Wear, SheffieldLawIsContinuous) {
-  const SheffieldWearLaw law;
+  const SheffieldWearLaw law = published_wear_laws().sheffield;
   for (double x : {law.x1, law.x2}) {
     EXPECT_NEAR(wear_depth_rate(law, x * 1e6 * (1.0 - 1e-9)), wear_depth_rate(law, x * 1e6 * (1.0 + 1e-9)),
                 1e-12);
@@ -118,7 +122,7 @@ TEST(Wear, SheffieldLawIsContinuous) {
 }
 
 TEST(Wear, ArchardFollowsTheMap) {
-  const ArchardWearLaw law;
+  const ArchardWearLaw law = published_wear_laws().archard;
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 1e9, 0.1), law.mild_low_speed * 1e9 * 0.1 / law.hardness);
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 1e9, 0.5), law.severe * 1e9 * 0.5 / law.hardness);
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 2.5e9, 0.5), law.seizure * 2.5e9 * 0.5 / law.hardness);

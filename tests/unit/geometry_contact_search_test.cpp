@@ -219,10 +219,7 @@ TEST(Placement, Nominal60E1CantedByOneFortiethLiesCloseToTheBenchmark) {
   Profile profile;
   Rail rail;
   ASSERT_EQ(sample_rail_head(rail_60e1, upright.memory(), profile).status, WRC_OK);
-  ASSERT_EQ(
-      place_rail(profile, TrackDimensions{.rail_inclination = 1.0 / 40.0}, Side::right, placed.memory(), rail)
-          .status,
-      WRC_OK);
+  ASSERT_EQ(place_rail(profile, usual_track(1.0 / 40.0), Side::right, placed.memory(), rail).status, WRC_OK);
   const ReferenceBodies bodies;
   for (double y = 0.735; y < 0.780; y += 1.0 * mm) {
     // The heads differ by a few hundredths of a millimetre at the gauge corner, which shifts them as much.
@@ -236,9 +233,10 @@ TEST(Placement, GaugeFaceStandsAtHalfTheGauge) {
     Profile profile;
     Rail rail;
     sample_rail_head(rail_60e1, upright.memory(), profile);
-    place_rail(profile, TrackDimensions{.rail_inclination = inclination}, Side::right, placed.memory(), rail);
+    place_rail(profile, usual_track(inclination), Side::right, placed.memory(), rail);
     EXPECT_NEAR(highest_point(rail.profile).z, 0.0, 1e-15);
-    EXPECT_NEAR(evaluate(rail.profile, 0.5 * 1.435).z, 0.014, 1e-9) << inclination;
+    EXPECT_NEAR(evaluate(rail.profile, 0.5 * usual_track().gauge).z, usual_track().gauge_depth, 1e-9)
+        << inclination;
   }
 }
 
@@ -254,7 +252,9 @@ TEST(Placement, ByOriginARailStaysWhereItsPointsAre) {
       sample_rail_head(rail_60e1, upright.memory(), profile);
       for (std::int32_t i = 0; i < profile.count; ++i) upright.memory().z[i] += 0.8 * mm;  // worn down
       profile = profile_in(upright.memory(), profile.count);
-      const TrackDimensions track{.rail_inclination = inclination, .by_origin = true, .rail_origin = 0.7605};
+      TrackDimensions track = usual_track(inclination);
+      track.by_origin = true;
+      track.rail_origin = 0.7605;
       ASSERT_EQ(place_rail(profile, track, side, placed.memory(), rail).status, WRC_OK);
       EXPECT_EQ(rail.origin_y, outward * 0.7605);
       EXPECT_EQ(rail.origin_z, 0.0);

@@ -98,7 +98,7 @@ TEST(ProfilePoints, HalfMillimetrePointsKeepTreadAndFlangeRoot) {
   Wheel wheel;
   spline_through(ProfileBody::wheel, static_cast<std::int32_t>(points.y.size()), points.y.data(),
                  points.z.data(), scratch.data(), store.memory(), profile);
-  place_wheel(profile, WheelsetDimensions{}, Side::right, placed.memory(), wheel);
+  place_wheel(profile, usual_wheelset(), Side::right, placed.memory(), wheel);
   for (double y = 0.716; y < 0.80; y += 1e-4) {  // to -34 mm of the wheel's profile
     EXPECT_NEAR(evaluate(wheel.profile, y).z, evaluate(exact.wheel.profile, y).z, 0.1e-6) << y;
   }
@@ -114,8 +114,8 @@ TEST(ProfilePoints, AProfileTooSteepAlmostEverywhereIsTold) {
                  scratch.data(), store.memory(), profile);
   std::fill_n(store.memory().slope, count - 10, 200.0);
   Wheel wheel;
-  expect_fault(place_wheel(profile, WheelsetDimensions{}, Side::right, placed.memory(), wheel),
-               WRC_ERROR_PROFILE, "steeper than 89.4 degrees");
+  expect_fault(place_wheel(profile, usual_wheelset(), Side::right, placed.memory(), wheel), WRC_ERROR_PROFILE,
+               "steeper than 89.4 degrees");
 }
 
 TEST(ProfilePoints, GoodPointsPass) {

@@ -9,6 +9,7 @@
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
 #include "geometry/standard_profiles.hpp"
+#include "usual_dimensions.hpp"
 
 namespace wrc {
 
@@ -28,9 +29,9 @@ struct ReferenceBodies {
   explicit ReferenceBodies(Side side = Side::right) {
     Profile profile;
     sample_uic60_benchmark(rail_nodes.memory(), profile);
-    place_rail(profile, TrackDimensions{}, side, rail_placed.memory(), rail);
+    place_rail(profile, usual_track(), side, rail_placed.memory(), rail);
     sample_s1002(wheel_nodes.memory(), profile);
-    place_wheel(profile, WheelsetDimensions{}, side, wheel_placed.memory(), wheel);
+    place_wheel(profile, usual_wheelset(), side, wheel_placed.memory(), wheel);
   }
   ReferenceBodies(const ReferenceBodies&) = delete;
   ReferenceBodies& operator=(const ReferenceBodies&) = delete;
