@@ -13,7 +13,7 @@ namespace {
 struct Case {
   const char* name;
   Methods methods;
-  enum { complete, normal, tangential, damage, geometry } part;
+  enum { complete, normal, tangential, damage, geometry, wrench, derivatives } part;
 };
 
 constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec, WRC_SIDE_RIGHT, 60, 50};
@@ -30,7 +30,25 @@ constexpr Case cases[] = {
     {"tangential_sdec_60x50", usual, Case::tangential},
     {"tangential_strip_fastsim_60x32", defaults, Case::tangential},
     {"damage_60x50", usual, Case::damage},
+    {"wheel_on_rail", defaults, Case::wrench},
+    {"wheel_on_rail_derivatives", defaults, Case::derivatives},
 };
+
+/// A wheel on a rail at 80 to 100 kN; with its derivatives or without.
+void wheel_on_rail(Wheel& wheel, bool derivatives, int i) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench_sensitivities found{};
+  input.wheel.y = 2.8e-3 + 0.2e-3 * (i % 16) / 16.0;
+  input.wheel.z = 0.1e-3;
+  input.wheel.yaw = 3e-3;
+  input.wheel.velocity[0] = 20.0;
+  input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  if (derivatives)
+    wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+  else
+    wrc_contact_wrench(wheel.contact, &input, &wrench);
+}
 
 int32_t instruction_set() {
   wrc_config config = wrc_config_default();
@@ -63,6 +81,10 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
       case Case::tangential:
         wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
                                &wheel.output.forces);
+        break;
+      case Case::wrench:
+      case Case::derivatives:
+        wheel_on_rail(wheel, part == Case::derivatives, i);
         break;
       default:
         wrc_contact_damage(wheel.contact, &wheel.output.damage);
