@@ -32,22 +32,18 @@
  * @par Conventions of the interface
  *  - Every function that can fail returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed
  *    and the objects usable for the next call. wrc_contact_last_error() turns that of a stage into a sentence with
- *    field,
- *    value, unit, allowed range and likely cause. wrc_status.h lists them all.
+ *    field, value, unit, allowed range and likely cause. wrc_status.h lists them all.
  *  - wrc_config config = wrc_config_default(); and so for every struct that is read: defaults by value. Hosts that
- *    load the
- *    library at run time, and other languages, call wrc_..._init instead. 0 is 0, never a sign for something else.
+ *    load the library at run time, and other languages, call wrc_..._init instead. 0 is 0, never a sign for something
+ *    else.
  *  - Structs that may grow begin with struct_size, set by wrc_..._default(); for wrc_..._init set it to sizeof the
- *    struct
- *    first. One of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. It is needed in
- *    those
- *    that are written, too. All other structs are as they are, for ever from 1.0 on.
+ *    struct first. One of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. It is
+ *    needed in those that are written, too. All other structs are as they are, for ever from 1.0 on.
  *  - What a result does not have is 0, and its bit is missing in `available`: never NaN, never a number that stands
  *    for it.
  *  - A member's comment says what it may be: its range and unit, then [its default], then likely mistakes, which
- *    messages
- *    name. The library's checks and defaults, the Fortran module and the manual's tables are made of these comments. A
- *    result has its unit in brackets and no default.
+ *    messages name. The library's checks and defaults, the Fortran module and the manual's tables are made of these
+ *    comments. A result has its unit in brackets and no default.
  *  - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
  *  - Nothing is kept of what a caller passes, except the memory handed to an init or create and the model of a contact.
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read a file, the environment, the

@@ -20,19 +20,16 @@
  *              --P---                                   ---P--                 (config.track.placement)
  *
  *  - Pose of a wheel: the reference point (O or W, wrc_wheel_state.reference) is displaced from its nominal place by
- *    (y, z):
- *    z > 0 is down, into the rail. Where it is along x does not matter.
+ *    (y, z): z > 0 is down, into the rail. Where it is along x does not matter.
  *  - Orientation: R = Rx(roll) Rz(yaw): first roll about the track's x axis, then yaw about the rolled z axis,
- *    right-hand
- *    rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right. Pitch does not matter. Or any rotation
- *    matrix of the host with track = R * body and the body's y along the axle, to the right, with or without the pitch
- *    in it.
+ *    right-hand rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right. Pitch does not matter. Or
+ *    any rotation matrix of the host with track = R * body and the body's y along the axle, to the right, with or
+ *    without the pitch in it.
  *  - Velocity: of the reference point, in track axes. Angular velocity: whole, the turning about the axle included
  *    (forward rolling: its y component is about -v / r0 < 0), in track axes or in those of R.
  *  - Pose of a rail: P displaced by (y, z) and the profile turned about P by roll, right-hand rule about x.
  *  - Wrench: force and moment ON THE WHEEL in track axes, the moment about the reference point: a wheel pressed down
- *    has
- *    force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference
+ *    has force[2] < 0. rail_force, rail_moment: on the rail, the moment about the displaced P at the x of the reference
  *    point.
  *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; each wheel has its
  *    own contact, which knows its side.
@@ -62,7 +59,7 @@
  *   }
  * @endcode
  */
-#ifndef WRC_H
+#if !defined(WRC_H) && !defined(DOXYGEN)
 #include "wrc.h" /* which includes this file in its place */
 #elif !defined(WRC_WHEEL_H)
 #define WRC_WHEEL_H
