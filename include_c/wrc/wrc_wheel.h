@@ -134,7 +134,8 @@ typedef struct wrc_wheel_input {
                               found at. Else: a prescribed load is the whole load */
 } wrc_wheel_input;
 
-/** What passes between a wheel and its rail. All zero, but for z, where they do not touch. */
+/** What passes between a wheel and its rail. All zero, but for z, where they do not touch. Numbers are continuous functions of
+ * the inputs but where they say otherwise. */
 typedef struct wrc_wrench {
   uint32_t struct_size;  /**< sizeof this struct, 160 or more */
   int32_t regions;       /**< separate regions in contact: wrc_contact_region() */
@@ -145,11 +146,13 @@ typedef struct wrc_wrench {
   double rail_force[3];  /**< on the rail, track axes: -force [N] */
   double rail_moment[3]; /**< on the rail about the displaced origin of its profile, track axes [N m] */
   double z;              /**< displacement of the reference point, as given or as found [m] */
-  double normal_force;   /**< sum over the regions of the resultants of their pressures [N] */
+  double normal_force;   /**< sum over the regions of the resultants of their pressures [N]; steps where regions join or
+                              part, as their resultants have different directions */
   double area;           /**< [m^2] */
   double peak_pressure;  /**< [Pa] */
   double power;          /**< frictional power, >= 0 [W] */
-  double steepest_angle; /**< largest angle between z and the surface normal of a rail's strip in contact, >= 0 [rad] */
+  double steepest_angle; /**< largest angle between z and the surface normal of a rail's strip in contact, >= 0; steps
+                              where a strip enters or leaves [rad] */
 } wrc_wrench;
 
 /** One region of the last wrc_contact_wrench(): a run of neighbouring strips in contact. For people and for what comes after;
