@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "wrc/wrc.h"
+#include "wrench_inputs.hpp"
 
 namespace {
 
@@ -37,27 +38,7 @@ constexpr Unit unit_of[columns] = {
 struct Case {
   wrc_wheel_input input = wrc_wheel_input_default();
 
-  double* number(int column) {
-    wrc_wheel_state& wheel = input.wheel;
-    wrc_rail_state& rail = input.rail;
-    double* const numbers[columns] = {&wheel.y,
-                                      &wheel.z,
-                                      &wheel.roll,
-                                      &wheel.yaw,
-                                      &wheel.velocity[0],
-                                      &wheel.velocity[1],
-                                      &wheel.velocity[2],
-                                      &wheel.angular_velocity[0],
-                                      &wheel.angular_velocity[1],
-                                      &wheel.angular_velocity[2],
-                                      &rail.y,
-                                      &rail.z,
-                                      &rail.roll,
-                                      &rail.y_velocity,
-                                      &rail.z_velocity,
-                                      &rail.roll_velocity};
-    return numbers[column];
-  }
+  double* number(int column) { return &wrench_input(input, column); }
 };
 
 double seconds() {

@@ -611,7 +611,7 @@ typedef struct wrc_step_sensitivity {
 typedef struct wrc_input {
   uint32_t struct_size;  /**< sizeof this struct, 216 or more */
   uint32_t reserved;     /**< 0 */
-  wrc_pose pose;         /**< of the wheelset; not read with `gap` */
+  wrc_pose pose;         /**< of the wheelset; not used with `gap`, but within its ranges all the same */
   const wrc_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
   wrc_load load;         /**< what presses the bodies together */
   wrc_creepage creepage; /**< rigid slip at the origin of the contact frame */

@@ -74,15 +74,10 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
 }
 
 Fault check_stride(const wrc_gap& gap, const char* of) {
-  if (gap.row_stride >= gap.columns && gap.row_stride <= 1'000'000'000'000) return {};
-  return {.status = WRC_ERROR_RANGE,
-          .of = of,
-          .field = "row_stride",
-          .value = static_cast<double>(gap.row_stride),
-          .unit = "",
-          .low = static_cast<double>(gap.columns),
-          .high = 1e12,
-          .cause = "rows overlap: the stride is in elements"};
+  Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "", static_cast<double>(gap.columns),
+                      1e12, "rows overlap: the stride is in elements");
+  fault.of = of;
+  return fault;
 }
 
 Fault take_gap(Contact& contact, const wrc_gap* theirs, const char* of) {

@@ -41,9 +41,8 @@ Fault check_size(const Struct& theirs) {
               .low = static_cast<double>(Description<Struct>::first),
               .high = static_cast<double>(sizeof(Struct)),
               .cause =
-                  "begin with its _default(), or set struct_size = sizeof the struct before its _init(); is "
-                  "the library "
-                  "older than the header?"};
+                  "begin with its _default(), or set struct_size = sizeof the struct before its _init(); "
+                  "is the library older than the header?"};
   }
   return {};
 }

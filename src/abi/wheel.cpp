@@ -203,12 +203,17 @@ wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
   return ours;
 }
 
+/// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
+Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes = nullptr) {
+  contact.wheel_solved = 0;
+  HostedWheel hosted;
+  const Fault fault = read_hosted(input, hosted);
+  return fault.failed() ? fault : solve_wheel(contact, hosted, slopes);
+}
+
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
   return call(handle, clear(wrench), [&](Contact& contact) {
-    contact.wheel_solved = 0;
-    HostedWheel hosted;
-    Fault outcome = read_hosted(input, hosted);
-    if (!outcome.failed()) outcome = solve_wheel(contact, hosted);
+    const Fault outcome = solve(contact, input);
     if (!outcome.failed()) write(wrench_of(contact.wheel), wrench);
     return outcome;
   });
@@ -229,11 +234,8 @@ int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_in
                                          wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) {
   return abi::call(handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}),
                    [&](wrc::Contact& contact) {
-                     contact.wheel_solved = 0;
-                     wrc::HostedWheel hosted;
                      wrc::HostedSlopes slopes;
-                     wrc::Fault outcome = abi::read_hosted(input, hosted);
-                     if (!outcome.failed()) outcome = wrc::solve_wheel(contact, hosted, &slopes);
+                     const wrc::Fault outcome = abi::solve(contact, input, &slopes);
                      if (outcome.failed()) return outcome;
                      abi::write(abi::wrench_of(contact.wheel), wrench);
                      abi::write(abi::sensitivities_of(slopes), sensitivities);
@@ -290,10 +292,7 @@ int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* o
     input.prescribed = static_cast<int32_t>(in[18]);
     input.vertical_load = in[19];
     input.damping = in[20];
-    wrc::HostedWheel hosted;
-    contact.wheel_solved = 0;
-    wrc::Fault outcome = abi::read_hosted(&input, hosted);
-    if (!outcome.failed()) outcome = wrc::solve_wheel(contact, hosted);
+    const wrc::Fault outcome = abi::solve(contact, &input);
     if (outcome.failed()) return outcome;
     const wrc_wrench wrench = abi::wrench_of(contact.wheel);
     std::copy_n(wrench.force, 3, out);

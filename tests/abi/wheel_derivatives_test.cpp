@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wheel_on_rail.hpp"
+#include "wrench_inputs.hpp"
 
 namespace {
 
@@ -38,25 +39,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
     rail.roll_velocity = 0.02;
   }
   void SetUp() override { create(GetParam()); }
-  double* number(int column) {
-    double* const numbers[columns] = {&wheel.y,
-                                      &wheel.z,
-                                      &wheel.roll,
-                                      &wheel.yaw,
-                                      &wheel.velocity[0],
-                                      &wheel.velocity[1],
-                                      &wheel.velocity[2],
-                                      &wheel.angular_velocity[0],
-                                      &wheel.angular_velocity[1],
-                                      &wheel.angular_velocity[2],
-                                      &rail.y,
-                                      &rail.z,
-                                      &rail.roll,
-                                      &rail.y_velocity,
-                                      &rail.z_velocity,
-                                      &rail.roll_velocity};
-    return numbers[column];
-  }
+  double* number(int column) { return &wrench_input(input, column); }
   static bool is_place(int column) { return column < 4 || (column >= 10 && column < 13); }
 
   /// At the lateral position, pressed by a load: the height is found, then given.

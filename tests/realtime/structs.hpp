@@ -1,5 +1,4 @@
-/// What every program in this folder does with the C interface first: structs get their size, then their
-/// defaults.
+/// What every program in this folder asks of the C interface.
 #pragma once
 
 #include <cstdint>

@@ -153,9 +153,8 @@ int32_t wheel_status(const Wheel& wheel, int32_t status) {
 }
 
 /// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
-int32_t wheel_step(Wheel& wheel) {
+wrc_wheel_input wheel_input(const Wheel& wheel) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
   input.wheel.y = wheel.pose.lateral;
   input.wheel.yaw = wheel.pose.yaw;
   input.wheel.velocity[0] = 40.0;
@@ -169,6 +168,12 @@ int32_t wheel_step(Wheel& wheel) {
     input.wheel.z = wheel.load.approach;
     input.damping = 0.1;
   }
+  return input;
+}
+
+int32_t wheel_step(Wheel& wheel) {
+  const wrc_wheel_input input = wheel_input(wheel);
+  wrc_wrench wrench = wrc_wrench_default();
   const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   int32_t of_batch = 0;
   wrc_contact_wrench_batch(&wheel.contact, 1, &input, sizeof input, &wrench, sizeof wrench, &of_batch);
@@ -176,21 +181,9 @@ int32_t wheel_step(Wheel& wheel) {
 }
 
 int32_t wheel_sensitivities(Wheel& wheel) {
-  wrc_wheel_input input = wrc_wheel_input_default();
+  const wrc_wheel_input input = wheel_input(wheel);
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
-  input.wheel.y = wheel.pose.lateral;
-  input.wheel.yaw = wheel.pose.yaw;
-  input.wheel.velocity[0] = 40.0;
-  input.wheel.angular_velocity[1] = -87.0;
-  input.friction.coefficient = wheel.friction.coefficient;
-  if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
-    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-    input.vertical_load = wheel.load.normal_force;
-  } else {
-    input.wheel.z = wheel.load.approach;
-    input.damping = 0.1;
-  }
   return wheel_status(wheel, wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found));
 }
 
