@@ -1,4 +1,4 @@
-# Headers, library, CMake package, pkg-config file, sources of the Fortran module, the manual's and the licences. The tree
+# Headers of C and C++, library, CMake package, pkg-config file, sources of the Fortran module, the manual's and the licences. The tree
 # may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -6,6 +6,7 @@ set(WRC_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/wrc)
 install(TARGETS wrc EXPORT wrcTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include_c/wrc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY bindings/cpp/wrc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT wrcTargets NAMESPACE wrc:: DESTINATION ${WRC_CMAKE_DIR})
 configure_package_config_file(cmake/wrcConfig.cmake.in wrcConfig.cmake INSTALL_DESTINATION ${WRC_CMAKE_DIR})
 write_basic_package_version_file(wrcConfigVersion.cmake COMPATIBILITY SameMinorVersion)

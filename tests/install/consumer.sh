@@ -2,7 +2,7 @@
 # Builds and runs an example the way one kind of user would.
 #   consumer.sh build_directory source_directory WAY
 #     tree                                     installs to one place and moves all to another: no file may name its own path
-#     cmake pkgconfig plain dlopen fortran     against that tree
+#     cmake pkgconfig plain cpp dlopen fortran against that tree
 #     subdirectory                             the sources in a CMake project with settings that would harm the library
 #     fetchcontent                             the sources by FetchContent, as static library
 #     static                                   against a tree installed and moved by that project
@@ -78,6 +78,23 @@ case $way in
       exit 1
     fi
     grep -F libwrc.so.1 "$scratch/refusal"
+    ;;
+  cpp)
+    # The C++ header: both compilers, every standard, with exceptions and without; a warning is a failure.
+    flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -I"$prefix/include" -L"$(library_directory)")
+    export LD_LIBRARY_PATH=$(library_directory)
+    for compiler in g++ clang++; do
+      command -v "$compiler" >/dev/null || { echo "left out: $compiler is not installed"; continue; }
+      for standard in c++17 c++20 c++2b; do
+        for exceptions in -fexceptions -fno-exceptions; do
+          [ -n "${WRC_TEST_ALL:-}" ] || [ "$standard$exceptions" != c++20-fno-exceptions ] || continue
+          "$compiler" -std=$standard $exceptions "${flags[@]}" "$source/bindings/cpp/header_test.cpp" -lwrc -o "$scratch/header_test"
+          echo "$compiler: $("$scratch/header_test")"
+        done
+      done
+      "$compiler" -std=c++17 "${flags[@]}" "$source/bindings/cpp/first_step.cpp" -lwrc -o "$scratch/first_step"
+      runs "$scratch/first_step"
+    done
     ;;
   dlopen)
     cc -std=c99 -I"$prefix/include" "$source/examples_c/load_at_run_time.c" -ldl -o "$scratch/load_at_run_time"

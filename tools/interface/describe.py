@@ -11,6 +11,7 @@ import pathlib
 import sys
 
 import cpp
+import cpp_header
 import dlopen
 import fields
 import fortran
@@ -27,7 +28,7 @@ def files(interface, table_order, root):
                  for struct in interface.structs.values()}
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
     made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
-    made |= fields.written(interface, MARK)
+    made |= fields.written(interface, MARK) | cpp_header.written(interface, MARK)
     made["docs/members.md"] = manual.members(interface, described, MARK)
     made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
     return made

@@ -1,0 +1,171 @@
+/// Written by tools/interface/describe.py from the headers in include_c/wrc: do not edit.
+/// wrc.hpp, which includes this file, says what it is.
+#pragma once
+
+// clang-format off
+namespace wrc {
+
+/** wrc_config_use() */
+inline status config_use(wrc_config& config, const char* name, span<char> text) noexcept { return wrc_config_use(&config, name, text.data(), text.size()); }
+/** wrc_config_check() */
+inline status config_check(const wrc_config& config, span<char> text) noexcept { return wrc_config_check(&config, text.data(), text.size()); }
+/** wrc_model_size() */
+inline status model_size(const wrc_config& config, std::uint64_t& bytes, std::uint64_t& alignment) noexcept { return wrc_model_size(&config, &bytes, &alignment); }
+/** wrc_contact_step_batch() */
+inline status contact_step_batch(span<wrc_contact* const> contacts, span<const wrc_input> inputs, span<wrc_output> outputs, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(outputs, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_step_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), outputs.data(), detail::stride(outputs), statuses.data()); }
+/** wrc_linear_coefficients() */
+inline status linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients& coefficients) noexcept { return wrc_linear_coefficients(a_over_b, psi, poisson, &coefficients); }
+inline expected<answer<wrc_coefficients>> try_linear_coefficients(double a_over_b, double psi, double poisson) noexcept { return detail::attempt_struct<wrc_coefficients>(wrc_coefficients(), [&](wrc_coefficients& found_) { return linear_coefficients(a_over_b, psi, poisson, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline answer<wrc_coefficients> linear_coefficients(double a_over_b, double psi, double poisson) { return detail::value_or_throw(try_linear_coefficients(a_over_b, psi, poisson)); }
+#endif
+/** wrc_shakedown_limit() */
+inline status shakedown_limit(double utilisation, double& load_factor) noexcept { return wrc_shakedown_limit(utilisation, &load_factor); }
+inline expected<double> try_shakedown_limit(double utilisation) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return shakedown_limit(utilisation, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline double shakedown_limit(double utilisation) { return detail::value_or_throw(try_shakedown_limit(utilisation)); }
+#endif
+/** wrc_contact_wrench_batch() */
+inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const wrc_wheel_input> inputs, span<wrc_wrench> wrenches, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(wrenches, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_wrench_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), wrenches.data(), detail::stride(wrenches), statuses.data()); }
+/** wrc_exact_normal() */
+inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
+/** wrc_exact_rolling() */
+inline status exact_rolling(const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_rolling(&problem, &solution, text.data(), text.size()); }
+
+namespace detail {
+
+/** Functions of a model. */
+class model_calls {
+ public:
+  /** wrc_model_profile() */
+  status profile(std::int32_t side, std::int32_t body, wrc_view* y, wrc_view* z, double* deviation) const noexcept { return wrc_model_profile(handle_, side, body, y, z, deviation); }
+  /** wrc_contact_size() */
+  status contact_size(std::uint64_t& bytes, std::uint64_t& alignment) const noexcept { return wrc_contact_size(handle_, &bytes, &alignment); }
+  /** wrc_contact_state_size() */
+  status contact_state_size(std::uint64_t& bytes) const noexcept { return wrc_contact_state_size(handle_, &bytes); }
+  expected<std::uint64_t> try_contact_state_size() const noexcept { return detail::attempt<std::uint64_t>(std::uint64_t(), [&](std::uint64_t& found_) { return this->contact_state_size(found_); }); }
+#ifdef WRC_EXCEPTIONS
+  std::uint64_t contact_state_size() const { return detail::value_or_throw(try_contact_state_size()); }
+#endif
+
+ protected:
+  const wrc_model* handle_ = nullptr;
+};
+
+/** Functions of a contact. */
+class contact_calls {
+ public:
+  /** wrc_contact_save() */
+  status save(span<std::byte> buffer) const noexcept { return wrc_contact_save(handle_, buffer.data(), buffer.size()); }
+  /** wrc_contact_restore() */
+  status restore(span<const std::byte> buffer) noexcept { return wrc_contact_restore(handle_, buffer.data(), buffer.size()); }
+  /** wrc_contact_last_error() */
+  status last_error(span<char> buffer) const noexcept { return wrc_contact_last_error(handle_, buffer.data(), buffer.size()); }
+  /** wrc_contact_geometry() */
+  status geometry(const wrc_pose& pose, wrc_contact_point& point) noexcept { return wrc_contact_geometry(handle_, &pose, &point); }
+  expected<answer<wrc_contact_point>> try_geometry(const wrc_pose& pose) noexcept { return detail::attempt_struct<wrc_contact_point>(wrc_contact_point(), [&](wrc_contact_point& found_) { return this->geometry(pose, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_contact_point> geometry(const wrc_pose& pose) { return detail::value_or_throw(try_geometry(pose), handle_); }
+#endif
+  /** wrc_contact_creepages() */
+  status creepages(const wrc_motion& motion, wrc_creepage& creepage) noexcept { return wrc_contact_creepages(handle_, &motion, &creepage); }
+  expected<answer<wrc_creepage>> try_creepages(const wrc_motion& motion) noexcept { return detail::attempt_struct<wrc_creepage>(wrc_creepage_default(), [&](wrc_creepage& found_) { return this->creepages(motion, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_creepage> creepages(const wrc_motion& motion) { return detail::value_or_throw(try_creepages(motion), handle_); }
+#endif
+  /** wrc_contact_normal() */
+  status normal(const wrc_gap* gap, const wrc_load& load, wrc_normal_solution& normal) noexcept { return wrc_contact_normal(handle_, gap, &load, &normal); }
+  expected<answer<wrc_normal_solution>> try_normal(const wrc_gap* gap, const wrc_load& load) noexcept { return detail::attempt_struct<wrc_normal_solution>(wrc_normal_solution(), [&](wrc_normal_solution& found_) { return this->normal(gap, load, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_normal_solution> normal(const wrc_gap* gap, const wrc_load& load) { return detail::value_or_throw(try_normal(gap, load), handle_); }
+#endif
+  /** wrc_contact_regularise() */
+  status regularise(const wrc_strips* strips, wrc_normal_solution& normal) noexcept { return wrc_contact_regularise(handle_, strips, &normal); }
+  expected<answer<wrc_normal_solution>> try_regularise(const wrc_strips* strips) noexcept { return detail::attempt_struct<wrc_normal_solution>(wrc_normal_solution(), [&](wrc_normal_solution& found_) { return this->regularise(strips, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_normal_solution> regularise(const wrc_strips* strips) { return detail::value_or_throw(try_regularise(strips), handle_); }
+#endif
+  /** wrc_contact_tangential() */
+  status tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction, wrc_forces& forces) noexcept { return wrc_contact_tangential(handle_, ellipse, &creepage, &friction, &forces); }
+  expected<answer<wrc_forces>> try_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_forces>(wrc_forces(), [&](wrc_forces& found_) { return this->tangential(ellipse, creepage, friction, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_forces> tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) { return detail::value_or_throw(try_tangential(ellipse, creepage, friction), handle_); }
+#endif
+  /** wrc_contact_damage() */
+  status damage(wrc_damage& damage) noexcept { return wrc_contact_damage(handle_, &damage); }
+  expected<answer<wrc_damage>> try_damage() noexcept { return detail::attempt_struct<wrc_damage>(wrc_damage(), [&](wrc_damage& found_) { return this->damage(found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_damage> damage() { return detail::value_or_throw(try_damage(), handle_); }
+#endif
+  /** wrc_contact_wear() */
+  status wear(const wrc_wear_laws* laws, wrc_wear& wear) noexcept { return wrc_contact_wear(handle_, laws, &wear); }
+  expected<answer<wrc_wear>> try_wear(const wrc_wear_laws* laws) noexcept { return detail::attempt_struct<wrc_wear>(wrc_wear(), [&](wrc_wear& found_) { return this->wear(laws, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_wear> wear(const wrc_wear_laws* laws) { return detail::value_or_throw(try_wear(laws), handle_); }
+#endif
+  /** wrc_contact_sensitivities() */
+  status sensitivities(wrc_sensitivity& sensitivity) noexcept { return wrc_contact_sensitivities(handle_, &sensitivity); }
+  expected<answer<wrc_sensitivity>> try_sensitivities() noexcept { return detail::attempt_struct<wrc_sensitivity>(wrc_sensitivity(), [&](wrc_sensitivity& found_) { return this->sensitivities(found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_sensitivity> sensitivities() { return detail::value_or_throw(try_sensitivities(), handle_); }
+#endif
+  /** wrc_contact_step_sensitivities() */
+  status step_sensitivities(wrc_step_sensitivity& sensitivity) noexcept { return wrc_contact_step_sensitivities(handle_, &sensitivity); }
+  expected<answer<wrc_step_sensitivity>> try_step_sensitivities() noexcept { return detail::attempt_struct<wrc_step_sensitivity>(wrc_step_sensitivity(), [&](wrc_step_sensitivity& found_) { return this->step_sensitivities(found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_step_sensitivity> step_sensitivities() { return detail::value_or_throw(try_step_sensitivities(), handle_); }
+#endif
+  /** wrc_contact_step() */
+  status step(const wrc_input& input, wrc_output& output) noexcept { return wrc_contact_step(handle_, &input, &output); }
+  expected<answer<wrc_output>> try_step(const wrc_input& input) noexcept { return detail::attempt_struct<wrc_output>(wrc_output_default(), [&](wrc_output& found_) { return this->step(input, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_output> step(const wrc_input& input) { return detail::value_or_throw(try_step(input), handle_); }
+#endif
+  /** wrc_contact_patch() */
+  status patch(std::int32_t index, wrc_patch& patch) const noexcept { return wrc_contact_patch(handle_, index, &patch); }
+  expected<answer<wrc_patch>> try_patch(std::int32_t index) const noexcept { return detail::attempt_struct<wrc_patch>(wrc_patch_default(), [&](wrc_patch& found_) { return this->patch(index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_patch> patch(std::int32_t index) const { return detail::value_or_throw(try_patch(index), handle_); }
+#endif
+  /** wrc_contact_field() */
+  status field(std::int32_t patch, std::int32_t field, wrc_view& view) const noexcept { return wrc_contact_field(handle_, patch, field, &view); }
+  expected<::wrc::field> try_field(std::int32_t patch, std::int32_t field) const noexcept { return detail::attempt<::wrc::field>(::wrc::field(), [&](wrc_view& found_) { return this->field(patch, field, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  ::wrc::field field(std::int32_t patch, std::int32_t field) const { return detail::value_or_throw(try_field(patch, field), handle_); }
+#endif
+  /** wrc_contact_wrench() */
+  status wrench(const wrc_wheel_input& input, wrc_wrench& wrench) noexcept { return wrc_contact_wrench(handle_, &input, &wrench); }
+  expected<answer<wrc_wrench>> try_wrench(const wrc_wheel_input& input) noexcept { return detail::attempt_struct<wrc_wrench>(wrc_wrench_default(), [&](wrc_wrench& found_) { return this->wrench(input, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_wrench> wrench(const wrc_wheel_input& input) { return detail::value_or_throw(try_wrench(input), handle_); }
+#endif
+  /** wrc_contact_wrench_sensitivities() */
+  status wrench_sensitivities(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) noexcept { return wrc_contact_wrench_sensitivities(handle_, &input, wrench, sensitivities); }
+  /** wrc_contact_region() */
+  status region(std::int32_t index, wrc_region& region) const noexcept { return wrc_contact_region(handle_, index, &region); }
+  expected<answer<wrc_region>> try_region(std::int32_t index) const noexcept { return detail::attempt_struct<wrc_region>(wrc_region_default(), [&](wrc_region& found_) { return this->region(index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_region> region(std::int32_t index) const { return detail::value_or_throw(try_region(index), handle_); }
+#endif
+  /** wrc_exact_gap() */
+  status exact_gap(const wrc_grid& grid, double* gap) noexcept { return wrc_exact_gap(handle_, &grid, gap); }
+  /** wrc_exact_check() */
+  status exact_check(std::uint32_t nx, std::uint32_t ny, wrc_progress progress, void* user, wrc_exact_check_result& result) noexcept { return wrc_exact_check(handle_, nx, ny, progress, user, &result); }
+  expected<answer<wrc_exact_check_result>> try_exact_check(std::uint32_t nx, std::uint32_t ny, wrc_progress progress, void* user) noexcept { return detail::attempt_struct<wrc_exact_check_result>(wrc_exact_check_result_default(), [&](wrc_exact_check_result& found_) { return this->exact_check(nx, ny, progress, user, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_exact_check_result> exact_check(std::uint32_t nx, std::uint32_t ny, wrc_progress progress, void* user) { return detail::value_or_throw(try_exact_check(nx, ny, progress, user), handle_); }
+#endif
+  /** wrc_exact_wrench() */
+  status exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options, wrc_wrench& wrench) noexcept { return wrc_exact_wrench(handle_, &input, options, &wrench); }
+  expected<answer<wrc_wrench>> try_exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options) noexcept { return detail::attempt_struct<wrc_wrench>(wrc_wrench_default(), [&](wrc_wrench& found_) { return this->exact_wrench(input, options, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_wrench> exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options) { return detail::value_or_throw(try_exact_wrench(input, options), handle_); }
+#endif
+
+ protected:
+  wrc_contact* handle_ = nullptr;
+};
+
+}  // namespace detail
+
+}  // namespace wrc
