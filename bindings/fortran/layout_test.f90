@@ -46,6 +46,10 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(14)
   integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
+  integer(c_size_t), bind(C) :: layout_wrc_contact_functions_problem(5)
+  integer(c_size_t), bind(C) :: layout_wrc_contact_functions(14)
+  integer(c_size_t), bind(C) :: layout_wrc_conicity_problem(10)
+  integer(c_size_t), bind(C) :: layout_wrc_conicity(6)
 end module
 program layout_test
   use wrc
@@ -96,7 +100,11 @@ program layout_test
   call test_wrc_exact_rolling_solution()
   call test_wrc_exact_wrench_options()
   call test_wrc_exact_check_result()
-  print '(i0,a)', 44, ' types compared'
+  call test_wrc_contact_functions_problem()
+  call test_wrc_contact_functions()
+  call test_wrc_conicity_problem()
+  call test_wrc_conicity()
+  print '(i0,a)', 48, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -968,6 +976,88 @@ contains
       distance(c_loc(a), c_loc(a%force_error)), layout_wrc_exact_check_result(9))
     call same('wrc_exact_check_result', 'power_error', &
       distance(c_loc(a), c_loc(a%power_error)), layout_wrc_exact_check_result(10))
+  end subroutine
+  subroutine test_wrc_contact_functions_problem()
+    type(wrc_contact_functions_problem), target :: a
+    call wrc_init(a)
+    call same('wrc_contact_functions_problem', 'size', c_sizeof(a), layout_wrc_contact_functions_problem(1))
+    call same('wrc_contact_functions_problem', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions_problem(2))
+    call same('wrc_contact_functions_problem', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_contact_functions_problem(3))
+    call same('wrc_contact_functions_problem', 'lateral', &
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_contact_functions_problem(4))
+    call same('wrc_contact_functions_problem', 'wheel_load', &
+      distance(c_loc(a), c_loc(a%wheel_load)), layout_wrc_contact_functions_problem(5))
+  end subroutine
+  subroutine test_wrc_contact_functions()
+    type(wrc_contact_functions), target :: a
+    call wrc_init(a)
+    call same('wrc_contact_functions', 'size', c_sizeof(a), layout_wrc_contact_functions(1))
+    call same('wrc_contact_functions', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions(2))
+    call same('wrc_contact_functions', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_contact_functions(3))
+    call same('wrc_contact_functions', 'vertical', &
+      distance(c_loc(a), c_loc(a%vertical)), layout_wrc_contact_functions(4))
+    call same('wrc_contact_functions', 'roll', &
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_contact_functions(5))
+    call same('wrc_contact_functions', 'radius_difference', &
+      distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_contact_functions(6))
+    call same('wrc_contact_functions', 'radius_right', &
+      distance(c_loc(a), c_loc(a%radius_right)), layout_wrc_contact_functions(7))
+    call same('wrc_contact_functions', 'radius_left', &
+      distance(c_loc(a), c_loc(a%radius_left)), layout_wrc_contact_functions(8))
+    call same('wrc_contact_functions', 'angle_right', &
+      distance(c_loc(a), c_loc(a%angle_right)), layout_wrc_contact_functions(9))
+    call same('wrc_contact_functions', 'angle_left', &
+      distance(c_loc(a), c_loc(a%angle_left)), layout_wrc_contact_functions(10))
+    call same('wrc_contact_functions', 'y_wheel_right', &
+      distance(c_loc(a), c_loc(a%y_wheel_right)), layout_wrc_contact_functions(11))
+    call same('wrc_contact_functions', 'y_wheel_left', &
+      distance(c_loc(a), c_loc(a%y_wheel_left)), layout_wrc_contact_functions(12))
+    call same('wrc_contact_functions', 'y_rail_right', &
+      distance(c_loc(a), c_loc(a%y_rail_right)), layout_wrc_contact_functions(13))
+    call same('wrc_contact_functions', 'y_rail_left', &
+      distance(c_loc(a), c_loc(a%y_rail_left)), layout_wrc_contact_functions(14))
+  end subroutine
+  subroutine test_wrc_conicity_problem()
+    type(wrc_conicity_problem), target :: a
+    call wrc_init(a)
+    call same('wrc_conicity_problem', 'size', c_sizeof(a), layout_wrc_conicity_problem(1))
+    call same('wrc_conicity_problem', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_conicity_problem(2))
+    call same('wrc_conicity_problem', 'method', &
+      distance(c_loc(a), c_loc(a%method)), layout_wrc_conicity_problem(3))
+    call same('wrc_conicity_problem', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_conicity_problem(4))
+    call same('wrc_conicity_problem', 'amplitudes', &
+      distance(c_loc(a), c_loc(a%amplitudes)), layout_wrc_conicity_problem(5))
+    call same('wrc_conicity_problem', 'lateral', &
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_conicity_problem(6))
+    call same('wrc_conicity_problem', 'radius_difference', &
+      distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_conicity_problem(7))
+    call same('wrc_conicity_problem', 'amplitude', &
+      distance(c_loc(a), c_loc(a%amplitude)), layout_wrc_conicity_problem(8))
+    call same('wrc_conicity_problem', 'contact_distance', &
+      distance(c_loc(a), c_loc(a%contact_distance)), layout_wrc_conicity_problem(9))
+    call same('wrc_conicity_problem', 'radius', &
+      distance(c_loc(a), c_loc(a%radius)), layout_wrc_conicity_problem(10))
+  end subroutine
+  subroutine test_wrc_conicity()
+    type(wrc_conicity), target :: a
+    call wrc_init(a)
+    call same('wrc_conicity', 'size', c_sizeof(a), layout_wrc_conicity(1))
+    call same('wrc_conicity', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_conicity(2))
+    call same('wrc_conicity', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_conicity(3))
+    call same('wrc_conicity', 'conicity', &
+      distance(c_loc(a), c_loc(a%conicity)), layout_wrc_conicity(4))
+    call same('wrc_conicity', 'wavelength', &
+      distance(c_loc(a), c_loc(a%wavelength)), layout_wrc_conicity(5))
+    call same('wrc_conicity', 'centre', &
+      distance(c_loc(a), c_loc(a%centre)), layout_wrc_conicity(6))
   end subroutine
   function distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

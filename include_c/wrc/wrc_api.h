@@ -97,6 +97,15 @@ struct wrc_api {
   int32_t (*contact_wrench_sensitivities)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*, wrc_wrench_sensitivities*);
     /**< wrc_contact_wrench_sensitivities() */
   int32_t (*ellipse_init)(wrc_ellipse*); /**< wrc_ellipse_init() */
+  int32_t (*contact_functions_problem_init)(wrc_contact_functions_problem*);
+    /**< wrc_contact_functions_problem_init() */
+  int32_t (*contact_functions_init)(wrc_contact_functions*); /**< wrc_contact_functions_init() */
+  int32_t (*conicity_problem_init)(wrc_conicity_problem*); /**< wrc_conicity_problem_init() */
+  int32_t (*conicity_init)(wrc_conicity*); /**< wrc_conicity_init() */
+  int32_t (*profile_contact_functions)(const wrc_model*, const wrc_contact_functions_problem*, wrc_contact_functions*, char*, uint64_t);
+    /**< wrc_profile_contact_functions() */
+  int32_t (*equivalent_conicity)(const wrc_conicity_problem*, wrc_conicity*, char*, uint64_t);
+    /**< wrc_equivalent_conicity() */
 };
 
 #endif /* WRC_API_H */

@@ -237,6 +237,8 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
 WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                                 const wrc_exact_wrench_options* options, wrc_wrench* wrench);
 
+#include "wrc_profiles.h"
+
 #ifdef __cplusplus
 }
 #endif

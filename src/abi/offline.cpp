@@ -1,15 +1,14 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
+#include "abi/offline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "abi/fp_environment.hpp"
 #include "abi/handles.hpp"
-#include "abi/message.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
 #include "base/elementary.hpp"
@@ -23,24 +22,6 @@
 namespace wrc::abi {
 
 namespace {
-
-/// Everything offline: allocation may fail, and says so.
-template <typename Work>
-Fault guarded(Work&& work) {
-  const FloatingPointScope scope;
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return {.status = WRC_ERROR_MEMORY, .field = "grid", .cause = "the grid needs more memory than there is"};
-  } catch (...) {
-    return {.status = WRC_ERROR_INTERNAL};
-  }
-}
-
-int32_t finish(const Fault& fault, char* text, std::uint64_t size) {
-  if (text != nullptr && size > 0) write_sentence(fault, text, size);
-  return fault.status;
-}
 
 /// The host's callback behind the solver's: 0 goes on. A residual may rise on its way down; the fraction does
 /// not fall.

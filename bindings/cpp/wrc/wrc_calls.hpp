@@ -31,6 +31,8 @@ inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const
 inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_rolling() */
 inline status exact_rolling(const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_rolling(&problem, &solution, text.data(), text.size()); }
+/** wrc_equivalent_conicity() */
+inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conicity& conicity, span<char> text) noexcept { return wrc_equivalent_conicity(&problem, &conicity, text.data(), text.size()); }
 
 namespace detail {
 
@@ -47,6 +49,8 @@ class model_calls {
 #ifdef WRC_EXCEPTIONS
   std::uint64_t contact_state_size() const { return detail::value_or_throw(try_contact_state_size()); }
 #endif
+  /** wrc_profile_contact_functions() */
+  status profile_contact_functions(const wrc_contact_functions_problem& problem, wrc_contact_functions& functions, span<char> text) const noexcept { return wrc_profile_contact_functions(handle_, &problem, &functions, text.data(), text.size()); }
 
  protected:
   const wrc_model* handle_ = nullptr;

@@ -223,6 +223,13 @@ inline constexpr Enumerator wrc_surface_influence_values[] = {
 inline constexpr Enumeration wrc_surface_influence{wrc_surface_influence_values, 2,
     "see enum wrc_surface_influence: WRC_INFLUENCE_TURNED (0), _PLAIN (1)"};
 
+inline constexpr Enumerator wrc_conicity_method_values[] = {
+    {"WRC_CONICITY_WAVELENGTH", WRC_CONICITY_WAVELENGTH},
+    {"WRC_CONICITY_REGRESSION", WRC_CONICITY_REGRESSION},
+};
+inline constexpr Enumeration wrc_conicity_method{wrc_conicity_method_values, 2,
+    "see enum wrc_conicity_method: WRC_CONICITY_WAVELENGTH (0), _REGRESSION (1)"};
+
 }  // namespace enumerations
 
 template <>
@@ -1433,5 +1440,98 @@ struct Description<wrc_exact_check_result> {
   };
 };
 static_assert(sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_contact_functions_problem> {
+  static constexpr const char* name = "wrc_contact_functions_problem";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_contact_functions_problem defaults = [] {
+    wrc_contact_functions_problem value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_contact_functions_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_contact_functions_problem, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many displacements there are", .not_set = "was it set? its default is 0"},
+      {.name = "lateral", .offset = offsetof(wrc_contact_functions_problem, lateral), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_contact_functions_problem, count)},
+      {.name = "wheel_load", .offset = offsetof(wrc_contact_functions_problem, wheel_load), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e6, .or_zero = true, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN?", .too_large = "did you pass a pressure, or grams?"},
+  };
+};
+static_assert(sizeof(wrc_contact_functions_problem) == 24, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_contact_functions> {
+  static constexpr const char* name = "wrc_contact_functions";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 96;
+  static constexpr wrc_contact_functions defaults = [] {
+    wrc_contact_functions value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_contact_functions, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_contact_functions, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "vertical", .offset = offsetof(wrc_contact_functions, vertical), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "roll", .offset = offsetof(wrc_contact_functions, roll), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "radius_difference", .offset = offsetof(wrc_contact_functions, radius_difference), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "radius_right", .offset = offsetof(wrc_contact_functions, radius_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "radius_left", .offset = offsetof(wrc_contact_functions, radius_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "angle_right", .offset = offsetof(wrc_contact_functions, angle_right), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "angle_left", .offset = offsetof(wrc_contact_functions, angle_left), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "y_wheel_right", .offset = offsetof(wrc_contact_functions, y_wheel_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel_left", .offset = offsetof(wrc_contact_functions, y_wheel_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail_right", .offset = offsetof(wrc_contact_functions, y_rail_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail_left", .offset = offsetof(wrc_contact_functions, y_rail_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_contact_functions) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_conicity_problem> {
+  static constexpr const char* name = "wrc_conicity_problem";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_conicity_problem defaults = [] {
+    wrc_conicity_problem value{};
+    value.struct_size = sizeof value;
+    value.contact_distance = 1.5;
+    value.radius = 0.46;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_conicity_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "method", .offset = offsetof(wrc_conicity_problem, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_conicity_method},
+      {.name = "count", .offset = offsetof(wrc_conicity_problem, count), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .too_small = "say how many points there are", .not_set = "was it set? its default is 0"},
+      {.name = "amplitudes", .offset = offsetof(wrc_conicity_problem, amplitudes), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many amplitudes there are", .not_set = "was it set? its default is 0"},
+      {.name = "lateral", .offset = offsetof(wrc_conicity_problem, lateral), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, count)},
+      {.name = "radius_difference", .offset = offsetof(wrc_conicity_problem, radius_difference), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, count)},
+      {.name = "amplitude", .offset = offsetof(wrc_conicity_problem, amplitude), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-6, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, amplitudes)},
+      {.name = "contact_distance", .offset = offsetof(wrc_conicity_problem, contact_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 3, .unit = "m", .too_small = "did you pass mm, or half of it?", .too_large = "did you pass mm, or half of it?"},
+      {.name = "radius", .offset = offsetof(wrc_conicity_problem, radius), .type = Type::real, .rule = Rule::range, .low = 0.05, .high = 3, .unit = "m", .too_small = "did you pass mm, or the diameter?", .too_large = "did you pass mm, or the diameter?"},
+  };
+};
+static_assert(sizeof(wrc_conicity_problem) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_conicity> {
+  static constexpr const char* name = "wrc_conicity";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_conicity defaults = [] {
+    wrc_conicity value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_conicity, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_conicity, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "conicity", .offset = offsetof(wrc_conicity, conicity), .type = Type::pointer, .rule = Rule::none},
+      {.name = "wavelength", .offset = offsetof(wrc_conicity, wavelength), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "centre", .offset = offsetof(wrc_conicity, centre), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_conicity) == 32, "run tools/interface/describe.py");
 
 }  // namespace wrc::abi

@@ -1,0 +1,121 @@
+/** @file wrc_profiles.h
+ * Pairs of profiles, before and after they run on each other: where a wheelset touches its track, rolling radius
+ * difference, contact angles, equivalent conicity. Not for real-time use.
+ *
+ * Part of wrc_offline.h, which includes it; the conventions there hold here. Everything allocates and is "@rt init". Arrays
+ * are the caller's.
+ */
+#if !defined(WRC_OFFLINE_H) && !defined(DOXYGEN)
+#include "wrc_offline.h" /* which includes this file in its place */
+#elif !defined(WRC_PROFILES_H)
+#define WRC_PROFILES_H
+
+/** How a conicity is made of a rolling radius difference. Theory manual, "Contact functions and conicity". */
+enum wrc_conicity_method {
+  WRC_CONICITY_WAVELENGTH = 0, /**< of the cone with the same wavelength: integration of y'' + dr(y) / (e r0) = 0, the
+                                    method of UIC 519 and EN 15302 */
+  WRC_CONICITY_REGRESSION = 1  /**< half the slope of the straight line fitted to dr over the amplitude, all displacements
+                                    weighing alike */
+};
+
+/** Where contact functions are asked for. */
+typedef struct wrc_contact_functions_problem {
+  uint32_t struct_size;  /**< sizeof this struct, 24 or more */
+  uint32_t count;        /**< lateral displacements, 1..100000 [0]. Too small: say how many displacements there are */
+  const double* lateral; /**< of the wheelset, to the right, `count` of them, -0.1..0.1 m [required]. Did you pass mm? */
+  double wheel_load;     /**< vertical, of each wheel, 0 or 1e3..1e6 N; 0: the undeformed bodies touch in one point on
+                              either side, as EN 15302 has it, and the functions jump where that point does; a load:
+                              elastic, without friction, all contacts weighted by what they carry, continuous; needs
+                              WRC_NORMAL_STRIP_HALFSPACE [0]. Negative: the load is positive where the rail pushes the
+                              wheel upwards. Too small: did you pass kN? Too large: did you pass a pressure, or grams? */
+} wrc_contact_functions_problem;
+
+/** Contact functions over the lateral displacement: arrays of the caller, `count` elements each; NULL: not wanted; set
+ * before the call. Coordinates of profiles are those of wrc_profile, right and left alike. */
+typedef struct wrc_contact_functions {
+  uint32_t struct_size;      /**< sizeof this struct, 96 or more */
+  uint32_t reserved;         /**< 0 */
+  double* vertical;          /**< displacement of the wheelset's middle downwards [m] */
+  double* roll;              /**< of the wheelset about the track's x, right wheel down positive [rad] */
+  double* radius_difference; /**< rolling radius of the right wheel less that of the left [m] */
+  double* radius_right;      /**< rolling radius [m] */
+  double* radius_left;       /**< see radius_right */
+  double* angle_right;       /**< contact angle against the track's plane, the roll included; positive where the surface
+                                  rises towards the flange of the rail's gauge side [rad] */
+  double* angle_left;        /**< see angle_right */
+  double* y_wheel_right;     /**< contact on the wheel's profile, flange side negative [m] */
+  double* y_wheel_left;      /**< see y_wheel_right */
+  double* y_rail_right;      /**< contact on the rail's profile, field side positive [m] */
+  double* y_rail_left;       /**< see y_rail_right */
+} wrc_contact_functions;
+
+/** A rolling radius difference over the lateral displacement, straight between its points, and what to make of it. */
+typedef struct wrc_conicity_problem {
+  uint32_t struct_size;             /**< sizeof this struct, 56 or more */
+  int32_t method;                   /**< enum wrc_conicity_method [WRC_CONICITY_WAVELENGTH] */
+  uint32_t count;                   /**< points, 3..100000 [0]. Too small: say how many points there are */
+  uint32_t amplitudes;              /**< 1..100000 [0]. Too small: say how many amplitudes there are */
+  const double* lateral;            /**< of the wheelset, increasing, `count` of them, -0.1..0.1 m [required]. Did you pass
+                                         mm? */
+  const double* radius_difference;  /**< right less left, `count` of them, -0.2..0.2 m [required]. Did you pass mm? */
+  const double* amplitude;          /**< half the way from one side to the other, `amplitudes` of them, 1e-6..0.1 m
+                                         [required]. Did you pass mm? */
+  double contact_distance;          /**< e: between the contact points of both wheels, 0.3..3 m [1.5]. Did you pass mm, or
+                                         half of it? */
+  double radius;                    /**< r0: nominal, of the wheels, 0.05..3 m [0.46]. Did you pass mm, or the diameter? */
+} wrc_conicity_problem;
+
+/** Equivalent conicity over the amplitude: arrays of the caller, `amplitudes` elements each; NULL: not wanted; set before
+ * the call. */
+typedef struct wrc_conicity {
+  uint32_t struct_size; /**< sizeof this struct, 32 or more */
+  uint32_t reserved;    /**< 0 */
+  double* conicity;     /**< tan gamma_e [-]; 0 where a wheelset left to itself does not swing with this amplitude */
+  double* wavelength;   /**< of the kinematic motion [m]: by Klingel's formula from the conicity of a regression; 0 where
+                             there is none */
+  double* centre;       /**< middle between the two ends of the motion [m] */
+} wrc_conicity;
+
+/** @name Defaults
+ * As in wrc.h.
+ * @rt hard @thread free
+ * @{ */
+WRC_API int32_t wrc_contact_functions_problem_init(wrc_contact_functions_problem* problem); /**< Defaults: problem. */
+WRC_API int32_t wrc_contact_functions_init(wrc_contact_functions* functions); /**< Defaults: functions. */
+WRC_API int32_t wrc_conicity_problem_init(wrc_conicity_problem* problem); /**< Defaults: problem. */
+WRC_API int32_t wrc_conicity_init(wrc_conicity* conicity); /**< Defaults: result. */
+/** @cond */
+WRC_DEFAULT_SIZED(wrc_contact_functions_problem)
+WRC_DEFAULT_SIZED(wrc_contact_functions)
+WRC_DEFAULT_SIZED(wrc_conicity_problem)
+WRC_DEFAULT_SIZED(wrc_conicity)
+/** @endcond */
+/** @} */
+
+/** Where a wheelset without yaw touches both rails, over its lateral displacement: its roll and height follow from contact
+ * on both sides. EN 15302. Theory manual, "Contact functions and conicity".
+ * @param model with profiles
+ * @param problem where
+ * @param[in,out] functions results; its arrays say which; left zero on failure
+ * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _SEQUENCE (model without
+ * profiles), _UNSUPPORTED (a load, and a model of another normal method), _GAP (no rail below a wheel at one of the
+ * displacements), _LOAD (the same under load), _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_profile_contact_functions(const wrc_model* model, const wrc_contact_functions_problem* problem,
+                                              wrc_contact_functions* functions, char* text, uint64_t size);
+
+/** Equivalent conicity of a rolling radius difference over amplitudes. UIC 519, EN 15302; Klingel's wavelength
+ * 2 pi sqrt(e r0 / (2 tan gamma)). Theory manual, "Contact functions and conicity".
+ * @param problem rolling radius difference and amplitudes
+ * @param[in,out] conicity results; its arrays say which; left zero on failure
+ * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE (also: displacements that do not increase, an amplitude that the
+ * displacements do not hold), _NOT_FINITE, _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
+                                        uint64_t size);
+
+#endif /* WRC_PROFILES_H */

@@ -1,0 +1,33 @@
+/// How offline calls are run, whichever file they lie in.
+#pragma once
+
+#include <cstdint>
+#include <new>
+
+#include "abi/fp_environment.hpp"
+#include "abi/message.hpp"
+#include "base/fault.hpp"
+
+namespace wrc::abi {
+
+/// Everything offline: allocation may fail, and says so. `of`: what takes the memory.
+template <typename Work>
+Fault guarded(Work&& work, const char* of = "grid",
+              const char* cause = "the grid needs more memory than there is") {
+  const FloatingPointScope scope;
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return {.status = WRC_ERROR_MEMORY, .field = of, .cause = cause};
+  } catch (...) {
+    return {.status = WRC_ERROR_INTERNAL};
+  }
+}
+
+/// The status, and its sentence where it is wanted.
+inline std::int32_t finish(const Fault& fault, char* text, std::uint64_t size) {
+  if (text != nullptr && size > 0) write_sentence(fault, text, size);
+  return fault.status;
+}
+
+}  // namespace wrc::abi

@@ -1,0 +1,122 @@
+/// wrc_profiles.h: pairs of profiles behind the C interface. Offline: it allocates.
+#include <algorithm>
+#include <vector>
+
+#include "abi/handles.hpp"
+#include "abi/offline.hpp"
+#include "abi/structs.hpp"
+#include "profiles/conicity.hpp"
+#include "profiles/contact_functions.hpp"
+#include "wrc/wrc_offline.h"
+
+namespace wrc::abi {
+namespace {
+
+/// An array of the caller and what goes there.
+struct Column {
+  double* theirs;
+  double (*value)(const SettledWheelset&);
+};
+
+Fault find_functions(const wrc_model* handle, const wrc_contact_functions_problem* theirs,
+                     wrc_contact_functions* functions) {
+  wrc_contact_functions into;
+  wrc_contact_functions_problem problem;
+  Fault fault = first_of({read(functions, "functions", into), read(theirs, "problem", problem)});
+  if (fault.failed()) return fault;
+  constexpr int right = static_cast<int>(Side::right), left = static_cast<int>(Side::left);
+  using Settled = const SettledWheelset&;
+  const Column columns[] = {
+      {into.vertical, [](Settled s) { return s.vertical; }},
+      {into.roll, [](Settled s) { return s.roll; }},
+      {into.radius_difference, [](Settled s) { return s.side[right].radius - s.side[left].radius; }},
+      {into.radius_right, [](Settled s) { return s.side[right].radius; }},
+      {into.radius_left, [](Settled s) { return s.side[left].radius; }},
+      {into.angle_right, [](Settled s) { return s.side[right].angle; }},
+      {into.angle_left, [](Settled s) { return s.side[left].angle; }},
+      {into.y_wheel_right, [](Settled s) { return s.side[right].y_wheel; }},
+      {into.y_wheel_left, [](Settled s) { return s.side[left].y_wheel; }},
+      {into.y_rail_right, [](Settled s) { return s.side[right].y_rail; }},
+      {into.y_rail_left, [](Settled s) { return s.side[left].y_rail; }}};
+  for (const Column& each : columns)
+    if (each.theirs != nullptr) std::fill_n(each.theirs, problem.count, 0.0);
+  if (!valid(handle)) return {.status = WRC_ERROR_NULL, .field = "model"};
+  const Model& model = *handle->model;
+  if (!model.has_geometry)
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "model",
+            .cause = "it has no profiles: give config.wheel and config.rail"};
+  std::vector<SettledWheelset> settled(problem.count);
+  fault = settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
+  if (fault.failed()) return fault;
+  for (const Column& each : columns)
+    if (each.theirs != nullptr) std::transform(settled.begin(), settled.end(), each.theirs, each.value);
+  return fault;
+}
+
+Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) {
+  wrc_conicity into;
+  wrc_conicity_problem problem;
+  const Fault fault = first_of({read(conicity, "conicity", into), read(theirs, "problem", problem)});
+  if (fault.failed()) return fault;
+  for (double* each : {into.conicity, into.wavelength, into.centre})
+    if (each != nullptr) std::fill_n(each, problem.amplitudes, 0.0);
+  for (std::uint32_t i = 1; i < problem.count; ++i) {
+    if (!(problem.lateral[i] > problem.lateral[i - 1]))
+      return {.status = WRC_ERROR_RANGE,
+              .index = static_cast<std::int32_t>(i),
+              .field = "problem.lateral",
+              .value = problem.lateral[i],
+              .unit = "m",
+              .cause = "displacements must increase"};
+  }
+  const double widest = 0.5 * (problem.lateral[problem.count - 1] - problem.lateral[0]);
+  for (std::uint32_t i = 0; i < problem.amplitudes; ++i) {
+    if (problem.amplitude[i] > widest * (1.0 + 1e-12))
+      return {.status = WRC_ERROR_RANGE,
+              .index = static_cast<std::int32_t>(i),
+              .field = "problem.amplitude",
+              .value = problem.amplitude[i],
+              .unit = "m",
+              .low = 1e-6,
+              .high = widest,
+              .cause = "the displacements do not reach that far: it is half the way from side to side"};
+  }
+  std::vector<double> potential(problem.count);
+  const RadiusDifference of{problem.count, problem.lateral, problem.radius_difference, potential.data()};
+  integrate(of);
+  const auto method =
+      problem.method == WRC_CONICITY_WAVELENGTH ? conicity_by_wavelength : conicity_by_regression;
+  for (std::uint32_t i = 0; i < problem.amplitudes; ++i) {
+    const Conicity found = method(of, problem.amplitude[i], problem.contact_distance, problem.radius);
+    if (into.conicity != nullptr) into.conicity[i] = found.conicity;
+    if (into.wavelength != nullptr) into.wavelength[i] = found.wavelength;
+    if (into.centre != nullptr) into.centre[i] = found.centre;
+  }
+  return fault;
+}
+
+constexpr const char *memory_of = "problem.count", *memory_cause = "there is not enough memory for so many";
+
+}  // namespace
+}  // namespace wrc::abi
+
+namespace abi = wrc::abi;
+
+extern "C" {
+
+int32_t wrc_profile_contact_functions(const wrc_model* model, const wrc_contact_functions_problem* problem,
+                                      wrc_contact_functions* functions, char* text, uint64_t size) {
+  return abi::finish(abi::guarded([&] { return abi::find_functions(model, problem, functions); },
+                                  abi::memory_of, abi::memory_cause),
+                     text, size);
+}
+
+int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
+                                uint64_t size) {
+  return abi::finish(
+      abi::guarded([&] { return abi::find_conicity(problem, conicity); }, abi::memory_of, abi::memory_cause),
+      text, size);
+}
+
+}  // extern "C"
