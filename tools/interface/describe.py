@@ -3,13 +3,18 @@
 
     tools/interface/describe.py            writes the files
     tools/interface/describe.py --check    names those that differ; exits with 1 if any does, 77 without libclang
+    tools/interface/describe.py --renew-baseline SENTENCE
+                                           writes the files and the interface that tests/abi/gate holds today's against;
+                                           the sentence goes into CHANGELOG.md
     --root FOLDER                          another tree than the one this program lies in
 
 Building the library does not need this program: what it writes is committed."""
 import argparse
 import pathlib
+import subprocess
 import sys
 
+import baseline
 import cpp
 import cpp_header
 import dlopen
@@ -34,9 +39,24 @@ def files(interface, table_order, root):
     return made
 
 
+def renew_baseline(cindex, root, because):
+    """The baseline, the caller compiled against today's headers, the sentence in the changelog."""
+    include = root / "include_c"
+    interface = headers.parse(cindex, include)
+    described = {struct.name: grammar.describe(struct, interface) for struct in interface.structs.values()}
+    because = " ".join(because.split())
+    (root / baseline.FILE).write_text(
+        baseline.text(interface, described, headers.table_order(cindex, include), because))
+    changelog = root / "CHANGELOG.md"
+    changelog.write_text(baseline.with_line(changelog.read_text(), because))
+    subprocess.run(["cc", "-std=c99", "-O1", "-fPIC", "-S", "-fno-asynchronous-unwind-tables", "-Iinclude_c",
+                    "tests/abi/gate/caller.c", "-o", baseline.CALLER], cwd=root, check=True)
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--check", action="store_true")
+    arguments.add_argument("--renew-baseline", metavar="SENTENCE")
     arguments.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
     asked = arguments.parse_args()
     cindex = headers.libclang()
@@ -60,6 +80,8 @@ def main():
             print(f"{name} written")
     if asked.check and stale:
         return 1
+    if asked.renew_baseline:
+        renew_baseline(cindex, asked.root, asked.renew_baseline)
     print(f"{len(made)} files current")
     return 0
 

@@ -96,7 +96,7 @@ class Interface:
     enumerations: dict
     structs: dict
     functions: dict
-    callbacks: set    # typedefs of function pointers
+    callbacks: dict   # typedefs of function pointers, and what they stand for
 
     def enumerator(self, name):
         """(enumeration, enumerator) of that name, or None."""
@@ -161,7 +161,7 @@ class _Reader:
         self.include = include
 
     def read(self, unit):
-        found = Interface([], [], {}, {}, {}, set())
+        found = Interface([], [], {}, {}, {}, {})
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
             if file is None or not file.name.startswith(str(self.include / "wrc")):
@@ -177,7 +177,7 @@ class _Reader:
                 found.structs[cursor.spelling] = self.struct(cursor)
             elif kind == self.kinds.TYPEDEF_DECL:
                 if self.is_callback(cursor.underlying_typedef_type):
-                    found.callbacks.add(cursor.spelling)
+                    found.callbacks[cursor.spelling] = cursor.underlying_typedef_type.spelling
             elif kind == self.kinds.FUNCTION_DECL:
                 found.functions[cursor.spelling] = self.function(cursor)
         return found

@@ -1,0 +1,340 @@
+	.file	"caller.c"
+	.text
+	.section	.rodata.str1.1,"aMS",@progbits,1
+.LC0:
+	.string	"%s %.17g\n"
+	.text
+	.type	bits, @function
+bits:
+	subq	$8, %rsp
+	movq	%rdi, %rsi
+	leaq	.LC0(%rip), %rdi
+	movl	$1, %eax
+	call	printf@PLT
+	addq	$8, %rsp
+	ret
+	.size	bits, .-bits
+	.section	.rodata.str1.1
+.LC5:
+	.string	"y"
+.LC6:
+	.string	"peak pressure"
+.LC7:
+	.string	"fy"
+.LC8:
+	.string	"t_gamma"
+.LC9:
+	.string	"patch"
+.LC10:
+	.string	"traction"
+.LC15:
+	.string	"force"
+.LC16:
+	.string	"steepest"
+.LC17:
+	.string	"stiffness"
+.LC18:
+	.string	"spin"
+	.text
+	.globl	main
+	.type	main, @function
+main:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$3296, %rsp
+	movl	$2, %edi
+	call	wrc_get_api@PLT
+	testq	%rax, %rax
+	je	.L5
+	movq	%rax, %rbx
+	movl	$2, %ebp
+	cmpl	$599, (%rax)
+	jbe	.L3
+	movq	%rsp, %rbp
+	leaq	4(%rsp), %rdx
+	movl	$57, %ecx
+	movl	$0, %eax
+	movq	%rdx, %rdi
+	rep stosl
+	movl	$232, (%rsp)
+	movq	%rbp, %rdi
+	call	wrc_config_init@PLT
+	leaq	3056(%rsp), %rdi
+	movl	$58, %ecx
+	movq	%rbp, %rsi
+	rep movsl
+	movl	$2, 3064(%rsp)
+	movl	$4, 3096(%rsp)
+	movl	$40, 3208(%rsp)
+	movl	$2, 3256(%rsp)
+	movq	$0, 3048(%rsp)
+	movq	$0, 3040(%rsp)
+	leaq	3048(%rsp), %rdx
+	leaq	3056(%rsp), %rdi
+	movl	$0, %esi
+	call	wrc_model_create@PLT
+	testl	%eax, %eax
+	js	.L7
+	leaq	3040(%rsp), %rcx
+	movl	$0, %edx
+	movl	$1, %esi
+	movq	3048(%rsp), %rdi
+	call	*192(%rbx)
+	testl	%eax, %eax
+	js	.L8
+	movq	%rsp, %rbx
+	leaq	4(%rsp), %rdx
+	movl	$53, %ebp
+	movl	$0, %eax
+	movq	%rdx, %rdi
+	movq	%rbp, %rcx
+	rep stosl
+	movq	%rcx, %rbp
+	movl	$216, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_input_init@PLT
+	leaq	2816(%rsp), %rdi
+	movl	$54, %ecx
+	movq	%rbx, %rsi
+	rep movsl
+	movl	$43, %ecx
+	movq	%rbx, %rdi
+	movq	%rbp, %rax
+	rep stosq
+	movl	$344, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_output_init@PLT
+	leaq	2464(%rsp), %rdi
+	movl	$43, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	movq	.LC1(%rip), %rax
+	movq	%rax, 2824(%rsp)
+	movq	.LC2(%rip), %rax
+	movq	%rax, 2864(%rsp)
+	movq	.LC3(%rip), %rax
+	movq	%rax, 2904(%rsp)
+	movq	.LC4(%rip), %rax
+	movq	%rax, 2944(%rsp)
+	leaq	2464(%rsp), %rdx
+	leaq	2816(%rsp), %rsi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_step@PLT
+	testl	%eax, %eax
+	jne	.L9
+	movsd	2480(%rsp), %xmm0
+	leaq	.LC5(%rip), %rdi
+	call	bits
+	movsd	2624(%rsp), %xmm0
+	leaq	.LC6(%rip), %rdi
+	call	bits
+	movsd	2680(%rsp), %xmm0
+	leaq	.LC7(%rip), %rdi
+	call	bits
+	movsd	2744(%rsp), %xmm0
+	leaq	.LC8(%rip), %rdi
+	call	bits
+	leaq	4(%rsp), %rdx
+	movl	$51, %ecx
+	movl	$0, %eax
+	movq	%rdx, %rdi
+	rep stosl
+	movl	$208, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_patch_init@PLT
+	leaq	2256(%rsp), %rdi
+	movl	$52, %ecx
+	movq	%rbx, %rsi
+	rep movsl
+	leaq	2256(%rsp), %rdx
+	movl	$0, %esi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_patch@PLT
+	testl	%eax, %eax
+	jne	.L10
+	leaq	2208(%rsp), %rcx
+	movl	$3, %edx
+	movl	$0, %esi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_field@PLT
+	testl	%eax, %eax
+	jne	.L11
+	movsd	2280(%rsp), %xmm0
+	leaq	.LC9(%rip), %rdi
+	call	bits
+	movq	2224(%rsp), %rax
+	shrq	%rax
+	imulq	2240(%rsp), %rax
+	imulq	$3, 2232(%rsp), %rdx
+	addq	%rdx, %rax
+	movq	2208(%rsp), %rdx
+	movsd	(%rdx,%rax,8), %xmm0
+	leaq	.LC10(%rip), %rdi
+	call	bits
+	leaq	4(%rsp), %rbp
+	movl	$0, %r12d
+	movl	$63, %ecx
+	movq	%rbp, %rdi
+	movl	%r12d, %eax
+	rep stosl
+	movl	$256, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_wheel_input_init@PLT
+	leaq	1952(%rsp), %rdi
+	movl	$32, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	movl	$39, %ecx
+	movq	%rbp, %rdi
+	movl	%r12d, %eax
+	rep stosl
+	movl	$160, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_wrench_init@PLT
+	leaq	1792(%rsp), %rdi
+	movl	$40, %ecx
+	movq	%rbx, %rsi
+	rep movsl
+	movq	.LC11(%rip), %rax
+	movq	%rax, 1976(%rsp)
+	movq	.LC1(%rip), %rax
+	movq	%rax, 1992(%rsp)
+	movq	.LC12(%rip), %rax
+	movq	%rax, 2008(%rsp)
+	movq	.LC13(%rip), %rax
+	movq	%rax, 2040(%rsp)
+	movq	.LC14(%rip), %rax
+	movq	%rax, 2200(%rsp)
+	leaq	832(%rsp), %rcx
+	leaq	1792(%rsp), %rdx
+	leaq	1952(%rsp), %rsi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_wrench_sensitivities@PLT
+	testl	%eax, %eax
+	jne	.L12
+	movsd	1824(%rsp), %xmm0
+	leaq	.LC15(%rip), %rdi
+	call	bits
+	movsd	1944(%rsp), %xmm0
+	leaq	.LC16(%rip), %rdi
+	call	bits
+	movsd	1112(%rsp), %xmm0
+	leaq	.LC17(%rip), %rdi
+	call	bits
+	movl	$43, %ecx
+	movl	$0, %eax
+	movq	%rbp, %rdi
+	rep stosl
+	movl	$176, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_region_init@PLT
+	leaq	656(%rsp), %rdi
+	movl	$44, %ecx
+	movq	%rbx, %rsi
+	rep movsl
+	leaq	656(%rsp), %rdx
+	movl	$0, %esi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_region@PLT
+	testl	%eax, %eax
+	jne	.L13
+	movsd	824(%rsp), %xmm0
+	leaq	.LC18(%rip), %rdi
+	call	bits
+	movq	.LC19(%rip), %rax
+	movq	%rax, 2864(%rsp)
+	leaq	2464(%rsp), %rdx
+	leaq	2816(%rsp), %rsi
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_step@PLT
+	movl	$9, %ebp
+	cmpl	$-4, %eax
+	jne	.L3
+	leaq	352(%rsp), %rsi
+	movl	$300, %edx
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_last_error@PLT
+	movl	%eax, %ebp
+	testl	%eax, %eax
+	jne	.L15
+	leaq	352(%rsp), %rdi
+	call	puts@PLT
+	movq	3040(%rsp), %rdi
+	call	wrc_contact_destroy@PLT
+	movq	3048(%rsp), %rdi
+	call	wrc_model_destroy@PLT
+	jmp	.L3
+.L5:
+	movl	$2, %ebp
+	jmp	.L3
+.L7:
+	movl	$3, %ebp
+	jmp	.L3
+.L8:
+	movl	$3, %ebp
+.L3:
+	movl	%ebp, %eax
+	addq	$3296, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+.L9:
+	movl	$4, %ebp
+	jmp	.L3
+.L10:
+	movl	$5, %ebp
+	jmp	.L3
+.L11:
+	movl	$6, %ebp
+	jmp	.L3
+.L12:
+	movl	$7, %ebp
+	jmp	.L3
+.L13:
+	movl	$8, %ebp
+	jmp	.L3
+.L15:
+	movl	$10, %ebp
+	jmp	.L3
+	.size	main, .-main
+	.section	.rodata.cst8,"aM",@progbits,8
+	.align 8
+.LC1:
+	.long	-755914244
+	.long	1063281229
+	.align 8
+.LC2:
+	.long	0
+	.long	1089701888
+	.align 8
+.LC3:
+	.long	-350469331
+	.long	1060779746
+	.align 8
+.LC4:
+	.long	1717986918
+	.long	1071015526
+	.align 8
+.LC11:
+	.long	810889825
+	.long	1060350250
+	.align 8
+.LC12:
+	.long	0
+	.long	1077149696
+	.align 8
+.LC13:
+	.long	-1493901668
+	.long	-1069171401
+	.align 8
+.LC14:
+	.long	-1717986918
+	.long	1069128089
+	.align 8
+.LC19:
+	.long	0
+	.long	1079246848
+	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
+	.section	.note.GNU-stack,"",@progbits
