@@ -38,12 +38,16 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(16)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
+  integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
+  integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
+  integer(c_size_t), bind(C) :: layout_wrc_stresses(6)
   integer(c_size_t), bind(C) :: layout_wrc_grid(7)
   integer(c_size_t), bind(C) :: layout_wrc_materials(5)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_solution(9)
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(14)
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(14)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_loads(8)
   integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
   integer(c_size_t), bind(C) :: layout_wrc_contact_functions_problem(5)
@@ -92,19 +96,23 @@ program layout_test
   call test_wrc_wrench()
   call test_wrc_region()
   call test_wrc_wrench_sensitivities()
+  call test_wrc_stress_peak()
+  call test_wrc_stress_peaks()
+  call test_wrc_stresses()
   call test_wrc_grid()
   call test_wrc_materials()
   call test_wrc_exact_normal_problem()
   call test_wrc_exact_normal_solution()
   call test_wrc_exact_rolling_problem()
   call test_wrc_exact_rolling_solution()
+  call test_wrc_exact_loads()
   call test_wrc_exact_wrench_options()
   call test_wrc_exact_check_result()
   call test_wrc_contact_functions_problem()
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 48, ' types compared'
+  print '(i0,a)', 52, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -795,6 +803,43 @@ contains
     call same('wrc_wrench_sensitivities', 'z', &
       distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(3))
   end subroutine
+  subroutine test_wrc_stress_peak()
+    type(wrc_stress_peak), target :: a
+    call same('wrc_stress_peak', 'size', c_sizeof(a), layout_wrc_stress_peak(1))
+    call same('wrc_stress_peak', 'stress', &
+      distance(c_loc(a), c_loc(a%stress)), layout_wrc_stress_peak(2))
+    call same('wrc_stress_peak', 'x', &
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_stress_peak(3))
+    call same('wrc_stress_peak', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_stress_peak(4))
+    call same('wrc_stress_peak', 'depth', &
+      distance(c_loc(a), c_loc(a%depth)), layout_wrc_stress_peak(5))
+  end subroutine
+  subroutine test_wrc_stress_peaks()
+    type(wrc_stress_peaks), target :: a
+    call same('wrc_stress_peaks', 'size', c_sizeof(a), layout_wrc_stress_peaks(1))
+    call same('wrc_stress_peaks', 'von_mises', &
+      distance(c_loc(a), c_loc(a%von_mises)), layout_wrc_stress_peaks(2))
+    call same('wrc_stress_peaks', 'shear', &
+      distance(c_loc(a), c_loc(a%shear)), layout_wrc_stress_peaks(3))
+    call same('wrc_stress_peaks', 'tension', &
+      distance(c_loc(a), c_loc(a%tension)), layout_wrc_stress_peaks(4))
+  end subroutine
+  subroutine test_wrc_stresses()
+    type(wrc_stresses), target :: a
+    call wrc_init(a)
+    call same('wrc_stresses', 'size', c_sizeof(a), layout_wrc_stresses(1))
+    call same('wrc_stresses', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_stresses(2))
+    call same('wrc_stresses', 'body', &
+      distance(c_loc(a), c_loc(a%body)), layout_wrc_stresses(3))
+    call same('wrc_stresses', 'largest', &
+      distance(c_loc(a), c_loc(a%largest)), layout_wrc_stresses(4))
+    call same('wrc_stresses', 'surface', &
+      distance(c_loc(a), c_loc(a%surface)), layout_wrc_stresses(5))
+    call same('wrc_stresses', 'below', &
+      distance(c_loc(a), c_loc(a%below)), layout_wrc_stresses(6))
+  end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a
     call wrc_init(a)
@@ -936,6 +981,25 @@ contains
       distance(c_loc(a), c_loc(a%slip_x)), layout_wrc_exact_rolling_solution(13))
     call same('wrc_exact_rolling_solution', 'slip_y', &
       distance(c_loc(a), c_loc(a%slip_y)), layout_wrc_exact_rolling_solution(14))
+  end subroutine
+  subroutine test_wrc_exact_loads()
+    type(wrc_exact_loads), target :: a
+    call wrc_init(a)
+    call same('wrc_exact_loads', 'size', c_sizeof(a), layout_wrc_exact_loads(1))
+    call same('wrc_exact_loads', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_loads(2))
+    call same('wrc_exact_loads', 'body', &
+      distance(c_loc(a), c_loc(a%body)), layout_wrc_exact_loads(3))
+    call same('wrc_exact_loads', 'poisson', &
+      distance(c_loc(a), c_loc(a%poisson)), layout_wrc_exact_loads(4))
+    call same('wrc_exact_loads', 'grid', &
+      distance(c_loc(a), c_loc(a%grid)), layout_wrc_exact_loads(5))
+    call same('wrc_exact_loads', 'pressure', &
+      distance(c_loc(a), c_loc(a%pressure)), layout_wrc_exact_loads(6))
+    call same('wrc_exact_loads', 'traction_x', &
+      distance(c_loc(a), c_loc(a%traction_x)), layout_wrc_exact_loads(7))
+    call same('wrc_exact_loads', 'traction_y', &
+      distance(c_loc(a), c_loc(a%traction_y)), layout_wrc_exact_loads(8))
   end subroutine
   subroutine test_wrc_exact_wrench_options()
     type(wrc_exact_wrench_options), target :: a

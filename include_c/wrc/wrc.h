@@ -1040,6 +1040,10 @@ WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
 
 #include "wrc_wheel.h"
 
+/* ------------------------------------------------------------------------------- what contact does to the bodies */
+
+#include "wrc_damage.h"
+
 /* ---------------------------------------------------------------------------------------------------- for dlopen */
 
 /** Every function as a table, for hosts that load the library at run time: wrc_api.h. */

@@ -106,6 +106,12 @@ struct wrc_api {
     /**< wrc_profile_contact_functions() */
   int32_t (*equivalent_conicity)(const wrc_conicity_problem*, wrc_conicity*, char*, uint64_t);
     /**< wrc_equivalent_conicity() */
+  int32_t (*stresses_init)(wrc_stresses*); /**< wrc_stresses_init() */
+  int32_t (*exact_loads_init)(wrc_exact_loads*); /**< wrc_exact_loads_init() */
+  int32_t (*exact_stress)(const wrc_exact_loads*, const double*, uint32_t, double*, char*, uint64_t);
+    /**< wrc_exact_stress() */
+  int32_t (*exact_largest_stresses)(const wrc_exact_loads*, const double*, uint32_t, wrc_stress_peaks*, wrc_stresses*, wrc_progress, void*, char*, uint64_t);
+    /**< wrc_exact_largest_stresses() */
 };
 
 #endif /* WRC_API_H */

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "abi/handles.hpp"
+#include "abi/stresses.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
 #include "base/elementary.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
+#include "halfspace/subsurface.hpp"
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
@@ -160,6 +162,82 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   copy_field(found.traction_y, solution.traction_y);
   copy_field(found.slip_x, solution.slip_x);
   copy_field(found.slip_y, solution.slip_y);
+  return found.fault;
+}
+
+/// What acts on one body: the pressure as it is; on the rail tractions are minus those on the wheel, which is
+/// the rail's mirror image.
+Fault read_loads(const wrc_exact_loads* theirs, halfspace::BodyLoads& loads, std::int32_t& body) {
+  wrc_exact_loads ours;
+  Fault fault = read(theirs, "loads", ours);
+  if (fault.failed()) return fault;
+  loads.grid = grid_of(ours.grid);
+  loads.poisson = ours.poisson;
+  body = ours.body;
+  const std::size_t cells = loads.grid.cells();
+  const auto read_one = [&](const Member& member, const double* values, halfspace::Field& field) {
+    field.assign(cells, 0.0);
+    if (values == nullptr) return Fault{};
+    const Fault of_field = check_all(member, "loads", values, cells);
+    if (!of_field.failed()) field.assign(values, values + cells);
+    return of_field;
+  };
+  fault = first_of({read_one(member<wrc_exact_loads>("pressure"), ours.pressure, loads.pressure),
+                    read_one(member<wrc_exact_loads>("traction_x"), ours.traction_x, loads.traction_x),
+                    read_one(member<wrc_exact_loads>("traction_y"), ours.traction_y, loads.traction_y)});
+  if (ours.body == WRC_BODY_RAIL) {
+    for (halfspace::Field* field : {&loads.traction_x, &loads.traction_y})
+      for (double& traction : *field) traction = 0.0 - traction;
+  }
+  return fault;
+}
+
+Fault find_stresses(const wrc_exact_loads* theirs, const double* points, std::uint32_t count,
+                    double* stresses) {
+  constexpr double most_points = 1e6, farthest = 1.0;
+  Fault fault = check(count, "count", "", 1.0, most_points);
+  if (fault.failed()) return fault;
+  zero_field(stresses, 6 * static_cast<std::size_t>(count));
+  if (points == nullptr) return {.status = WRC_ERROR_NULL, .field = "points"};
+  if (stresses == nullptr) return {.status = WRC_ERROR_NULL, .field = "stresses"};
+  halfspace::BodyLoads loads;
+  std::int32_t body = WRC_BODY_RAIL;
+  fault = read_loads(theirs, loads, body);
+  for (std::uint32_t k = 0; k < 3 * count && !fault.failed(); ++k) {
+    fault = check(points[k], "points", "m", k % 3 == 2 ? 0.0 : -farthest, farthest,
+                  k % 3 == 2 ? "depths are positive in both bodies" : "did you pass mm?", "did you pass mm?");
+    fault.index = static_cast<std::int32_t>(k);
+  }
+  if (fault.failed()) return fault;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const double* const point = points + 3 * std::size_t{k};
+    const Stress stress = halfspace::stress_at(loads, point[0], point[1], point[2]);
+    const double six[6] = {stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.zx};
+    std::copy_n(six, 6, stresses + 6 * std::size_t{k});
+  }
+  return {};
+}
+
+Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths, std::uint32_t count,
+                            wrc_stress_peaks* levels, wrc_stresses& stresses, Reporter& reporter) {
+  constexpr double most_depths = 1000.0, deepest = 1.0;
+  Fault fault = check(count, "count", "", 0.0, most_depths);
+  if (fault.failed()) return fault;
+  if (levels != nullptr) std::fill_n(levels, count, wrc_stress_peaks{});
+  if (count > 0 && depths == nullptr) return {.status = WRC_ERROR_NULL, .field = "depths"};
+  halfspace::BodyLoads loads;
+  std::int32_t body = WRC_BODY_RAIL;
+  fault = first_of(
+      {read_loads(theirs, loads, body), check_all(depths, count, "depths", "m", 0.0, deepest,
+                                                  "depths are positive in both bodies", "did you pass mm?")});
+  if (fault.failed()) return fault;
+  const halfspace::SubsurfaceSolution found =
+      halfspace::search_stresses(loads, std::vector<double>(depths, depths + count), reporter.callback());
+  if (found.fault.failed()) return found.fault;
+  if (levels != nullptr) {
+    for (std::size_t k = 0; k < count; ++k) levels[k] = peaks_of(found.levels[k]);
+  }
+  fill(found.surface, found.below, body, stresses);
   return found.fault;
 }
 
@@ -416,6 +494,27 @@ int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_norm
 int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
                           char* text, uint64_t size) {
   return abi::solve_into(problem, solution, text, size, abi::solve_rolling_problem);
+}
+
+int32_t wrc_exact_stress(const wrc_exact_loads* loads, const double* points, uint32_t count, double* stresses,
+                         char* text, uint64_t size) {
+  const Fault fault = abi::guarded([&] { return abi::find_stresses(loads, points, count, stresses); });
+  return abi::finish(fault, text, size);
+}
+
+int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* depths, uint32_t count,
+                                   wrc_stress_peaks* levels, wrc_stresses* stresses, wrc_progress progress,
+                                   void* user, char* text, uint64_t size) {
+  const Fault cleared = abi::clear(stresses);
+  const Fault fault = abi::guarded([&]() -> Fault {
+    if (cleared.failed()) return cleared;
+    abi::Reporter reporter{.progress = progress, .user = user};
+    wrc_stresses ours = abi::empty<wrc_stresses>();
+    const Fault found = abi::find_largest_stresses(loads, depths, count, levels, ours, reporter);
+    if (!found.failed()) abi::write(ours, stresses);
+    return found;
+  });
+  return abi::finish(fault, text, size);
 }
 
 int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,

@@ -6,26 +6,6 @@
 #include "halfspace/influence.hpp"
 
 namespace wrc::halfspace {
-namespace {
-
-// out[j * rows + i] = in[i * columns + j], in small tiles that stay in cache.
-void transpose(const double* in, double* out, int rows, int columns) {
-  constexpr int tile = 8;
-  for (int i0 = 0; i0 < rows; i0 += tile) {
-    for (int j0 = 0; j0 < columns; j0 += tile) {
-      for (int i = i0; i < std::min(i0 + tile, rows); ++i) {
-        for (int j = j0; j < std::min(j0 + tile, columns); ++j) {
-          out[static_cast<std::size_t>(j) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(i)] =
-              in[static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(j)];
-        }
-      }
-    }
-  }
-}
-
-}  // namespace
-
 Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel)
     : nx_(grid.nx),
       ny_(grid.ny),

@@ -40,4 +40,7 @@ class Fft {
   std::vector<Stage> stages_;
 };
 
+/// out[j * rows + i] = in[i * columns + j], in small tiles that stay in cache.
+void transpose(const double* in, double* out, int rows, int columns);
+
 }  // namespace wrc::halfspace

@@ -2,14 +2,23 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "halfspace_cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace compare {
-namespace {
+wrc_grid grid_over(const wrc_ellipse& ellipse, uint32_t nx, uint32_t ny) {
+  wrc_grid grid = wrc_grid_default();
+  grid.nx = nx;
+  grid.ny = ny;
+  grid.dx = 2.0 * ellipse.a / nx;
+  grid.dy = 2.0 * ellipse.b / ny;
+  grid.x0 = -ellipse.a + 0.5 * grid.dx;
+  grid.y0 = -ellipse.b * (1.0 - ellipse.psi) + 0.5 * grid.dy;
+  return grid;
+}
 
-/// Semi-elliptic pressure of a double ellipse at the cell centres, as the reference has it.
 std::vector<double> pressure_at_centres(const wrc_ellipse& ellipse, const wrc_grid& grid) {
   const double pi = 3.14159265358979323846;
   const double peak = 1.5 * ellipse.normal_force / (pi * ellipse.a * ellipse.b);
@@ -31,6 +40,8 @@ wrc_materials materials_of(double shear_modulus, double poisson) {
   materials.poisson_1 = materials.poisson_2 = poisson;
   return materials;
 }
+
+namespace {
 
 struct Variant {
   const char* name;
@@ -56,13 +67,8 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
     for (std::size_t row = 0; row < file.rows(); ++row) {
       const Rolling rolling = rolling_of(file, row);
       const wrc_ellipse& ellipse = rolling.ellipse;
-      wrc_grid grid = wrc_grid_default();
-      grid.nx = static_cast<uint32_t>(variant.refinement * file(row, "nx"));
-      grid.ny = static_cast<uint32_t>(variant.refinement * file(row, "ny"));
-      grid.dx = 2.0 * ellipse.a / grid.nx;
-      grid.dy = 2.0 * ellipse.b / grid.ny;
-      grid.x0 = -ellipse.a + 0.5 * grid.dx;
-      grid.y0 = -ellipse.b * (1.0 - ellipse.psi) + 0.5 * grid.dy;
+      const wrc_grid grid = grid_over(ellipse, static_cast<uint32_t>(variant.refinement * file(row, "nx")),
+                                      static_cast<uint32_t>(variant.refinement * file(row, "ny")));
       const std::vector<double> pressure = pressure_at_centres(ellipse, grid);
       const wrc_materials materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
       wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();

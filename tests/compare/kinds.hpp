@@ -40,6 +40,9 @@ Report compare_halfspace_normal(const Csv& file, const Names& only);
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);
 
+/// Largest stresses below double ellipses and their depths.
+Report compare_subsurface(const Csv& file, const Names& only);
+
 /// Wheels on rails from the pose to the wrench (wrc_contact_wrench): new and worn profiles at given heights;
 /// flange roots under given loads against conformal theory; second differences along lines through pose
 /// space; work round closed paths.

@@ -7,7 +7,7 @@ import dataclasses
 import pathlib
 import sys
 
-HEADERS = ("wrc/wrc.h", "wrc/wrc_wheel.h", "wrc/wrc_offline.h", "wrc/wrc_profiles.h")
+HEADERS = ("wrc/wrc.h", "wrc/wrc_wheel.h", "wrc/wrc_damage.h", "wrc/wrc_offline.h", "wrc/wrc_profiles.h")
 TABLE_HEADER = "wrc/wrc_api.h"  # itself made of the others
 STANDARD_HEADERS = {
     "stddef.h": "typedef unsigned long size_t;\n#define NULL ((void*)0)\n",

@@ -31,6 +31,10 @@ inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const
 inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_rolling() */
 inline status exact_rolling(const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_rolling(&problem, &solution, text.data(), text.size()); }
+/** wrc_exact_stress() */
+inline status exact_stress(const wrc_exact_loads& loads, const double* points, std::uint32_t count, double& stresses, span<char> text) noexcept { return wrc_exact_stress(&loads, points, count, &stresses, text.data(), text.size()); }
+/** wrc_exact_largest_stresses() */
+inline status exact_largest_stresses(const wrc_exact_loads& loads, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses, wrc_progress progress, void* user, span<char> text) noexcept { return wrc_exact_largest_stresses(&loads, depths, count, levels, stresses, progress, user, text.data(), text.size()); }
 /** wrc_equivalent_conicity() */
 inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conicity& conicity, span<char> text) noexcept { return wrc_equivalent_conicity(&problem, &conicity, text.data(), text.size()); }
 

@@ -1216,6 +1216,109 @@ struct Description<wrc_wrench_sensitivities> {
 static_assert(sizeof(wrc_wrench_sensitivities) == 952, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_stress_peak> {
+  static constexpr const char* name = "wrc_stress_peak";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_stress_peak defaults = [] {
+    wrc_stress_peak value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "stress", .offset = offsetof(wrc_stress_peak, stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "x", .offset = offsetof(wrc_stress_peak, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_stress_peak, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "depth", .offset = offsetof(wrc_stress_peak, depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_stress_peak) == 32, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_stress_peaks> {
+  static constexpr const char* name = "wrc_stress_peaks";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 96;
+  static constexpr wrc_stress_peaks defaults = [] {
+    wrc_stress_peaks value{};
+    value.von_mises = Description<wrc_stress_peak>::defaults;
+    value.shear = Description<wrc_stress_peak>::defaults;
+    value.tension = Description<wrc_stress_peak>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "von_mises.stress", .offset = offsetof(wrc_stress_peaks, von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "von_mises.x", .offset = offsetof(wrc_stress_peaks, von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "von_mises.y", .offset = offsetof(wrc_stress_peaks, von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "von_mises.depth", .offset = offsetof(wrc_stress_peaks, von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "shear.stress", .offset = offsetof(wrc_stress_peaks, shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "shear.x", .offset = offsetof(wrc_stress_peaks, shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "shear.y", .offset = offsetof(wrc_stress_peaks, shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "shear.depth", .offset = offsetof(wrc_stress_peaks, shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "tension.stress", .offset = offsetof(wrc_stress_peaks, tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "tension.x", .offset = offsetof(wrc_stress_peaks, tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "tension.y", .offset = offsetof(wrc_stress_peaks, tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "tension.depth", .offset = offsetof(wrc_stress_peaks, tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_stress_peaks) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_stresses> {
+  static constexpr const char* name = "wrc_stresses";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 296;
+  static constexpr wrc_stresses defaults = [] {
+    wrc_stresses value{};
+    value.struct_size = sizeof value;
+    value.largest = Description<wrc_stress_peaks>::defaults;
+    value.surface = Description<wrc_stress_peaks>::defaults;
+    value.below = Description<wrc_stress_peaks>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_stresses, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "body", .offset = offsetof(wrc_stresses, body), .type = Type::int32, .rule = Rule::none, .enumeration = &enumerations::wrc_body},
+      {.name = "largest.von_mises.stress", .offset = offsetof(wrc_stresses, largest.von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest.von_mises.x", .offset = offsetof(wrc_stresses, largest.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.von_mises.y", .offset = offsetof(wrc_stresses, largest.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.von_mises.depth", .offset = offsetof(wrc_stresses, largest.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.shear.stress", .offset = offsetof(wrc_stresses, largest.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest.shear.x", .offset = offsetof(wrc_stresses, largest.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.shear.y", .offset = offsetof(wrc_stresses, largest.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.shear.depth", .offset = offsetof(wrc_stresses, largest.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.tension.stress", .offset = offsetof(wrc_stresses, largest.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest.tension.x", .offset = offsetof(wrc_stresses, largest.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.tension.y", .offset = offsetof(wrc_stresses, largest.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.tension.depth", .offset = offsetof(wrc_stresses, largest.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.von_mises.stress", .offset = offsetof(wrc_stresses, surface.von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "surface.von_mises.x", .offset = offsetof(wrc_stresses, surface.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.von_mises.y", .offset = offsetof(wrc_stresses, surface.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.von_mises.depth", .offset = offsetof(wrc_stresses, surface.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.shear.stress", .offset = offsetof(wrc_stresses, surface.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "surface.shear.x", .offset = offsetof(wrc_stresses, surface.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.shear.y", .offset = offsetof(wrc_stresses, surface.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.shear.depth", .offset = offsetof(wrc_stresses, surface.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.tension.stress", .offset = offsetof(wrc_stresses, surface.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "surface.tension.x", .offset = offsetof(wrc_stresses, surface.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.tension.y", .offset = offsetof(wrc_stresses, surface.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.tension.depth", .offset = offsetof(wrc_stresses, surface.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.von_mises.stress", .offset = offsetof(wrc_stresses, below.von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "below.von_mises.x", .offset = offsetof(wrc_stresses, below.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.von_mises.y", .offset = offsetof(wrc_stresses, below.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.von_mises.depth", .offset = offsetof(wrc_stresses, below.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.shear.stress", .offset = offsetof(wrc_stresses, below.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "below.shear.x", .offset = offsetof(wrc_stresses, below.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.shear.y", .offset = offsetof(wrc_stresses, below.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.shear.depth", .offset = offsetof(wrc_stresses, below.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.tension.stress", .offset = offsetof(wrc_stresses, below.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "below.tension.x", .offset = offsetof(wrc_stresses, below.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.tension.y", .offset = offsetof(wrc_stresses, below.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.tension.depth", .offset = offsetof(wrc_stresses, below.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_stresses) == 296, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_grid> {
   static constexpr const char* name = "wrc_grid";
   static constexpr bool versioned = false;
@@ -1393,6 +1496,36 @@ struct Description<wrc_exact_rolling_solution> {
   };
 };
 static_assert(sizeof(wrc_exact_rolling_solution) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_loads> {
+  static constexpr const char* name = "wrc_exact_loads";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_exact_loads defaults = [] {
+    wrc_exact_loads value{};
+    value.struct_size = sizeof value;
+    value.body = WRC_BODY_RAIL;
+    value.poisson = 0.25;
+    value.grid = Description<wrc_grid>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_loads, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "body", .offset = offsetof(wrc_exact_loads, body), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_body},
+      {.name = "poisson", .offset = offsetof(wrc_exact_loads, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "grid.nx", .offset = offsetof(wrc_exact_loads, grid.nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.ny", .offset = offsetof(wrc_exact_loads, grid.ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
+      {.name = "grid.dx", .offset = offsetof(wrc_exact_loads, grid.dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.dy", .offset = offsetof(wrc_exact_loads, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "grid.x0", .offset = offsetof(wrc_exact_loads, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.y0", .offset = offsetof(wrc_exact_loads, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "pressure", .offset = offsetof(wrc_exact_loads, pressure), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .by_caller = true},
+      {.name = "traction_x", .offset = offsetof(wrc_exact_loads, traction_x), .type = Type::pointer, .rule = Rule::range, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "steel yields at a tenth of that", .too_large = "steel yields at a tenth of that", .by_caller = true},
+      {.name = "traction_y", .offset = offsetof(wrc_exact_loads, traction_y), .type = Type::pointer, .rule = Rule::range, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "steel yields at a tenth of that", .too_large = "steel yields at a tenth of that", .by_caller = true},
+  };
+};
+static_assert(sizeof(wrc_exact_loads) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_wrench_options> {

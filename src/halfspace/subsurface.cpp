@@ -1,0 +1,337 @@
+#include "halfspace/subsurface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace wrc::halfspace {
+namespace {
+
+/// Derivatives of F and F1 under a unit load, by their antiderivatives over x and y at one corner of a cell.
+/// Members are named after what they differentiate by; `of_` those of F1.
+struct Corner {
+  double xx, yy, zz, xy, xz, yz;
+  double xxx, xxy, xyy, yyy, xxz, xyz, yyz, xzz, yzz, zzz;
+  double of_xxx, of_xxy, of_xyy, of_yyy;
+};
+
+/// X, Y from the corner to the point. With r^2 = X^2 + Y^2 + z^2, over both indefinite integrals,
+///     F_xy -> ln(r + z), F_xz -> ln(Y + r), F_zz -> -atan(XY / (z r)),
+///     F_xx -> atan(Y / X) - atan(z Y / (X r)), F1_xxy -> -X / (r + z),
+/// and all others follow by differentiation, exchange of x and y, and F being harmonic.
+Corner corner_at(double X, double Y, double z) {
+  const double x2 = X * X, y2 = Y * Y, z2 = z * z;
+  const double r = std::sqrt(x2 + y2 + z2), rz = r + z;
+  const auto angle = [](double over, double under) { return over == 0.0 ? 0.0 : std::atan2(over, under); };
+  Corner c{};
+  c.xx = angle(X * Y * (r - z), x2 * r + z * y2);
+  c.yy = angle(X * Y * (r - z), y2 * r + z * x2);
+  c.zz = -angle(X * Y, z * r);
+  c.xy = std::log(rz);
+  c.xz = std::asinh(Y / std::sqrt(x2 + z2));
+  c.yz = std::asinh(X / std::sqrt(y2 + z2));
+  c.xyz = 1.0 / r;
+  c.xxy = X / (r * rz);
+  c.xyy = Y / (r * rz);
+  c.xxz = -X * Y / (r * (x2 + z2));
+  c.yyz = -X * Y / (r * (y2 + z2));
+  c.xzz = -z * Y / (r * (x2 + z2));
+  c.yzz = -z * X / (r * (y2 + z2));
+  c.zzz = -c.xxz - c.yyz;
+  c.xxx = -c.xyy - c.xzz;
+  c.yyy = -c.xxy - c.yzz;
+  c.of_xxy = -X / rz;
+  c.of_xyy = -Y / rz;
+  c.of_xxx = Y / rz - c.xz;
+  c.of_yyy = X / rz - c.yz;
+  return c;
+}
+
+/// One corner's share of the stresses, by the formulas of the header.
+CellStress share_of(const Corner& c, double nu, double z) {
+  constexpr double scale = 0.5 / pi;
+  const double k = 1.0 - 2.0 * nu;
+  CellStress s;
+  s.of_pressure = {.xx = scale * (2.0 * nu * c.zz - z * c.xxz - k * c.xx),
+                   .yy = scale * (2.0 * nu * c.zz - z * c.yyz - k * c.yy),
+                   .zz = scale * (c.zz - z * c.zzz),
+                   .xy = scale * (-k * c.xy - z * c.xyz),
+                   .yz = scale * (-z * c.yzz),
+                   .zx = scale * (-z * c.xzz)};
+  s.of_traction_x = {.xx = scale * (2.0 * (1.0 + nu) * c.xz + 2.0 * nu * c.of_xxx - z * c.xxx),
+                     .yy = scale * (2.0 * nu * c.xz + 2.0 * nu * c.of_xyy - z * c.xyy),
+                     .zz = scale * (-z * c.xzz),
+                     .xy = scale * (c.yz + 2.0 * nu * c.of_xxy - z * c.xxy),
+                     .yz = scale * (-z * c.xyz),
+                     .zx = scale * (c.zz - z * c.xxz)};
+  s.of_traction_y = {.xx = scale * (2.0 * nu * c.yz + 2.0 * nu * c.of_xxy - z * c.xxy),
+                     .yy = scale * (2.0 * (1.0 + nu) * c.yz + 2.0 * nu * c.of_yyy - z * c.yyy),
+                     .zz = scale * (-z * c.yzz),
+                     .xy = scale * (c.xz + 2.0 * nu * c.of_xyy - z * c.xyy),
+                     .yz = scale * (c.zz - z * c.yyz),
+                     .zx = scale * (-z * c.xyz)};
+  return s;
+}
+
+void add(const Stress& from, double factor, Stress& to) {
+  to.xx += factor * from.xx;
+  to.yy += factor * from.yy;
+  to.zz += factor * from.zz;
+  to.xy += factor * from.xy;
+  to.yz += factor * from.yz;
+  to.zx += factor * from.zx;
+}
+
+void add(const CellStress& from, double factor, CellStress& to) {
+  add(from.of_pressure, factor, to.of_pressure);
+  add(from.of_traction_x, factor, to.of_traction_x);
+  add(from.of_traction_y, factor, to.of_traction_y);
+}
+
+/// Cells beyond the border of a grid where stresses are looked for too: the tension behind the trailing edge.
+int margin_of(const Grid& grid) { return 2 + std::max(grid.nx, grid.ny) / 10; }
+
+Grid with_margin(const Grid& grid) {
+  const int margin = margin_of(grid);
+  return {.nx = grid.nx + 2 * margin,
+          .ny = grid.ny + 2 * margin,
+          .dx = grid.dx,
+          .dy = grid.dy,
+          .x0 = grid.x0 - margin * grid.dx,
+          .y0 = grid.y0 - margin * grid.dy};
+}
+
+}  // namespace
+
+CellStress cell_stress(double poisson, double x, double y, double z, double dx, double dy) {
+  CellStress sum;
+  for (const double side_x : {0.5, -0.5}) {
+    for (const double side_y : {0.5, -0.5}) {
+      const Corner corner = corner_at(x + side_x * dx, y + side_y * dy, z);
+      add(share_of(corner, poisson, z), side_x * side_y > 0.0 ? 1.0 : -1.0, sum);
+    }
+  }
+  return sum;
+}
+
+Stress stress_at(const BodyLoads& loads, double x, double y, double z) {
+  Stress sum;
+  const Grid& grid = loads.grid;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t k = grid.index(i, j);
+      if (loads.pressure[k] == 0.0 && loads.traction_x[k] == 0.0 && loads.traction_y[k] == 0.0) continue;
+      const CellStress unit = cell_stress(loads.poisson, x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
+      add(unit.of_pressure, loads.pressure[k], sum);
+      add(unit.of_traction_x, loads.traction_x[k], sum);
+      add(unit.of_traction_y, loads.traction_y[k], sum);
+    }
+  }
+  return sum;
+}
+
+StressField::StressField(const BodyLoads& loads)
+    : poisson_(loads.poisson),
+      grid_(with_margin(loads.grid)),
+      padded_x_(Fft::good_length(2 * grid_.nx - 1)),
+      padded_y_(Fft::good_length(2 * grid_.ny - 1)),
+      fft_x_(padded_x_),
+      fft_y_(padded_y_) {
+  const auto nx = static_cast<std::size_t>(padded_x_), ny = static_cast<std::size_t>(padded_y_);
+  for (Field* each : {&kernel_re_, &kernel_im_, &work_re_, &work_im_}) each->assign(nx * ny, 0.0);
+  const Field* const fields[3] = {&loads.pressure, &loads.traction_x, &loads.traction_y};
+  const auto margin = static_cast<std::size_t>(margin_of(loads.grid));
+  const auto columns = static_cast<std::size_t>(loads.grid.nx);
+  for (int f = 0; f < 3; ++f) {
+    load_re_[f].assign(nx * ny, 0.0);
+    load_im_[f].assign(nx * ny, 0.0);
+    for (std::size_t k = 0; k < fields[f]->size(); ++k)
+      load_re_[f][(margin + k % columns) * ny + margin + k / columns] = (*fields[f])[k];
+    transform(load_re_[f], load_im_[f]);
+    re_[f].assign(nx * ny, 0.0);
+    im_[f].assign(nx * ny, 0.0);
+  }
+}
+
+void StressField::transform(Field& re, Field& im) {
+  const auto nx = static_cast<std::size_t>(padded_x_), ny = static_cast<std::size_t>(padded_y_);
+  fft_x_.forward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_y_);
+  transpose(re.data(), work_re_.data(), padded_x_, padded_y_);
+  transpose(im.data(), work_im_.data(), padded_x_, padded_y_);
+  std::swap(re, work_re_);
+  std::swap(im, work_im_);
+  fft_y_.forward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_x_);
+  const double scale = 1.0 / std::sqrt(static_cast<double>(nx * ny));
+  for (std::size_t k = 0; k < nx * ny; ++k) {
+    re[k] *= scale;
+    im[k] *= scale;
+  }
+}
+
+void StressField::transform_back(Field& re, Field& im) {
+  fft_y_.backward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_x_);
+  transpose(re.data(), work_re_.data(), padded_y_, padded_x_);
+  transpose(im.data(), work_im_.data(), padded_y_, padded_x_);
+  std::swap(re, work_re_);
+  std::swap(im, work_im_);
+  fft_x_.backward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_y_);
+}
+
+void StressField::evaluate(double z) {
+  const int reach_x = grid_.nx - 1, reach_y = grid_.ny - 1;
+  const auto ny = static_cast<std::size_t>(padded_y_);
+  const int corners_y = 2 * reach_y + 2;
+  // Cells by their corners, two rows of them at a time; what a cell gives goes to where its offset wraps to.
+  std::vector<CellStress> cells(static_cast<std::size_t>(2 * reach_x + 1) *
+                                static_cast<std::size_t>(2 * reach_y + 1));
+  std::vector<CellStress> before(static_cast<std::size_t>(corners_y)), here(before.size());
+  for (int mx = -reach_x; mx <= reach_x + 1; ++mx) {
+    for (int c = 0; c < corners_y; ++c)
+      here[static_cast<std::size_t>(c)] =
+          share_of(corner_at((mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z), poisson_, z);
+    if (mx > -reach_x) {
+      for (int my = -reach_y; my <= reach_y; ++my) {
+        const auto c = static_cast<std::size_t>(my + reach_y);
+        CellStress& cell =
+            cells[static_cast<std::size_t>(mx - 1 + reach_x) * static_cast<std::size_t>(2 * reach_y + 1) + c];
+        add(here[c + 1], 1.0, cell);
+        add(here[c], -1.0, cell);
+        add(before[c + 1], -1.0, cell);
+        add(before[c], 1.0, cell);
+      }
+    }
+    std::swap(here, before);
+  }
+  struct Pair {
+    double Stress::*real;
+    double Stress::*imaginary;
+  };
+  constexpr Pair pairs[3] = {
+      {&Stress::xx, &Stress::yy}, {&Stress::zz, &Stress::xy}, {&Stress::yz, &Stress::zx}};
+  constexpr Stress CellStress::*units[3] = {&CellStress::of_pressure, &CellStress::of_traction_x,
+                                            &CellStress::of_traction_y};
+  for (int pair = 0; pair < 3; ++pair) {
+    std::fill(re_[pair].begin(), re_[pair].end(), 0.0);
+    std::fill(im_[pair].begin(), im_[pair].end(), 0.0);
+    for (int f = 0; f < 3; ++f) {
+      std::fill(kernel_re_.begin(), kernel_re_.end(), 0.0);
+      std::fill(kernel_im_.begin(), kernel_im_.end(), 0.0);
+      std::size_t cell = 0;
+      for (int mx = -reach_x; mx <= reach_x; ++mx) {
+        const auto row = static_cast<std::size_t>((mx + padded_x_) % padded_x_) * ny;
+        for (int my = -reach_y; my <= reach_y; ++my, ++cell) {
+          const std::size_t k = row + static_cast<std::size_t>((my + padded_y_) % padded_y_);
+          const Stress& unit = cells[cell].*units[f];
+          kernel_re_[k] = unit.*pairs[pair].real;
+          kernel_im_[k] = unit.*pairs[pair].imaginary;
+        }
+      }
+      transform(kernel_re_, kernel_im_);
+      for (std::size_t k = 0; k < kernel_re_.size(); ++k) {
+        re_[pair][k] += kernel_re_[k] * load_re_[f][k] - kernel_im_[k] * load_im_[f][k];
+        im_[pair][k] += kernel_re_[k] * load_im_[f][k] + kernel_im_[k] * load_re_[f][k];
+      }
+    }
+    transform_back(re_[pair], im_[pair]);
+  }
+}
+
+Stress StressField::at(std::size_t cell) const {
+  const auto columns = static_cast<std::size_t>(grid_.nx);
+  const std::size_t k = cell % columns * static_cast<std::size_t>(padded_y_) + cell / columns;
+  return {re_[0][k], im_[0][k], re_[1][k], im_[1][k], re_[2][k], im_[2][k]};
+}
+
+StressPeaks StressField::peaks(double z) {
+  evaluate(z);
+  StressPeaks found;
+  for (int j = 0; j < grid_.ny; ++j) {
+    for (int i = 0; i < grid_.nx; ++i)
+      found.take(numbers_of(at(grid_.index(i, j))), grid_.x(i), grid_.y(j), z);
+  }
+  return found;
+}
+
+SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<double>& depths,
+                                   const ProgressCallback& progress) {
+  SubsurfaceSolution solution;
+  const Grid& grid = loads.grid;
+  int first_i = grid.nx, last_i = -1, first_j = grid.ny, last_j = -1;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t k = grid.index(i, j);
+      if (loads.pressure[k] == 0.0 && loads.traction_x[k] == 0.0 && loads.traction_y[k] == 0.0) continue;
+      first_i = std::min(first_i, i);
+      last_i = std::max(last_i, i);
+      first_j = std::min(first_j, j);
+      last_j = std::max(last_j, j);
+    }
+  }
+  if (last_i < 0) {
+    solution.fault = {.status = WRC_FLAG_NO_CONTACT};
+    solution.levels.resize(depths.size());
+    return solution;
+  }
+  const double size = 0.5 * std::min((last_i - first_i + 1) * grid.dx, (last_j - first_j + 1) * grid.dy);
+  constexpr double shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.95, 1.2, 1.5};
+  constexpr int coarse = static_cast<int>(std::size(shares)), refined = 10;
+  const double work =
+      static_cast<double>(1 + coarse + 3 * (refined + 1)) + static_cast<double>(depths.size());
+  double done = 0.0;
+  const auto goes_on = [&] {
+    done += 1.0;
+    if (progress.goes_on(std::min(1.0, done / work))) return true;
+    solution.fault = {.status = WRC_ERROR_CANCELLED};
+    return false;
+  };
+
+  StressField field(loads);
+  solution.surface = field.peaks(0.0);
+  if (!goes_on()) return solution;
+  StressPeaks at_depth[coarse];
+  for (int k = 0; k < coarse; ++k) {
+    at_depth[k] = field.peaks(shares[k] * size);
+    solution.below.take(at_depth[k]);
+    if (!goes_on()) return solution;
+  }
+  for (StressPeak StressPeaks::*which :
+       {&StressPeaks::von_mises, &StressPeaks::shear, &StressPeaks::tension}) {
+    int best = 0;
+    for (int k = 1; k < coarse; ++k)
+      if ((at_depth[k].*which).value > (at_depth[best].*which).value) best = k;
+    double low = best > 0 ? shares[best - 1] * size : 0.0;
+    double high = shares[std::min(best + 1, coarse - 1)] * size;
+    constexpr double golden = 0.61803398874989485;
+    const auto at = [&](double z) {
+      const StressPeaks found = field.peaks(z);
+      solution.below.take(found);
+      return (found.*which).value;
+    };
+    double z1 = high - golden * (high - low), z2 = low + golden * (high - low);
+    double v1 = at(z1), v2 = at(z2);
+    for (int k = 0; k < refined; ++k) {
+      if (v1 > v2) {
+        high = z2;
+        z2 = z1;
+        v2 = v1;
+        z1 = high - golden * (high - low);
+        v1 = at(z1);
+      } else {
+        low = z1;
+        z1 = z2;
+        v1 = v2;
+        z2 = low + golden * (high - low);
+        v2 = at(z2);
+      }
+      if (!goes_on()) return solution;
+    }
+  }
+  for (const double depth : depths) {
+    solution.levels.push_back(field.peaks(depth));
+    if (!goes_on()) return solution;
+  }
+  return solution;
+}
+
+}  // namespace wrc::halfspace
