@@ -22,7 +22,7 @@ esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
   clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
-  valgrind similarity-tester python3-clang-14 abigail-tools
+  valgrind similarity-tester python3-clang-14 abigail-tools unzip
 
 # suite PRESET [TESTS TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that match TESTS.
 suite() {
@@ -48,7 +48,7 @@ mingw_suite() {
   elif all; then
     suite mingw
   else
-    suite mingw '^(abi.*|golden_hash|example_.*|dll_symbols)$' abi_tests golden_hash first_step exact_check load_at_run_time
+    suite mingw '^(abi.*|golden_hash|example_.*|dll_symbols|package_zip)$' abi_tests golden_hash first_step exact_check load_at_run_time
   fi
 }
 
