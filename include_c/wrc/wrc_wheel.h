@@ -230,9 +230,19 @@ WRC_DEFAULT_SIZED(wrc_region)
  * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _BEYOND_GAP (deeper than 2 mm: continued with
- * the stiffness and the directions there), _MORE_PATCHES (more regions than can be told apart, or overlaps than there
- * is room for; the wrench is whole); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
+ * @par Where the load is given and friction is high
+ * Where friction on a steep face outweighs its slope, the vertical force may fall as the wheel goes down. The way down from
+ * first touch to 2 mm of overlap, or to a normal force of 20 loads, is looked at then, at depths each twice the one before,
+ * so that what is returned does not depend on earlier calls: the highest place (least z) that carries the load, with a force that grows downwards; where none
+ * does, the one at which the force first ceases to grow, which is where the former ends as the load grows: without a
+ * jump, and with less than the load in force[2]; zero at first touch, where it never grows. WRC_FLAG_CLIMBING says that
+ * none or several carry the load, or that the force falls on the way to the one returned.
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm:
+ * where the height is given, continued with the stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
+ * end of a profile; what lies beyond carries nothing), _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
+ * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
+ * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
  * profiles or of other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this
  * pose).
  * @rt hard @thread contact */

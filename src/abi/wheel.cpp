@@ -37,7 +37,7 @@ Fault check_rotation(const double* r) {
   }
   if (furthest > tolerance) {
     return {.status = WRC_ERROR_RANGE,
-            .field = "largest difference of wheel.rotation times its transpose from 1",
+            .field = "largest difference of input.wheel.rotation times its transpose from 1",
             .value = furthest,
             .unit = "",
             .low = 0.0,
@@ -49,7 +49,7 @@ Fault check_rotation(const double* r) {
   if (determinant < 0.0) {
     return {
         .status = WRC_ERROR_RANGE,
-        .field = "determinant of wheel.rotation",
+        .field = "determinant of input.wheel.rotation",
         .value = determinant,
         .unit = "",
         .low = 1.0,
@@ -58,13 +58,14 @@ Fault check_rotation(const double* r) {
   }
   constexpr double sine_most = 0.479425538604203;  // of 0.5 rad
   if (!(r[4] > 0.0) || std::abs(r[1]) > sine_most || std::abs(r[7]) > sine_most) {
-    return {.status = WRC_ERROR_RANGE,
-            .field = "angle of the axle against the track's y axis: cosine",
-            .value = r[4],
-            .unit = "",
-            .cause =
-                "the second column of wheel.rotation is the axle in track axes, to the right: is it the "
-                "transpose, or are axes named otherwise?"};
+    return {
+        .status = WRC_ERROR_RANGE,
+        .field = "angle of the axle against the track's y axis: cosine",
+        .value = r[4],
+        .unit = "",
+        .cause =
+            "the second column of input.wheel.rotation is the axle in track axes, to the right: is it the "
+            "transpose, or are axes named otherwise?"};
   }
   return {};
 }
@@ -232,15 +233,15 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
 
 int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_input* input,
                                          wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) {
-  return abi::call(handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}),
-                   [&](wrc::Contact& contact) {
-                     wrc::HostedSlopes slopes;
-                     const wrc::Fault outcome = abi::solve(contact, input, &slopes);
-                     if (outcome.failed()) return outcome;
-                     abi::write(abi::wrench_of(contact.wheel), wrench);
-                     abi::write(abi::sensitivities_of(slopes), sensitivities);
-                     return outcome;
-                   });
+  return abi::call(
+      handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}), [&](wrc::Contact& contact) {
+        wrc::HostedSlopes slopes;
+        const wrc::Fault outcome = abi::solve(contact, input, sensitivities == nullptr ? nullptr : &slopes);
+        if (outcome.failed()) return outcome;
+        abi::write(abi::wrench_of(contact.wheel), wrench);
+        if (sensitivities != nullptr) abi::write(abi::sensitivities_of(slopes), sensitivities);
+        return outcome;
+      });
 }
 
 int32_t wrc_contact_region(const wrc_contact* handle, int32_t index, wrc_region* region) {

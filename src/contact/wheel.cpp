@@ -165,7 +165,8 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   SeenWrench found;
   fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
                               array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr);
-  if (fault.failed() || (hosted.load_prescribed && wrench.regions == 0)) {
+  const bool touching = wrench.regions > 0 || fault.status == WRC_FLAG_CLIMBING;
+  if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
     if (fault.failed()) return fault;
     return {.status = WRC_ERROR_LOAD,

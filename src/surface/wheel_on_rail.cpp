@@ -189,10 +189,9 @@ Loaded take_loaded_strips(const SurfaceModel& model, const WheelOnRail& in, cons
   return loaded;
 }
 
-/// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to
-/// [m/s].
-double roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, const Loaded& loaded,
-                   Work& w) {
+/// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to.
+RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen,
+                             const Loaded& loaded, Work& w) {
   // the mean of the speeds at which wheel and rail material pass through the contact
   const double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
   const RollingReference reference = rolling_reference(rolling_speed);
@@ -202,19 +201,19 @@ double roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen&
     w.slip_y[k] /= speed;
     w.spin[k] /= speed;
   }
-  if (!(in.friction > 0.0)) return speed;
+  if (!(in.friction > 0.0)) return reference;
   if (in.law) find_friction(model, *in.law, speed, loaded.count, w);
   const bool backwards = rolling_speed < 0.0;
   roll(model, in, loaded.count, backwards, w, {w.fx, w.fy, w.mz});
   const double other = reference.other_way;
-  if (!(other > 0.0)) return speed;
+  if (!(other > 0.0)) return reference;
   roll(model, in, loaded.count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
     w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
     w.mz[k] += other * (w.other_mz[k] - w.mz[k]);
   }
-  return speed;
+  return reference;
 }
 
 /// The region that strips are being added to: in rail axes, moments about the wheel's reference point, places
@@ -310,6 +309,38 @@ Fault sum_up(const WheelOnRail& in, const Seen& seen, std::int32_t count, double
   return fault;
 }
 
+/// What of a solution lies beyond what is known of the bodies, or has no room.
+Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const Work& w) {
+  const Overlaps& o = w.overlaps;
+  if (o.full)
+    return {.status = WRC_FLAG_MORE_PATCHES,
+            .field = "strips that overlap",
+            .value = 1.0 + most,
+            .unit = "",
+            .high = 1.0 * most,
+            .cause = "those beyond, on the field side, carry nothing"};
+  const Curve& wheel = model.wheel.curve;
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
+    constexpr double rounding = 1e-9;  // [m]
+    const double depth = o.depth[w.candidate[k]];
+    if (depth > deepest_overlap + rounding)
+      return {.status = WRC_FLAG_BEYOND_GAP,
+              .field = "overlap",
+              .value = depth,
+              .unit = "m",
+              .high = deepest_overlap,
+              .cause = "the load is far beyond what steel carries there"};
+    const std::int32_t j = o.strip[w.candidate[k]];
+    const bool rail_ends = j == 0 || j == model.rail.count - 1;
+    // rays beyond the wheel's end meet nothing
+    const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = model.rail.width[j];
+    const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
+    if (rail_ends || wheel_ends)
+      return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+  }
+  return {};
+}
+
 /// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
 /// the overlaps at this height stand in w.overlaps already.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
@@ -330,15 +361,17 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   const Loaded loaded = take_loaded_strips(model, in, seen, w);
   if (loaded.count == 0)
     return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
-  const double speed = roll_strips(model, in, seen, loaded, w);
-  keep_worst(fault, sum_up(in, seen, loaded.count, speed, w, out));
+  const RollingReference reference = roll_strips(model, in, seen, loaded, w);
+  keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
+  keep_worst(fault, extrapolated(model, loaded, w));
+  if (in.friction > 0.0 && reference.other_way > 0.0)
+    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
   return fault;
 }
 
-/// The greatest height, no greater than that asked for, at which no overlap is deeper than `deepest_overlap`
-/// [m]. Leaves the overlaps at the height asked for where that is the one.
-double height_at_border(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
-  double height = in.wheel.position[2];
+/// The greatest height, no greater than `height`, at which no overlap is deeper than `deepest_overlap` [m].
+/// Leaves the overlaps at that height where it is the one.
+double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double height, Work& w) {
   constexpr int most_steps = 12;
   for (int n = 0; n < most_steps; ++n) {
     const Seen seen = see(model, in, height);
@@ -374,7 +407,7 @@ void scale(double factor, Wrench& out) {
 Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
                          Wrench& out) {
   constexpr double step = 2e-6;  // [m]
-  const double asked = in.wheel.position[2], border = height_at_border(model, in, w);
+  const double asked = in.wheel.position[2], border = height_at_border(model, in, asked, w);
   if (!(asked > border)) return solve_at(model, in, asked, asked == border, w, start, {}, out);
   solve_at(model, in, border - step, false, w, start, {}, out);
   const double before = out.normal_force;
@@ -393,10 +426,9 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Work&
   return fault;
 }
 
-/// A height [m] at which the wheel just presses on the rail: lowered, or raised, from the one given until it
-/// touches.
-double touching_height(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
-  constexpr double margin = 50e-3, pressed = 60e-6;  // [m]
+/// The height [m] at which the wheel first touches: lowered, or raised, from the one given until it does.
+double first_touch(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
+  constexpr double margin = 50e-3;  // [m]
   double height = in.wheel.position[2];
   for (int n = 0; n < 12; ++n) {
     const Seen seen = see(model, in, height);
@@ -410,7 +442,7 @@ double touching_height(const SurfaceModel& model, const WheelOnRail& in, Work& w
     height += fall;
     if (std::abs(fall) < 1e-7) break;
   }
-  return height + pressed;
+  return height;
 }
 
 /// Search of the height for a load: between one that carries too little and one that carries too much, by
@@ -456,12 +488,12 @@ class HeightSearch {
   End low_, high_;
 };
 
-/// The wrench at the height that carries the load given, searched from `height`, which becomes it.
-Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
-                       double& height, Wrench& out) {
+/// The wrench at the height that carries the load given, searched from `height`, which becomes it. `search`:
+/// between what it knows.
+Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, Work& w,
+                    SurfaceStart& start, double& height, Wrench& out) {
   const double asked = in.vertical_load;
   const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
-  HeightSearch search(asked);
   Fault fault;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
     const Fault here = solve_at(model, in, height, false, w, start, options, out);
@@ -473,8 +505,169 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
     height = search.next(height, step);
   }
   keep_worst(fault,
-             {.status = WRC_FLAG_ITERATION_CAP, .field = "vertical_load", .value = asked, .unit = "N"});
+             {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = asked, .unit = "N"});
   return fault;
+}
+
+/// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
+/// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
+/// `w` but for overlaps and pressures stays, these are of `height` afterwards.
+bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, double height, Work& w) {
+  constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of what holds the balance
+  const Seen seen = see(model, in, height);
+  Overlaps& o = w.overlaps;
+  find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, beyond, w.scratch, o);
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const double friction = in.law ? friction_at_rest(model, *in.law, o.strip[i]) : in.friction;
+    const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
+    const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
+    if (friction * magnitude(aside) > safe * down) return true;
+  }
+  return false;
+}
+
+/// What the vertical force does as a wheel is lowered from first touch on.
+struct WayDown {
+  static constexpr std::int32_t most = 13;
+  std::int32_t count = 0;
+  double height[most] = {}, load[most] = {};  ///< [m], [N]; the first is first touch
+  std::int32_t reaches = 0;                   ///< the first that carries the load; 0: none
+  std::int32_t summit = 0;                    ///< where it is largest before it falls
+  bool falls = false;                         ///< before the load is reached: behind the summit
+  bool falls_again = false;                   ///< below the load, after it was reached
+};
+
+/// Looks at heights each twice as far below first touch as the one before, down to the deepest overlap that
+/// is solved, or until many times the load presses.
+WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
+                  Wrench& out) {
+  constexpr double first_step = 4e-6;  // [m]
+  constexpr double counts = 1e-3;      // of the load: what a fall is told from rounding by
+  constexpr double enough = 20.0;      // loads: where a wheel is wedged rather than carried
+  const double asked = in.vertical_load;
+  WayDown way;
+  way.height[way.count++] = first_touch(model, in, w);
+  const double touch = way.height[0];
+  const double deepest = first_step * static_cast<double>(1 << (WayDown::most - 2));
+  const double border = height_at_border(model, in, touch + deepest, w);
+  std::int32_t highest = 0;
+  double pressed = 0.0;  // [N]
+  for (std::int32_t k = 1; k < WayDown::most && !way.falls_again; ++k) {
+    const double height = smaller(touch + first_step * static_cast<double>(1 << (k - 1)), border);
+    if (!(height > way.height[k - 1]) || pressed > enough * asked) break;
+    solve_at(model, in, height, false, w, start, {}, out);
+    const double load = -out.force[2];
+    pressed = out.normal_force;
+    way.height[k] = height;
+    way.load[k] = load;
+    way.count = k + 1;
+    if (way.reaches > 0) {
+      way.falls_again = load < asked;
+    } else if (load >= asked) {
+      way.reaches = k;
+    } else if (way.summit == 0 && load < way.load[highest] - counts * asked) {
+      way.falls = true;
+      way.summit = highest;
+    }
+    if (load > way.load[highest]) highest = k;
+  }
+  return way;
+}
+
+/// The wrench where the vertical force is largest between two heights.
+Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double low, double high, Work& w,
+                      SurfaceStart& start, double& height, Wrench& out) {
+  constexpr double golden = 0.6180339887498949;
+  constexpr int steps = 20;
+  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
+  const auto load_at = [&](double at) {
+    solve_at(model, in, at, false, w, start, options, out);
+    return -out.force[2];
+  };
+  double left = high - golden * (high - low), right = low + golden * (high - low);
+  double at_left = load_at(left), at_right = load_at(right);
+  for (int n = 0; n < steps; ++n) {
+    if (at_left >= at_right) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - golden * (high - low);
+      at_left = load_at(left);
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + golden * (high - low);
+      at_right = load_at(right);
+    }
+  }
+  height = 0.5 * (low + high);
+  return solve_at(model, in, height, false, w, start, options, out);
+}
+
+/// The wrench at the height that carries the load given, searched from `height`, which becomes it.
+///
+/// Where friction on a steep face can outweigh its slope, the vertical force may fall as the wheel goes down,
+/// and the load be carried at no height or at several. Then the way down from first touch is looked at, so
+/// that it does not matter where the search begins: taken is the highest that carries the load with a force
+/// that grows downwards, and where none does, the first at which the force ceases to grow: the end of the
+/// branch that begins at first touch, in which the former goes over without a jump as the load grows.
+Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w, SurfaceStart& start,
+                       double& height, Wrench& out) {
+  const double asked = in.vertical_load;
+  const Fault found = search_height(model, in, HeightSearch(asked), w, start, height, out);
+  if (!(in.friction > 0.0)) return found;
+  const bool capped = found.status == WRC_FLAG_ITERATION_CAP;
+  const double searched = out.height;
+  if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
+    // overlaps are those of the solution again: derivatives are made of them
+    find_overlaps(*model.kernels, model.rail, model.wheel, w.seen.pose, 0.0, w.scratch, w.overlaps);
+    return found;
+  }
+
+  const WayDown way = look_down(model, in, w, start, out);
+  const auto climbing = [&](const char* cause, const Fault& beside) {
+    Fault fault{.status = WRC_FLAG_CLIMBING,
+                .field = "input.vertical_load",
+                .value = asked,
+                .unit = "N",
+                .cause = cause};
+    keep_worst(fault, beside);
+    return fault;
+  };
+  const auto between = [&](double low, double load_at_low, double high, double load_at_high) {
+    HeightSearch search(asked);
+    search.take(low, load_at_low);
+    search.take(high, load_at_high);
+    height = !capped && searched > low && searched <= high ? searched : search.next(high, 0);
+    return search_height(model, in, search, w, start, height, out);
+  };
+  if (way.summit > 0) {
+    const std::int32_t k = way.summit;
+    const Fault fault =
+        solve_at_summit(model, in, way.height[k - 1], way.height[k + 1], w, start, height, out);
+    const double most_carried = -out.force[2];
+    if (most_carried >= asked)
+      return climbing("the highest of the heights that do is returned",
+                      between(way.height[k - 1], way.load[k - 1], height, most_carried));
+    if (way.reaches == 0)
+      return climbing("none does; returned is where the force first ceases to grow on the way down", fault);
+  }
+  if (way.reaches > 0) {
+    const std::int32_t k = way.reaches;
+    const Fault fault = between(way.height[k - 1], way.load[k - 1], way.height[k], way.load[k]);
+    if (way.falls)
+      return climbing("one does, but the force fell on the way down to it: it began on another branch",
+                      fault);
+    return way.falls_again ? climbing("the highest of the heights that do is returned", fault) : fault;
+  }
+  if (way.falls) {
+    solve_at(model, in, height = way.height[0], false, w, start, {}, out);
+    return climbing("none does; returned is first touch: from there on the force does not grow", {});
+  }
+  const Fault fault =
+      solve_at(model, in, height = searched, false, w, start, {.tolerance = tolerance_for_load}, out);
+  return found.status == WRC_OK ? fault : found;
 }
 
 }  // namespace
@@ -494,7 +687,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   out = {};
   Fault fault;
   if (in.load_prescribed) {
-    if (!warm) state.height = touching_height(model, in, w);
+    constexpr double pressed = 60e-6;  // [m]
+    if (!warm) state.height = first_touch(model, in, w) + pressed;
     fault = solve_given_load(model, in, w, start, state.height, out);
   } else {
     fault = solve_given_height(model, in, w, start, out);

@@ -57,8 +57,8 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
   }
 
   /// Errors of a column over the largest entries of their rows among columns of places, or of velocities.
-  void expect_differences(double tolerance) {
-    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  void expect_differences(double tolerance, int32_t status = WRC_OK) {
+    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), status);
     double differences[rows][columns];
     for (int k = 0; k < columns; ++k) {
       if (k == WRC_BY_Z && input.prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) continue;
@@ -66,7 +66,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
       wrc_wrench ends[2] = {wrench, wrench};
       for (int end = 0; end < 2; ++end) {
         *number(k) = value + (end == 0 ? -h : h);
-        ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), WRC_OK);
+        ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), status);
       }
       *number(k) = value;
       const double width = (value + h) - (value - h);
@@ -131,7 +131,7 @@ TEST_P(WheelDerivatives, NearStandstillBothWaysHaveAShare) {
   rail.y_velocity = rail.z_velocity = rail.roll_velocity = 1e-4;
   wheel.velocity[2] = wheel.angular_velocity[0] = wheel.angular_velocity[2] = 1e-4;
   press(0.0, 60e3);
-  expect_differences(differences_see);
+  expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);
 }
 
 TEST_P(WheelDerivatives, StraightAhead) {

@@ -75,6 +75,7 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_CREEPAGES_LIMITED:
     case WRC_FLAG_LOAD_LEAPS:
     case WRC_FLAG_BEYOND_GAP:
+    case WRC_FLAG_CLIMBING:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
     case WRC_ERROR_GAP:
