@@ -73,6 +73,7 @@ documented() { doxygen docs/Doxyfile >build/doxygen.log 2>&1 && [ ! -s build/dox
 main_job() { if all; then ./run.sh; else WRC_BUILD=build/release ./run.sh; fi; }
 
 mkdir -p build
+bindings/python/tests/environment.sh install
 tests/hosts/exudyn.sh install
 part release suite release
 if [ "${1:-}" != quick ]; then

@@ -1,0 +1,432 @@
+"""What the generated structs are made of: C memory with Python's manners.
+
+A struct is its C memory and nothing else: numbers are ctypes fields, arrays numpy views of that memory, choices members of
+an enumeration. Unknown names are refused, defaults are the library's own."""
+from __future__ import annotations
+
+import ctypes as c
+import difflib
+import enum
+import sys
+import threading
+from typing import Any, Callable, Dict, Iterable, Optional, Tuple, Type, TypeVar, Union
+
+import numpy as np
+
+from . import _library as _l
+
+S = TypeVar("S", bound="Struct")
+_C_DOUBLES = c.POINTER(c.c_double)
+_DTYPES = {c.c_int32: "<i4", c.c_uint32: "<u4", c.c_uint64: "<u8", c.c_int64: "<i8", c.c_double: "<f8"}
+
+
+class Choice(enum.IntEnum):
+    """An enumeration of the interface: its members are numbers, and a name does where a member is asked for."""
+
+    @classmethod
+    def of(cls, value: Any) -> Any:
+        """The member of that number or name; a number the enumeration does not know stays a number."""
+        return _choice(cls, value)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def _choice(kind: Any, value: Any) -> Any:
+    if isinstance(value, str):
+        names = kind.__members__
+        wanted = value.strip().upper().replace(" ", "_").replace("-", "_")
+        for name, member in names.items():
+            if wanted == name or name.endswith("_" + wanted) and wanted[:1].isdigit():
+                return member
+        raise ValueError(f"{value!r} is no {kind.__name__}: choose {', '.join(repr(name) for name in names)}")
+    try:
+        return kind(value)
+    except ValueError:
+        return int(value)
+
+
+class Member:
+    """A member of a struct that is more than a number; its C field has the same name behind an underscore."""
+
+    def __init__(self, name: str):
+        self.name, self.field = name, "_" + name
+
+
+class Chosen(Member):
+    """One of an enumeration, or bits of it: set by member, number or name."""
+
+    def __init__(self, name: str, kind: Any):
+        super().__init__(name)
+        self.kind = kind
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        return self if owner is None else _choice(self.kind, getattr(owner, self.field))
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        setattr(owner, self.field, int(_choice(self.kind, value)))
+
+
+class Array(Member):
+    """Numbers within the struct, as a numpy view of them."""
+
+    def __init__(self, name: str, offset: int, shape: tuple, kind: Any):
+        super().__init__(name)
+        self.offset, self.shape, self.count = offset, shape, int(np.prod(shape))
+        self.dtype = np.dtype(_DTYPES[kind])
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        if owner is None:
+            return self
+        view = np.frombuffer(owner, self.dtype, self.count, self.offset)
+        return view if len(self.shape) == 1 else view.reshape(self.shape)
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        self.__get__(owner)[...] = value
+
+
+class Count(Member):
+    """How many numbers the arrays beside have: it follows from them."""
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        return self if owner is None else getattr(owner, self.field)
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        if value != getattr(owner, self.field):
+            raise AttributeError(f"{type(owner).__name__}.{self.name} follows from the arrays it counts: set these")
+
+
+class Pointer(Member):
+    """A pointer to numbers: set by an array, which the struct keeps; all that one member counts have one length."""
+
+    def __init__(self, name: str, count: str = "", group: Tuple[str, ...] = (), fixed: int = 0):
+        super().__init__(name)
+        self.counter, self.group, self.fixed = count, group, fixed
+
+    def length(self, owner: Any) -> int:
+        return self.fixed or (getattr(owner, "_" + self.counter) if self.counter else 0)
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        if owner is None:
+            return self
+        pointer = getattr(owner, self.field)
+        if not pointer:
+            return None
+        length = self.length(owner)
+        return np.ctypeslib.as_array(pointer, (length,)) if length else pointer
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        self.put(owner, value, self.group)
+
+    def put(self, owner: Any, value: Any, beside: Iterable[str]) -> None:
+        """Sets it; `beside`: arrays that must have the same length as it stands."""
+        kind = type(owner)
+        if value is None:
+            setattr(owner, self.field, _C_DOUBLES())
+            if self.counter and not any(getattr(owner, "_" + each) for each in self.group):
+                setattr(owner, "_" + self.counter, 0)
+            return
+        array = np.ascontiguousarray(value, np.float64)
+        if self.fixed and array.size != self.fixed:
+            raise ValueError(f"{kind.__name__}.{self.name} has {self.fixed} numbers, not {array.size}")
+        if self.counter:
+            if array.ndim != 1:
+                raise ValueError(f"{kind.__name__}.{self.name} is a row of numbers, not an array of shape {array.shape}")
+            for each in beside:
+                if each != self.name and getattr(owner, "_" + each) and getattr(owner, "_" + self.counter) != array.size:
+                    raise ValueError(f"{kind.__name__}.{self.name} has {array.size} numbers and {each} has "
+                                     f"{getattr(owner, '_' + self.counter)}: set both at once by "
+                                     f"set({self.name}=..., {each}=...)")
+            setattr(owner, "_" + self.counter, array.size)
+        setattr(owner, self.field, array.ctypes.data_as(_C_DOUBLES))
+
+
+class Reference(Member):
+    """A pointer to another struct, which this one keeps."""
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        if owner is None:
+            return self
+        pointer = getattr(owner, self.field)
+        return pointer.contents if pointer else None
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        setattr(owner, self.field, self.kind(type(owner))() if value is None else c.pointer(value))
+
+    def kind(self, owner: Any) -> Any:
+        """The ctypes pointer type of this member."""
+        return next(each[1] for each in owner._fields_ if each[0] == self.field)
+
+
+class Text(Member):
+    """A name: str, or a path."""
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        if owner is None:
+            return self
+        value = getattr(owner, self.field)
+        return None if value is None else value.decode()
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        setattr(owner, self.field, None if value is None else str(value).encode())
+
+
+class Struct(c.Structure):
+    """A struct of the interface. Members may be given by name; nested structs as such or as dicts."""
+
+    __slots__ = ()
+    _c_name_ = ""
+    _units_: Dict[str, str] = {}
+    _hidden_: Tuple[str, ...] = ()
+
+    def __init__(self, **values: Any):
+        c.memmove(c.addressof(self), type(self)._default(), c.sizeof(self))
+        if values:
+            self.set(**values)
+
+    @classmethod
+    def _default(cls) -> bytes:
+        """The struct's bytes as the library sets them."""
+        found = cls.__dict__.get("_default_bytes")
+        if found is None:
+            memory = c.create_string_buffer(c.sizeof(cls))
+            if cls._fields_[0][0] == "struct_size":  # type: ignore[index]
+                c.memmove(memory, c.byref(c.c_uint32(c.sizeof(cls))), 4)
+            initialise = getattr(_l._library, cls._c_name_ + "_init", None)
+            if initialise is not None:
+                _l.check(initialise(cls.from_buffer(memory)))
+            found = memory.raw
+            cls._default_bytes = found  # type: ignore[attr-defined]
+        return found
+
+    @classmethod
+    def _new(cls: Type[S]) -> S:
+        return cls.from_buffer_copy(cls.__dict__.get("_default_bytes") or cls._default())
+
+    @classmethod
+    def members(cls) -> Tuple[str, ...]:
+        """Names of all members."""
+        return tuple(each[0].lstrip("_") for each in cls._fields_ if each[0].lstrip("_") not in cls._hidden_)  # type: ignore[union-attr]
+
+    def set(self: S, **values: Any) -> S:
+        """Sets members by name; nested structs by a struct, by a dict of their members, or a profile by the name of its
+        kind. Arrays that belong together (a profile's y and z) are set by one call. Gives the struct itself."""
+        kind = type(self)
+        arrays = [name for name in values if isinstance(getattr(kind, name, None), Pointer)]
+        for name in arrays:
+            getattr(kind, name).put(self, None, ())
+        for name, value in values.items():
+            if name not in kind.members():
+                near = difflib.get_close_matches(name, kind.members(), 1)
+                raise AttributeError(f"{kind.__name__} has no {name}" + (f": did you mean {near[0]}?" if near else
+                                     f", only {', '.join(kind.members())}"))
+            now = None if name in arrays else getattr(self, name)
+            if isinstance(now, Struct) and not isinstance(value, Struct):
+                if isinstance(value, dict):
+                    now.set(**value)
+                elif hasattr(value, "as_struct"):
+                    setattr(self, name, value.as_struct())
+                elif isinstance(value, str) and hasattr(type(now), "kind"):
+                    now.kind = value  # type: ignore[attr-defined]
+                else:
+                    raise TypeError(f"{kind.__name__}.{name} is a wrc.{type(now).__name__} or a dict of its members, "
+                                    f"not {value!r}")
+            else:
+                setattr(self, name, value)
+        return self
+
+    def copy(self: S) -> S:
+        """A copy, which keeps the arrays this struct points to."""
+        holder = (type(self) * 1)()
+        holder[0] = self
+        return holder[0]
+
+    __copy__ = copy
+
+    def __deepcopy__(self: S, _: Any) -> S:
+        return self.copy()
+
+    def as_dict(self) -> Dict[str, Any]:
+        """Members by name, nested structs as dicts, arrays copied: for files, and to send to other processes."""
+        told: Dict[str, Any] = {}
+        for name in self.members():
+            value = getattr(self, name)
+            if isinstance(value, Struct):
+                value = value.as_dict()
+            elif isinstance(value, np.ndarray):
+                value = value.copy()
+            elif isinstance(value, enum.Enum):
+                value = int(value)
+            elif isinstance(value, (c._Pointer, c._CFuncPtr)):  # type: ignore[attr-defined]
+                value = None
+            told[name] = value
+        return told
+
+    def __reduce__(self) -> Any:
+        return _from_dict, (type(self), self.as_dict())
+
+    def __eq__(self, other: Any) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        return _same(self.as_dict(), other.as_dict())
+
+    __hash__ = None  # type: ignore[assignment]
+
+    # ------------------------------------------------------------------------------------------------------- arrays
+
+    @classmethod
+    def dtype(cls) -> np.dtype:
+        """The struct as a numpy dtype: pointers are addresses."""
+        found = cls.__dict__.get("_dtype")
+        if found is None:
+            found = _dtype(cls)
+            cls._dtype = found  # type: ignore[attr-defined]
+        return found
+
+    @classmethod
+    def array(cls: Type[S], count: int, like: Optional[S] = None) -> np.ndarray:
+        """A numpy array of `count` structs, all as `like` or as the defaults: what batches take and give. Members are
+        columns: inputs["wheel"]["y"] = np.linspace(0, 3e-3, count)."""
+        memory = (cls * count)()
+        view = np.frombuffer(memory, cls.dtype(), count)
+        view[:] = np.frombuffer(like if like is not None else cls(), cls.dtype(), 1)
+        memory._like = like.copy() if like is not None else None  # what its pointers show lives as long as the array
+        return view
+
+    @classmethod
+    def of(cls: Type[S], array: np.ndarray, index: int) -> S:
+        """Element `index` of an array of these structs, in the array's memory."""
+        if array.dtype != cls.dtype() or array.ndim != 1:
+            raise TypeError(f"wrc.{cls.__name__}.array() makes arrays of {cls.__name__}; this one has dtype {array.dtype}")
+        return cls.from_buffer(array[index % len(array):].data.cast("B"))
+
+    # -------------------------------------------------------------------------------------------------- for a person
+
+    def __repr__(self) -> str:
+        return "\n".join([f"wrc.{type(self).__name__}", *self._lines("  ")])
+
+    def _lines(self, indent: str) -> Iterable[str]:
+        names = self.members()
+        width = max((len(name) for name in names), default=0)
+        for name in names:
+            value = getattr(self, name)
+            if isinstance(value, Struct):
+                yield f"{indent}{name}"
+                yield from value._lines(indent + "  ")
+            else:
+                unit = self._units_.get(name, "")
+                yield f"{indent}{name:<{width}}  {_shown(value)}{' ' + unit if unit else ''}"
+
+
+def _shown(value: Any) -> str:
+    if value is None:
+        return "None"
+    if isinstance(value, enum.IntFlag):
+        return " | ".join(each.name or "" for each in type(value) if each in value) or "none"
+    if isinstance(value, enum.Enum):
+        return value.name
+    if isinstance(value, np.ndarray):
+        if value.size > 9:
+            return f"{' x '.join(str(each) for each in value.shape)} numbers, {value.min():.6g} .. {value.max():.6g}"
+        return "[" + ", ".join(f"{each:.6g}" for each in value.flat) + "]"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, (int, str)):
+        return str(value)
+    return "set" if value else "None"
+
+
+def _dtype(kind: Any) -> np.dtype:
+    names, formats, offsets = [], [], []
+    for each in kind._fields_:
+        name, field = each[0], each[1]
+        names.append(name.lstrip("_"))
+        offsets.append(getattr(kind, name).offset)
+        formats.append(_format(field))
+    return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": c.sizeof(kind)})
+
+
+def _format(field: Any) -> Any:
+    if issubclass(field, Struct):
+        return field.dtype()
+    if issubclass(field, c.Array):
+        inner = _format(field._type_)
+        return (inner, (field._length_,))
+    return _DTYPES.get(field, "<u8")
+
+
+def _from_dict(kind: Type[S], values: Dict[str, Any]) -> S:
+    counts = {name for name in values if isinstance(getattr(kind, name, None), Count)}
+    made = kind()
+    for name in set(values) - counts:
+        value = values[name]
+        if isinstance(value, dict):
+            described = getattr(kind, name, None)
+            inner = described.kind(kind)._type_ if isinstance(described, Reference) else type(getattr(made, name))
+            setattr(made, name, _from_dict(inner, value))
+    return made.set(**{name: value for name, value in values.items() if name not in counts and not isinstance(value, dict)
+                       and not (value is None and not isinstance(getattr(kind, name, None), (Pointer, Text)))})
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, dict):
+        return all(_same(one[name], other[name]) for name in one)
+    return np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
+
+
+# ------------------------------------------------------------------------------------------------ arguments of functions
+
+class _Numbers:
+    """Type of an argument that points to numbers: numpy arrays of the right kind, ctypes' own, None."""
+
+    kind: Any
+
+    @classmethod
+    def from_param(cls, value: Any) -> Any:
+        if value is None:
+            return None
+        if isinstance(value, np.ndarray):
+            if value.dtype != np.dtype(_DTYPES[cls.kind]) or not value.flags.c_contiguous:
+                raise TypeError(f"this argument is a contiguous numpy array of {_DTYPES[cls.kind][1:]}, not {value.dtype}")
+            return c.c_void_p(value.ctypes.data)
+        return c.POINTER(cls.kind).from_param(value)
+
+
+_NUMBERS: Dict[Any, Any] = {}
+
+
+def Numbers(kind: Any) -> Any:
+    """The argument type of pointers to numbers of that ctypes kind."""
+    return _NUMBERS.setdefault(kind, type(f"Numbers_{kind.__name__}", (_Numbers,), {"kind": kind}))
+
+
+Progress = c.CFUNCTYPE(c.c_int32, c.c_double, c.c_void_p)
+ProgressArgument = Union[None, bool, Callable[[float], Any]]
+
+
+class Watch:
+    """A progress function of Python as the exact solver calls it. It is called with the fraction done; it stops the solver
+    by giving something true (wrc.Cancelled is raised) or by raising, which comes through. True: a bar on the terminal."""
+
+    def __init__(self, progress: ProgressArgument):
+        self.raised: Optional[BaseException] = None
+        self.progress: Optional[Callable[[float], Any]] = _bar if progress is True else progress or None
+        self.c = Progress(self.call) if self.progress else Progress(0)
+
+    def call(self, fraction: float, _: Any) -> int:
+        try:
+            return 1 if self.progress(fraction) else 0  # type: ignore[misc]
+        except BaseException as why:  # of ctypes' callbacks nothing gets through by itself
+            self.raised = why
+            return 1
+
+    def end(self) -> None:
+        """Ends the line of the bar."""
+        if self.progress is _bar:
+            sys.stderr.write("\n")
+
+
+def _bar(fraction: float) -> None:
+    done = int(40 * fraction)
+    sys.stderr.write(f"\r[{'#' * done}{'.' * (40 - done)}] {100 * fraction:3.0f} %")
+    sys.stderr.flush()

@@ -1,0 +1,310 @@
+"""Models and contacts: what owns memory, and the calls that Python gives another shape than C."""
+from __future__ import annotations
+
+import concurrent.futures
+import ctypes as c
+import os
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _interface as i
+from . import _library as _l
+
+_SENTENCE = 1024  # bytes
+
+
+def _view(view: i.View, memory: Any) -> np.ndarray:
+    """A wrc_view as a read-only numpy array in the memory of its model or contact, which it keeps alive."""
+    rank = view.rank
+    shape = tuple(int(each) for each in view.count[:rank])
+    strides = tuple(8 * int(each) for each in view.stride[:rank])
+    offset = c.cast(view._data, c.c_void_p).value - c.addressof(memory)  # type: ignore[operator,attr-defined]
+    array = np.ndarray(shape, np.float64, memory, offset, strides)
+    array.flags.writeable = False
+    return array
+
+
+def force_table() -> str:
+    """The force table that comes with the package: for config.tangential.force_table with the method FORCE_TABLE."""
+    return str(_l.FOLDER / "force_table.bin")
+
+
+def use(config: i.Config, name: str) -> i.Config:
+    """Makes a configuration that of a published tangential method ("FASTSIM-SDEC"); gives the configuration."""
+    text = c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_config_use(config, name.encode(), text, _SENTENCE), text)
+    return config
+
+
+class Model(i.ModelCalls):
+    """Profiles, material, methods, grid: what does not change. Any number of threads and contacts may use one model.
+
+    wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK")
+    wrc.Model(config)                       a wrc.Config; changed later it changes nothing in the model
+    wrc.Model(..., preset="FASTSIM-SDEC")   with a published tangential method
+
+    wheel, rail: the name of a built-in shape, a wrc.Profile, or what wrc.read_profile() gives. All members of wrc.Config may
+    be given by name, groups as dicts: track={"rail_inclination": 1 / 40}. Raises wrc.Error with the library's sentence.
+    """
+
+    __slots__ = ("config",)
+
+    config: i.Config
+
+    def __init__(self, config: Optional[i.Config] = None, *, preset: Optional[str] = None, **values: Any):
+        config = i.Config() if config is None else config.copy()
+        if preset is not None:
+            use(config, preset)
+        config.set(**values)
+        size, alignment = c.c_uint64(), c.c_uint64()
+        handle = c.c_void_p()
+        status = i._wrc_model_size(config, c.byref(size), c.byref(alignment))
+        memory = None
+        if status >= 0:
+            memory, address = _l.aligned(size.value, alignment.value)
+            status = i._wrc_model_init(config, address, size.value, c.byref(handle))
+        if status < 0:
+            text = c.create_string_buffer(_SENTENCE)
+            i._wrc_config_check(config, text, _SENTENCE)
+            raise _l.fault(status, text.value.decode(errors="replace"))
+        self._take(memory, handle)
+        self.config = config
+
+    def contact(self, side: Any = i.Side.RIGHT) -> "Contact":
+        """A contact of this model: of the right wheel, or of the left one (side="LEFT")."""
+        return Contact(self, side)
+
+    def profile(self, body: Any = "WHEEL", side: Any = i.Side.RIGHT) -> Tuple[np.ndarray, np.ndarray, float]:
+        """A profile as the model uses it, smoothed and placed: y [m], z [m], the largest deviation from its points [m].
+        Of a wheel y counts from the wheelset's middle, of a rail from the track's. The arrays are the model's memory."""
+        y, z, deviation = i.View(), i.View(), c.c_double()
+        with self._lock:
+            status = i._wrc_model_profile(self._handle, int(i.Side.of(side)), int(i.Body.of(body)), y, z, c.byref(deviation))
+            if status < 0:
+                raise self._error(status)
+            return _view(y, self._memory), _view(z, self._memory), deviation.value
+
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return "wrc.Model, closed"
+        config = self.config
+        return (f"wrc.Model\n  wheel       {config.wheel.kind!s}\n  rail        {config.rail.kind!s}\n"
+                f"  normal      {config.normal.method!s}\n  tangential  {config.tangential.method!s}\n"
+                f"  memory      {len(self._memory)} bytes")
+
+
+class Contact(i.ContactCalls):
+    """One wheel on one rail: the results of the last call. One thread at a time; a second one waits.
+
+    status: of the last call, a wrc.Status; message: the library's sentence behind it. Failures raise wrc.Error, flags do not.
+    What a call gives is a new struct; out= takes one to be filled instead.
+    """
+
+    __slots__ = ("model", "side", "_fields")
+
+    def __init__(self, model: Model, side: Any = i.Side.RIGHT):
+        size, alignment = c.c_uint64(), c.c_uint64()
+        handle = c.c_void_p()
+        side = i.Side.of(side)
+        status = i._wrc_contact_size(model._handle, c.byref(size), c.byref(alignment))
+        if status < 0:
+            raise model._error(status)
+        memory, address = _l.aligned(size.value, alignment.value)
+        status = i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle))
+        if status < 0:
+            raise _l.fault(status, f"there is no side {side}" if status == i.Status.ERROR_UNSUPPORTED else "")
+        self._take((memory, model._memory), handle)  # the model's memory lives as long as the contact
+        self.model, self.side = model, side
+
+    @property
+    def status(self) -> i.Status:
+        """Of the last call: 0 done, > 0 done but flagged."""
+        return i.Status.of(self._status)
+
+    @property
+    def message(self) -> str:
+        """The sentence behind the last status; empty after Status.OK."""
+        return self._sentence()
+
+    def _sentence(self) -> str:
+        text = c.create_string_buffer(_SENTENCE)
+        i._wrc_contact_last_error(self._handle, text, _SENTENCE)
+        return text.value.decode(errors="replace")
+
+    def field(self, field: Any, patch: int = 0) -> np.ndarray:
+        """A field of one patch after the last call, read-only and without a copy: the next call changes it in place.
+
+        field: a wrc.FieldId or its name, "PRESSURE"; its docstring has units. Fields over cells have the shape (cells,
+        strips), cell 0 at the leading edge, strips by increasing y; others have one number a strip or gap row.
+        """
+        view = i.View()
+        with self._lock:
+            status = i._wrc_contact_field(self._handle, patch, int(i.FieldId.of(field)), view)
+            if status < 0:
+                raise self._error(status) if self._handle is None else _l.fault(status, f"{i.FieldId.of(field)!s}: " + (
+                    f"there is no patch {patch}" if status == i.Status.ERROR_RANGE else i.STATUS_TEXTS[status]))
+            return _view(view, self._memory[0])
+
+    def fields(self, patch: int = 0) -> Dict[str, np.ndarray]:
+        """All fields of a patch that the last call computed, by name."""
+        found = {}
+        for each in i.FieldId:
+            try:
+                found[each.name] = self.field(each, patch)
+            except _l.Error:
+                pass
+        return found
+
+    def patches(self) -> List[i.Patch]:
+        """Every patch of the last step, by increasing y."""
+        found: List[i.Patch] = []
+        while True:
+            try:
+                found.append(self.patch(len(found)))
+            except _l.Error as why:
+                if why.status != i.Status.ERROR_RANGE:
+                    raise
+                return found
+
+    def regions(self) -> List[i.Region]:
+        """Every region of the last wrench, from the gauge side to the field side."""
+        found: List[i.Region] = []
+        while True:
+            try:
+                found.append(self.region(len(found)))
+            except _l.Error as why:
+                if why.status != i.Status.ERROR_RANGE:
+                    raise
+                return found
+
+    def save(self) -> bytes:
+        """The whole state, for restore() on a contact of the same model and side in this process."""
+        size = c.c_uint64()
+        with self._lock:
+            _l.check(i._wrc_contact_state_size(self.model._handle, c.byref(size)))
+            buffer = c.create_string_buffer(size.value)
+            status = i._wrc_contact_save(self._handle, buffer, size.value)
+            if status < 0:
+                raise self._error(status)
+        return buffer.raw
+
+    def restore(self, state: bytes) -> None:
+        """Puts a saved state back, bit for bit."""
+        with self._lock:
+            status = i._wrc_contact_restore(self._handle, state, len(state))
+            if status < 0:
+                raise self._error(status)
+
+    def exact_gap(self, grid: i.Grid) -> np.ndarray:
+        """The gap of the last geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
+        gap = np.zeros((grid.ny, grid.nx))
+        with self._lock:
+            status = i._wrc_exact_gap(self._handle, grid, gap)
+            if status < 0:
+                raise self._error(status)
+        return gap
+
+    def __repr__(self) -> str:
+        return f"wrc.Contact of the {i.Side.of(self.side)!s} wheel, " + (
+            "closed" if self._handle is None else f"last call: {self.status!s}")
+
+
+class Batch:
+    """Many contacts of any models, solved by one call each of step() and wrench(), without the GIL.
+
+    statuses: of each contact in the last call, a numpy array.
+    """
+
+    def __init__(self, contacts: Sequence[Contact]):
+        self.contacts = list(contacts)
+        if len({id(each) for each in self.contacts}) != len(self.contacts):
+            raise ValueError("a batch has each contact once")
+        self._handles = (c.c_void_p * len(self.contacts))(*[each._handle for each in self.contacts])
+        self._memory = [each._memory for each in self.contacts]
+        self.statuses = np.zeros(len(self.contacts), np.int32)
+
+    def __len__(self) -> int:
+        return len(self.contacts)
+
+    def step(self, inputs: Union[i.Input, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
+        """Contact.step() of each contact.
+
+        inputs: one wrc.Input for all, or wrc.Input.array(n) with an element for each
+        out: wrc.Output.array(n) to be filled; None: a new one
+        check: raise wrc.Error for the first contact that failed; False: look at statuses
+        """
+        return self._call(i._wrc_contact_step_batch, i.Input, inputs, i.Output, out, check)
+
+    def wrench(self, inputs: Union[i.WheelInput, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
+        """Contact.wrench() of each contact; as step(), with wrc.WheelInput and wrc.Wrench."""
+        return self._call(i._wrc_contact_wrench_batch, i.WheelInput, inputs, i.Wrench, out, check)
+
+    def _call(self, function: Callable[..., int], read: Any, inputs: Any, written: Any, out: Optional[np.ndarray], check: bool) -> np.ndarray:
+        count = len(self.contacts)
+        if out is None:
+            out = written.array(count)
+        address, stride = _elements(inputs, read, count, "inputs")
+        target, step = _elements(out, written, count, "out")
+        for each in self.contacts:
+            each._lock.acquire()
+        try:
+            function(self._handles, count, read.from_address(address), stride, written.from_address(target), step, self.statuses)
+        finally:
+            for each in self.contacts:
+                each._lock.release()
+        if check and (self.statuses < 0).any():
+            first = int(np.argmax(self.statuses < 0))
+            raise _l.fault(int(self.statuses[first]), f"contact {first} of {count}: {self.contacts[first]._sentence()}")
+        return out
+
+
+def _elements(array: Any, kind: Any, count: int, name: str) -> Tuple[int, int]:
+    """Address of the first element and bytes to the next."""
+    if isinstance(array, kind) and name == "inputs":
+        return c.addressof(array), 0
+    if not isinstance(array, np.ndarray) or array.dtype != kind.dtype() or array.shape != (count,):
+        raise TypeError(f"{name} is wrc.{kind.__name__}.array({count})" + (f" or one wrc.{kind.__name__}" if name == "inputs" else ""))
+    return array.ctypes.data, array.strides[0]
+
+
+BLOCK = 64  # elements a call of the library solves
+
+
+def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: int = 1,
+          progress: Optional[Callable[[float], Any]] = None) -> Tuple[np.ndarray, np.ndarray]:
+    """Solves any number of inputs of one model: the results (wrc.Output or wrc.Wrench as an array), and their statuses.
+
+    inputs: wrc.Input.array(n) for steps, wrc.WheelInput.array(n) for wheels on rails
+    threads: 0: as many as there are processors. The bits are the same whatever their number
+    progress: called with the fraction done; what it raises ends the sweep
+    """
+    if model.config.normal.warm_start:
+        raise ValueError("with normal.warm_start results depend on the order of calls: a sweep has none")
+    written = i.Output if inputs.dtype == i.Input.dtype() else i.Wrench
+    call = Batch.step if written is i.Output else Batch.wrench
+    out, statuses = written.array(len(inputs)), np.zeros(len(inputs), np.int32)
+    starts = range(0, len(inputs), BLOCK)
+    workers = min(threads or os.cpu_count() or 1, max(1, len(starts)))
+
+    def work(first: int) -> int:
+        batch = Batch([Contact(model, side) for _ in range(min(BLOCK, len(inputs)))])
+        done = 0
+        for start in starts[first::workers]:
+            part = slice(start, min(start + BLOCK, len(inputs)))
+            if part.stop - part.start < len(batch):
+                batch = Batch(batch.contacts[:part.stop - part.start])
+            call(batch, inputs[part], out[part], check=False)
+            statuses[part] = batch.statuses
+            done += part.stop - part.start
+            if progress is not None and first == 0:
+                progress(min(1.0, done * workers / len(inputs)))
+        return done
+
+    if workers == 1:
+        work(0)
+    else:
+        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+            for each in [pool.submit(work, first) for first in range(workers)]:
+                each.result()
+    return out, statuses

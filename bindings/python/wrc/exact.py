@@ -1,0 +1,73 @@
+"""Kalker's exact half-space theory, offline: the yardstick. wrc.Contact.exact_check() and exact_wrench() are of the contact."""
+from __future__ import annotations
+
+import ctypes as c
+from typing import Any, Dict, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _interface as i
+from . import _library as _l
+from ._struct import ProgressArgument, Watch
+
+_SENTENCE = 1024
+
+
+def grid(nx: int, ny: int, dx: float, dy: Optional[float] = None) -> i.Grid:
+    """A grid of nx by ny cells of dx by dy [m] about the origin of the contact frame."""
+    dy = dx if dy is None else dy
+    return i.Grid(nx=nx, ny=ny, dx=dx, dy=dy, x0=-0.5 * (nx - 1) * dx, y0=-0.5 * (ny - 1) * dy)
+
+
+def cells(grid: i.Grid) -> Tuple[np.ndarray, np.ndarray]:
+    """x and y of the cells' centres [m], both of shape (ny, nx)."""
+    x, y = grid.x0 + grid.dx * np.arange(grid.nx), grid.y0 + grid.dy * np.arange(grid.ny)
+    return np.meshgrid(x, y)
+
+
+def _field(name: str, values: Any, grid: i.Grid) -> np.ndarray:
+    array = np.ascontiguousarray(values, np.float64)
+    if array.shape != (grid.ny, grid.nx):
+        raise ValueError(f"{name} has the shape {array.shape}, its grid ny, nx = {grid.ny, grid.nx}")
+    return array
+
+
+def normal(grid: i.Grid, gap: np.ndarray, *, progress: ProgressArgument = None,
+           **problem: Any) -> Tuple[i.ExactNormalSolution, np.ndarray]:
+    """Pressure between two half-spaces pressed together: the solution, and the pressure [Pa] of shape (ny, nx).
+
+    gap: undeformed, shape (ny, nx) [m]
+    progress: called with the fraction done; give something true to stop, or True for a bar on the terminal
+    problem: members of wrc.ExactNormalProblem: normal_force [N], or prescribed="APPROACH" and approach [m]; materials, ...
+    """
+    told = i.ExactNormalProblem(grid=grid, gap=_field("gap", gap, grid), **problem)
+    pressure = np.zeros((grid.ny, grid.nx))
+    solution = i.ExactNormalSolution(pressure=pressure)
+    watch, text = Watch(progress), c.create_string_buffer(_SENTENCE)
+    told.progress = watch.c
+    _l.check_watched(i._wrc_exact_normal(told, solution, text, _SENTENCE), text, watch)
+    return solution, pressure
+
+
+def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None,
+            progress: ProgressArgument = None, **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
+    """Steady rolling under a given pressure: the solution, and its fields of shape (ny, nx): traction_x, traction_y [Pa],
+    slip_x, slip_y [-].
+
+    pressure: shape (ny, nx) [Pa]
+    friction: one number, or shape (ny, nx)
+    progress: as of normal()
+    problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, materials, tolerance, ...
+    """
+    told = i.ExactRollingProblem(grid=grid, pressure=_field("pressure", pressure, grid), **problem)
+    if friction is not None and np.ndim(friction) == 0:
+        told.coefficient = float(friction)
+    elif friction is not None:
+        told.friction = _field("friction", friction, grid)  # type: ignore[assignment]
+    names = ("traction_x", "traction_y", "slip_x", "slip_y")
+    fields = {name: np.zeros((grid.ny, grid.nx)) for name in names}
+    solution = i.ExactRollingSolution(**fields)
+    watch, text = Watch(progress), c.create_string_buffer(_SENTENCE)
+    told.progress = watch.c
+    _l.check_watched(i._wrc_exact_rolling(told, solution, text, _SENTENCE), text, watch)
+    return solution, fields

@@ -1,0 +1,192 @@
+"""Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _interface as i
+from ._library import Error
+from .contact import Contact, Model
+from .profiles import ProfileFile
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999")  # Okabe and Ito
+SLIDES = 1e-9  # a sliding velocity over the rolling speed that is none
+
+
+def figure(**options: Any) -> Any:
+    """A matplotlib Figure that no window and no global list holds."""
+    try:
+        from matplotlib.figure import Figure
+    except ImportError as why:
+        raise ImportError("pictures need matplotlib: pip install wrc[plot]") from why
+    return Figure(layout="constrained", **options)
+
+
+def _done(made: Any, path: Any) -> Any:
+    if path is not None:
+        made.savefig(path, dpi=100)
+    return made
+
+
+def contact(contact: Contact, path: Any = None) -> Any:
+    """Patches of the last step: pressure, tractions with their directions, stick and slip, frictional power. Lateral to the
+    right, rolling direction upwards [mm]."""
+    patches = _patches(contact)
+    if not patches:
+        raise ValueError("there is nothing to draw: call step() first" if not contact.status else f"there is nothing to draw: {contact.message}")
+    made = figure(figsize=(11, 8.4))
+    panels = made.subplots(2, 2, sharex=True, sharey=True)
+    shown = (("pressure [MPa]", "PRESSURE", 1e-6, "viridis"), ("traction on the wheel [MPa]", "TRACTION", 1e-6, "magma"),
+             ("stick and slip: sliding velocity / rolling speed [1e-3]", "SLIP", 1e3, "cividis"),
+             ("frictional power [W/mm²]", "POWER_DENSITY", 1e-6, "inferno"))
+    for panel, (title, name, scale, colours) in zip(panels.flat, shown):
+        values = [_value(fields, name) for fields in patches]
+        have = [(fields, each) for fields, each in zip(patches, values) if each is not None]
+        panel.set_title(title if have else f"{title}: not computed", fontsize=10)
+        top = max((float(each.max()) for _, each in have), default=0.0) * scale
+        mesh = None
+        for fields, each in have:
+            x, y = 1e3 * fields["X"], 1e3 * np.broadcast_to(fields["STRIP_Y"], fields["X"].shape)
+            mesh = panel.pcolormesh(y, x, scale * each, shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
+            if name == "SLIP":
+                sticks = (each <= SLIDES).astype(float)
+                if sticks.any():
+                    panel.contourf(y, x, sticks, levels=[0.5, 1.5], colors=["#dddddd"])
+                    panel.contour(y, x, sticks, levels=[0.5], colors="black", linewidths=1.2)
+            if name == "TRACTION":
+                every = (slice(1, None, max(1, x.shape[0] // 11)), slice(1, None, max(1, x.shape[1] // 18)))
+                panel.quiver(y[every], x[every], fields["TRACTION_Y"][every], fields["TRACTION_X"][every], color="white", width=2.5e-3,
+                             pivot="middle", scale=22 * top / scale if top else None)
+        if mesh is not None:
+            made.colorbar(mesh, ax=panel)
+        for fields in patches:
+            panel.plot(*_edge(fields), color="black", linewidth=1)
+        panel.set_aspect("equal")
+    panels[1, 0].text(0.02, 0.02, "grey: sticks", transform=panels[1, 0].transAxes, fontsize=8)
+    for panel in panels[1]:
+        panel.set_xlabel("y, to the right [mm]")
+    for panel in panels[:, 0]:
+        panel.set_ylabel("x, rolling direction [mm]")
+    return _done(made, path)
+
+
+def _patches(contact: Contact) -> List[Dict[str, np.ndarray]]:
+    """Fields of every patch of the last step."""
+    try:
+        count = len(contact.patches())
+    except Error:
+        return []
+    return [fields for fields in (contact.fields(each) for each in range(count)) if "X" in fields]
+
+
+def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
+    if name in fields:
+        return fields[name]
+    if name + "_X" in fields:
+        return np.hypot(fields[name + "_X"], fields[name + "_Y"])
+    return None
+
+
+def _edge(fields: Dict[str, np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
+    """The outline of a patch from its strips [mm]."""
+    y, middle, half = (1e3 * fields[name] for name in ("STRIP_Y", "STRIP_CENTRE", "STRIP_HALF"))
+    ahead, behind = middle + half, middle - half
+    return np.concatenate([y, y[::-1], y[:1]]), np.concatenate([ahead, behind[::-1], ahead[:1]])
+
+
+def profile(*files: ProfileFile, path: Any = None) -> Any:
+    """Profiles as read, with z down as the library has it [mm]."""
+    made = figure(figsize=(9, 4.5))
+    panel = made.subplots()
+    for each, colour in zip(files, COLOURS * (1 + len(files) // len(COLOURS))):
+        panel.plot(1e3 * each.y, 1e3 * each.z, ".-", markersize=2, linewidth=1, color=colour, label=f"{each.body}: {each.path}")
+    panel.invert_yaxis()
+    panel.set(xlabel="y; flange and gauge side are at y < 0 [mm]", ylabel="z, down [mm]", aspect="equal")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: Any = None) -> Any:
+    """The profiles of a contact in the track's axes, the wheel where the wrench of this input has it, with the regions in
+    contact and their forces. input: None: the wheel in the middle under 80 kN."""
+    if input is None:
+        input = i.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3)
+    wrench = contact.wrench(input)
+    config = contact.model.config
+    made = figure(figsize=(9, 5))
+    panel = made.subplots()
+    y, z, _ = contact.model.profile("RAIL", contact.side)
+    origin = y[np.argmin(np.abs(z))]
+    rail = input.rail
+    panel.plot(1e3 * (y + rail.y - rail.roll * z), 1e3 * (z + rail.z + rail.roll * (y - origin)), color="#555555", label="rail")
+    y, z, _ = contact.model.profile("WHEEL", contact.side)
+    radius = config.wheelset.wheel_radius
+    middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.flange_back_distance / 2 + 0.070, y[0])
+    cos, sin = np.cos(input.wheel.roll), np.sin(input.wheel.roll)
+    across, down = (y - middle), z + radius
+    panel.plot(1e3 * (middle + input.wheel.y + cos * across - sin * down), 1e3 * (wrench.z - radius + sin * across + cos * down),
+               color=COLOURS[0], label="wheel")
+    for region in contact.regions():
+        force = region.force
+        panel.plot(1e3 * region.point[1], 1e3 * region.point[2], "o", color=COLOURS[1])
+        panel.annotate("", xytext=(1e3 * region.point[1], 1e3 * region.point[2]), xy=(1e3 * region.point[1] + 2e-4 * force[1],
+                       1e3 * region.point[2] + 2e-4 * force[2]), arrowprops={"arrowstyle": "->", "color": COLOURS[1]})
+    panel.invert_yaxis()
+    panel.set(xlabel="y, to the right [mm]", ylabel="z, down [mm]", aspect="equal",
+              title=f"force on the wheel {wrench.force[1] / 1e3:.2f} kN to the right, {-wrench.force[2] / 1e3:.2f} kN upwards")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def creep_curve(contact: Contact, direction: str, values: Sequence[float], input: i.Input) -> np.ndarray:
+    """Forces fx, fy [N] over creepages in one direction, "longitudinal", "lateral" or "spin", others as in `input`; shape
+    (len(values), 2). The patch is solved once."""
+    if direction not in ("longitudinal", "lateral", "spin"):
+        raise ValueError(f"{direction!r} is none of longitudinal, lateral, spin")
+    contact.step(input)
+    creepage = input.creepage.copy()
+    forces = []
+    for each in values:
+        setattr(creepage, direction, float(each))
+        found = contact.tangential(creepage, input.friction)
+        forces.append((found.fx, found.fy))
+    return np.array(forces)
+
+
+def creep_curves(contacts: Dict[str, Contact], input: i.Input, values: Optional[Dict[str, Iterable[float]]] = None, path: Any = None) -> Any:
+    """Creep curves of contacts of several models, over friction times load: longitudinal, lateral, spin.
+
+    contacts: by the name in the legend; input: pose, load, friction; values: creepages by direction; None: up to saturation
+    """
+    default = {"longitudinal": np.linspace(0, 6e-3, 41), "lateral": np.linspace(0, 6e-3, 41), "spin": np.linspace(0, 1.2, 41)}
+    made = figure(figsize=(13, 4.2))
+    panels = made.subplots(1, 3)
+    for panel, (direction, across) in zip(panels, default.items()):
+        across = np.asarray(list((values or {}).get(direction, across)), float)
+        component = 0 if direction == "longitudinal" else 1
+        for (name, one), colour in zip(contacts.items(), COLOURS * (1 + len(contacts) // len(COLOURS))):
+            forces = creep_curve(one, direction, across, input)
+            limit = input.friction.coefficient * one.tangential(input.creepage, input.friction).fn
+            scale, unit = (1.0, "1/m") if direction == "spin" else (1e3, "per mille")
+            panel.plot(scale * across, -forces[:, component] / limit, color=colour, label=name)
+        panel.set(xlabel=f"{direction} creepage [{unit}]", ylabel=("-Fx" if component == 0 else "-Fy") + " / (friction x load)")
+        panel.grid(alpha=0.3)
+    panels[0].legend(fontsize=8)
+    return _done(made, path)
+
+
+def model(model: Model, path: Any = None) -> Any:
+    """The profiles of a model as it uses them, right side, in the track's axes [mm]."""
+    made = figure(figsize=(9, 4.5))
+    panel = made.subplots()
+    for body, colour in (("WHEEL", COLOURS[0]), ("RAIL", "#555555")):
+        y, z, deviation = model.profile(body)
+        panel.plot(1e3 * y, 1e3 * z, color=colour, label=body.lower() + (f", smoothed by up to {1e6 * deviation:.1f} µm" if deviation else ""))
+    panel.invert_yaxis()
+    panel.set(xlabel="y, from the middle of wheelset and track [mm]", ylabel="z, down [mm]", aspect="equal")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)

@@ -1,0 +1,322 @@
+"""The Python package's module of the interface: enumerations, structs, prototypes, and a method for each call on a contact,
+a model or plain numbers whose arguments say what they are."""
+import re
+
+import fortran
+
+NUMBERS = {"int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "uint64_t": "c.c_uint64", "int64_t": "c.c_int64",
+           "double": "c.c_double"}
+HANDLES = ("wrc_contact", "wrc_model")
+# Written by hand in contact.py, where a Python caller wants something else than the C arguments.
+BY_HAND = ("wrc_contact_field", "wrc_model_profile")
+# double* that is one number; any other may be an array, and such calls are left to the raw functions.
+ONE_NUMBER = ("load_factor",)
+CALLBACKS = ("wrc_progress",)  # with a Python type of their own, s.Progress
+
+
+def written(interface, described, mark):
+    """{path in the tree: text}"""
+    return {"bindings/python/wrc/_interface.py": _Writer(interface, described).module(mark)}
+
+
+def class_name(name):
+    """wrc_wheel_input: WheelInput"""
+    return "".join(word[:1].upper() + word[1:] for word in name[len("wrc_"):].split("_"))
+
+
+def enumerator_names(enumeration):
+    """{C name: Python name}: without what all share; PROFILE_60E1 where a digit would be first."""
+    full = [each.name for each in enumeration.values]
+    words = [name.split("_") for name in full]
+    shared = 1  # WRC
+    while all(len(each) > shared + 1 and each[shared] == words[0][shared] for each in words) and len(words) > 1:
+        shared += 1
+    short = {}
+    for name, each in zip(full, words):
+        kept = "_".join(each[shared:])
+        short[name] = "_".join(each[shared - 1:]) if kept[0].isdigit() else kept
+    return short
+
+
+class _Writer:
+    def __init__(self, interface, described):
+        self.interface, self.described = interface, described
+        bits = {re.match(r"bits of enum (\w+)", member.comment).group(1) for struct in interface.structs.values()
+                for member in struct.members if member.comment.startswith("bits of enum ")}
+        self.flags = {name for name in interface.enumerations if name in bits}
+        self.said = self.names()
+
+    def names(self):
+        """C name: what Python calls it, for texts."""
+        said = {name: class_name(name) for name in self.interface.structs}
+        said |= {name: class_name(name) for name in self.interface.enumerations}
+        for each in self.interface.enumerations.values():
+            said |= {c_name: f"{class_name(each.name)}.{name}" for c_name, name in enumerator_names(each).items()}
+        said |= {name: f"Status.{name[len('WRC_'):]}" for name, _, _ in self.interface.statuses}
+        for name, function in self.interface.functions.items():
+            if function.exported and self.call(function):
+                owner, method, _ = self.call(function)
+                said[name] = f"{owner}.{method}" if owner else method
+        return said
+
+    def text(self, comment):
+        """A comment in Python's names, safe within a docstring."""
+        comment = re.sub(r"\b(?:wrc|WRC)_\w+", lambda each: self.said.get(each.group(0), each.group(0)), comment)
+        comment = re.sub(r"\benum ", "", comment).replace("NULL", "None").replace("`", "")
+        return comment.replace("\\", "\\\\").replace('"""', "'''").strip()
+
+    def module(self, mark):
+        lines = [f'"""{mark}', "", "The whole C interface: enumerations, structs, functions. Import from wrc, not from here.", '"""',
+                 "# fmt: off", "from __future__ import annotations", "", "import ctypes as c", "import enum",
+                 "from typing import Any, Callable, Optional, Tuple", "", "import numpy as np", "",
+                 "from . import _library as _l", "from . import _struct as s", ""]
+        lines += [f"{name[len('WRC_'):]} = {value}" for name, value in self.interface.numbers]
+        lines += ["", "", "class Status(s.Choice):", '    """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""', ""]
+        lines += [f"    {name[len('WRC_'):]} = {value}" for name, value, _ in self.interface.statuses]
+        lines += ["", "", "STATUS_TEXTS = {"] + [f"    {value}: {text!r}," for _, value, text in self.interface.statuses] + ["}"]
+        for each in self.interface.enumerations.values():
+            lines += self.enumeration(each)
+        for each in self.interface.structs.values():
+            lines += self.struct(each)
+        lines += self.prototypes()
+        lines += self.calls()
+        public = ([class_name(name) for name in self.interface.enumerations] + [class_name(name) for name in self.interface.structs])
+        lines += ["", "", "STRUCTS = {"] + [f"    {name!r}: {class_name(name)}," for name in self.interface.structs] + ["}"]
+        return "\n".join(lines + ["__all__ = ["] + [f"    {name!r}," for name in ["Status"] + public + self.functions] + ["]"]) + "\n"
+
+    # ------------------------------------------------------------------------------------------- enumerations, structs
+
+    def enumeration(self, enumeration):
+        kind = "enum.IntFlag" if enumeration.name in self.flags else "s.Choice"
+        names = enumerator_names(enumeration)
+        lines = ["", "", f"class {class_name(enumeration.name)}({kind}):"] + self.docstring([self.text(enumeration.comment), ""] + [
+            f"{names[each.name]}: {self.text(each.comment)}" for each in enumeration.values], "    ")
+        return lines + [""] + [f"    {names[each.name]} = {each.value}" for each in enumeration.values]
+
+    def struct(self, struct):
+        name = class_name(struct.name)
+        told = self.described[struct.name]
+        shown = [each for each in told if each.role not in ("struct_size", "reserved")]
+        lines = ["", "", f"class {name}(s.Struct):"]
+        lines += self.docstring([self.text(struct.comment), "", "Members:"] + ["  " + self.member(each) for each in shown], "    ")
+        lines += ["", f"    _c_name_ = {struct.name!r}", "    __slots__ = ()"]
+        fields, plain = [], []
+        for each in told:
+            field, kind, annotation, descriptor = self.field(each, told)
+            fields.append(f"({field!r}, {kind})")
+            if descriptor:
+                plain.append(f"    {each.member.name}: {annotation} = {descriptor}  # type: ignore[assignment]")
+            else:
+                plain.append(f"    {each.member.name}: {annotation}")
+        units = {each.member.name: each.unit for each in shown if each.unit not in ("", "-")}
+        lines += plain + [f"    _units_ = {units!r}", f"    _hidden_ = {tuple(e.member.name for e in told if e not in shown)!r}"]
+        lines += ["    _fields_ = ["] + [f"        {each}," for each in fields] + ["    ]"]
+        return lines + [f"assert c.sizeof({name}) == {struct.size}"]
+
+    def member(self, told):
+        """One line of a struct's docstring."""
+        unit = f" [{told.unit}]" if told.unit not in ("", "-") else ""
+        sentence = self.text(told.sentence)
+        allowed = ", ".join(("0 or " if each.or_zero else "") + f"{each.low} .. {each.high}" for each in told.ranges)
+        default = self.text(told.default) if told.role in ("input", "enumeration") else ""
+        tail = "; ".join(each for each in (allowed, f"default {default}" if default not in ("", "required") else default) if each)
+        return f"{told.member.name}{unit}: {sentence}" + (f" ({tail})" if tail else "")
+
+    def field(self, told, beside):
+        """(name in _fields_, ctypes type, annotation, descriptor or None) of one member."""
+        member = told.member
+        name, kind = member.name, member.type
+        if kind.base == "function":
+            known = kind.spelling in CALLBACKS
+            return name, "s.Progress" if known else "c.c_void_p", "Any", None
+        if kind.pointers:
+            if kind.base == "double":
+                group = tuple(each.member.name for each in beside if told.counted_by and each.counted_by == told.counted_by)
+                fixed = re.match(r"(\d+) numbers", member.comment)
+                count = f"count={told.counted_by!r}, group={group!r}" if told.counted_by else f"fixed={fixed.group(1)}" if fixed else ""
+                return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}, {count})".replace(", )", ")")
+            if kind.base in self.interface.structs and kind.pointers == 1:
+                return "_" + name, f"c.POINTER({class_name(kind.base)})", f"Optional[{class_name(kind.base)}]", f"s.Reference({name!r})"
+            if kind.base == "char":
+                return "_" + name, "c.c_char_p", "Optional[str]", f"s.Text({name!r})"
+            return name, "c.c_void_p", "Any", None
+        if kind.base in self.interface.structs:
+            typed = class_name(kind.base)
+            for extent in reversed(kind.extents):
+                typed = f"{typed} * {extent}"
+            return name, typed, class_name(kind.base) if not kind.extents else "Any", None
+        typed = NUMBERS[kind.base]
+        if kind.extents:
+            for extent in reversed(kind.extents):
+                typed = f"({typed} * {extent})"
+            return "_" + name, typed[1:-1], "np.ndarray", f"s.Array({name!r}, {member.offset}, {kind.extents!r}, {NUMBERS[kind.base]})"
+        if told.enumeration and told.enumeration not in self.flags:
+            choice = class_name(told.enumeration)
+            return "_" + name, typed, choice, f"s.Chosen({name!r}, {choice})"
+        bits = re.match(r"bits of enum (\w+)", member.comment)
+        if bits and bits.group(1) in self.flags:
+            choice = class_name(bits.group(1))
+            return "_" + name, typed, choice, f"s.Chosen({name!r}, {choice})"
+        if any(each.counted_by == name for each in beside):
+            return "_" + name, typed, "int", f"s.Count({name!r})"
+        return name, typed, "float" if kind.base == "double" else "int", None
+
+    # ------------------------------------------------------------------------------------------------------ functions
+
+    def prototypes(self):
+        lines = ["", "", "# The C functions, as ctypes calls them: without the GIL.", "FUNCTIONS: dict = {}"]
+        for function in self.interface.functions.values():
+            if function.exported:
+                kinds = ", ".join(self.argument_type(name, kind) for name, kind in function.arguments)
+                lines.append(f"_{function.name} = _l.function(FUNCTIONS, {function.name!r}, {self.result_type(function.returned)}, [{kinds}])")
+        return lines
+
+    def result_type(self, kind):
+        if kind.base == "char" and kind.pointers:
+            return "c.c_char_p"
+        if kind.pointers:
+            return "c.c_void_p"
+        return "None" if kind.base == "void" else NUMBERS[kind.base]
+
+    def argument_type(self, name, kind):
+        if kind.base == "function":
+            return "s.Progress" if kind.spelling in CALLBACKS else "c.c_void_p"
+        if kind.base in HANDLES or kind.base == "void" or kind.pointers > 1:
+            return "c.c_void_p"
+        if kind.base == "char":
+            return "c.c_char_p"
+        if kind.base in self.interface.structs:
+            return f"c.POINTER({class_name(kind.base)})" if kind.pointers else class_name(kind.base)
+        return f"s.Numbers({NUMBERS[kind.base]})" if kind.pointers else NUMBERS[kind.base]
+
+    def call(self, function):
+        """(owner, name, what each argument is) of a function that gets a method, or None."""
+        name, arguments = function.name, list(function.arguments)
+        if name in BY_HAND or function.returned.base != "int32_t" or name.endswith(("_init", "_size")):
+            return None
+        owner = ""
+        if arguments and arguments[0][1].base in HANDLES and arguments[0][1].pointers == 1:
+            owner = class_name(arguments.pop(0)[1].base)
+        roles = []
+        while arguments:
+            each, kind = arguments.pop(0)
+            if kind.base == "function" and kind.spelling in CALLBACKS and arguments:
+                arguments.pop(0)
+                roles.append((each, kind, "progress"))
+            elif kind.base in self.interface.structs and kind.pointers == 1:
+                if f"@param[in,out] {each} " in function.comment:
+                    return None
+                roles.append((each, kind, "in" if kind.const else "out"))
+            elif kind.base in NUMBERS and not kind.pointers:
+                roles.append((each, kind, "number"))
+            elif kind.base == "double" and each in ONE_NUMBER:
+                roles.append((each, kind, "one number"))
+            else:
+                return None
+        if not any(role in ("out", "one number") for _, _, role in roles):
+            return None
+        prefix = f"wrc_{owner.lower()}_" if owner else "wrc_"
+        return owner, name[len(prefix):] if name.startswith(prefix) else name[len("wrc_"):], roles
+
+    def calls(self):
+        """Classes ContactCalls and ModelCalls, and functions without a handle."""
+        lines, self.functions = [], []
+        for owner in ("Model", "Contact"):
+            lines += ["", "", f"class {owner}Calls(_l.Handle):", f'    """What {owner} has of the C interface as it is."""', "", "    __slots__ = ()"]
+            for function in self.interface.functions.values():
+                found = self.call(function) if function.exported else None
+                if found and found[0] == owner:
+                    lines += [""] + self.method(function, found, "    ")
+        for function in self.interface.functions.values():
+            found = self.call(function) if function.exported else None
+            if found and not found[0]:
+                lines += ["", ""] + self.method(function, found, "")
+                self.functions.append(found[1])
+        return lines
+
+    def method(self, function, found, indent):
+        owner, name, roles = found
+        outs = [(each, kind) for each, kind, role in roles if role == "out"]
+        required, optional, before, passed = [], [], [], ["self._handle"] if owner else []
+        for each, kind, role in roles:
+            if role == "in":
+                typed = class_name(kind.base)
+                if fortran.optional(function, each):
+                    optional.append(f"{each}: Optional[{typed}] = None")
+                else:
+                    required.append(f"{each}: {typed}")
+            elif role == "number":
+                required.append(f"{each}: {'float' if kind.base == 'double' else 'int'}")
+            elif role == "progress":
+                optional.append(f"{each}: s.ProgressArgument = None")
+            passed.append(each)
+        keywords = []
+        for each, kind in outs:
+            keyword = "out" if len(outs) == 1 else each
+            keywords.append(f"{keyword}: Optional[{class_name(kind.base)}] = None")
+            before += [f"if {keyword} is None:", f"    {keyword} = {class_name(kind.base)}._new()"]
+            passed[passed.index(each)] = keyword
+        answers = ["out" if len(outs) == 1 else each for each, _ in outs]
+        kinds = [class_name(kind.base) for _, kind in outs]
+        for each, kind, role in roles:
+            if role == "one number":
+                before.append(f"{each} = c.c_double()")
+                passed[passed.index(each)] = f"c.byref({each})"
+                answers.append(f"{each}.value")
+                kinds.append("float")
+        arguments = (["self"] if owner else []) + required + optional + (["*"] + keywords if keywords else [])
+        returned = kinds[0] if len(kinds) == 1 else f"Tuple[{', '.join(kinds)}]"
+        lines = [f"{indent}def {name}({', '.join(arguments)}) -> {returned}:"]
+        lines += self.docstring(self.told(function, roles, len(outs)), indent + "    ")
+        body = before[:]
+        progress = next((each for each, _, role in roles if role == "progress"), None)
+        if progress:
+            at = passed.index(progress)
+            passed[at:at + 1] = ["_watch.c", "None"]
+            body.append(f"_watch = s.Watch({progress})")
+        call = f"_{function.name}({', '.join(passed)})"
+        if owner:
+            body += ["with self._lock:", f"    status = self._status = {call}", *["    _watch.end()"] * bool(progress),
+                     "    if status < 0:",
+                     f"        raise self._error(status{', _watch' if progress else ''})"]
+        else:
+            body += [f"_l.check({call})"]
+        body.append(f"return {', '.join(answers)}")
+        return lines + [f"{indent}    {each}" for each in body]
+
+    def told(self, function, roles, outs):
+        """A function's comment as a docstring's lines."""
+        pieces = function.comment.split("@")
+        lines = [self.text(pieces[0]), ""]
+        roles = {each: role for each, _, role in roles}
+        for piece in pieces[1:]:
+            command, _, rest = piece.partition(" ")
+            command = command.split("[")[0]
+            if command == "param":
+                name, _, rest = rest.partition(" ")
+                if name in roles:
+                    out = roles[name] == "out"
+                    shown = "out" if out and outs == 1 else name
+                    rest = re.sub(r";? NULL: not wanted", "", rest)
+                    lines.append(f"{shown}: {self.text(rest)}" + ("; None: a new one" if out else ""))
+            elif command == "return":
+                lines += ["", "C status: " + self.text(rest)]
+        return lines
+
+    def docstring(self, lines, indent):
+        """Lines broken at 110 columns, as a docstring."""
+        broken = []
+        for line in lines:
+            lead = " " * (len(line) - len(line.lstrip()))
+            row = lead
+            for word in line.split():
+                if len(indent) + len(row) + len(word) > 110 and row.strip():
+                    broken.append(row.rstrip())
+                    row = lead + "    "
+                row += word + " "
+            broken.append(row.rstrip())
+        while broken and not broken[-1]:
+            broken.pop()
+        if len(broken) == 1 and len(broken[0]) < 100:
+            return [f'{indent}"""{broken[0]}"""']
+        return [f'{indent}"""{broken[0]}'] + [(indent + each).rstrip() for each in broken[1:]] + [f'{indent}"""']
