@@ -8,7 +8,7 @@ NUMBERS = {"int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "uint64_t": "c.c_ui
            "double": "c.c_double"}
 HANDLES = ("wrc_contact", "wrc_model")
 # Written by hand in contact.py, where a Python caller wants something else than the C arguments.
-BY_HAND = ("wrc_contact_field", "wrc_model_profile")
+BY_HAND = ("wrc_contact_field", "wrc_model_profile", "wrc_config_use")
 # double* that is one number; any other may be an array, and such calls are left to the raw functions.
 ONE_NUMBER = ("load_factor",)
 CALLBACKS = ("wrc_progress",)  # with a Python type of their own, s.Progress
@@ -62,7 +62,7 @@ class _Writer:
     def text(self, comment):
         """A comment in Python's names, safe within a docstring."""
         comment = re.sub(r"\b(?:wrc|WRC)_\w+", lambda each: self.said.get(each.group(0), each.group(0)), comment)
-        comment = re.sub(r"\benum ", "", comment).replace("NULL", "None").replace("`", "")
+        comment = re.sub(r"\bNULL\b", "None", re.sub(r"\benum ", "", comment)).replace("`", "")
         return comment.replace("\\", "\\\\").replace('"""', "'''").strip()
 
     def module(self, mark):
@@ -204,9 +204,12 @@ class _Writer:
                 arguments.pop(0)
                 roles.append((each, kind, "progress"))
             elif kind.base in self.interface.structs and kind.pointers == 1:
-                if f"@param[in,out] {each} " in function.comment:
+                if not kind.const and self.has_arrays(kind.base):
                     return None
                 roles.append((each, kind, "in" if kind.const else "out"))
+            elif kind.base == "char" and not kind.const and len(arguments) == 1 and arguments[0][1].base == "uint64_t":
+                arguments.pop()
+                roles.append((each, kind, "sentence"))
             elif kind.base in NUMBERS and not kind.pointers:
                 roles.append((each, kind, "number"))
             elif kind.base == "double" and each in ONE_NUMBER:
@@ -217,6 +220,11 @@ class _Writer:
             return None
         prefix = f"wrc_{owner.lower()}_" if owner else "wrc_"
         return owner, name[len(prefix):] if name.startswith(prefix) else name[len("wrc_"):], roles
+
+    def has_arrays(self, struct):
+        """Are results written to arrays of the caller? How long they must be is in words: such calls are left to the raw
+        functions, and to what is written by hand."""
+        return any(each.type.pointers and not each.type.const for each in self.interface.structs[struct].members)
 
     def calls(self):
         """Classes ContactCalls and ModelCalls, and functions without a handle."""
@@ -274,13 +282,23 @@ class _Writer:
             at = passed.index(progress)
             passed[at:at + 1] = ["_watch.c", "None"]
             body.append(f"_watch = s.Watch({progress})")
+        sentence = next((each for each, _, role in roles if role == "sentence"), None)
+        if sentence:
+            at = passed.index(sentence)
+            passed[at:at + 1] = ["_text", "len(_text)"]
+            body.append("_text = c.create_string_buffer(1024)")
         call = f"_{function.name}({', '.join(passed)})"
-        if owner:
+        if owner and sentence:
+            body += ["with self._lock:", f"    status = self._status = {call}", "_l.check_watched(status, _text, _watch)" if progress else
+                     "_l.check(status, _text)"]
+        elif owner:
             body += ["with self._lock:", f"    status = self._status = {call}", *["    _watch.end()"] * bool(progress),
                      "    if status < 0:",
                      f"        raise self._error(status{', _watch' if progress else ''})"]
+        elif progress:
+            body += [f"_l.check_watched({call}, {'_text' if sentence else 'None'}, _watch)"]
         else:
-            body += [f"_l.check({call})"]
+            body += [f"_l.check({call}{', _text' if sentence else ''})"]
         body.append(f"return {', '.join(answers)}")
         return lines + [f"{indent}    {each}" for each in body]
 
@@ -294,7 +312,7 @@ class _Writer:
             command = command.split("[")[0]
             if command == "param":
                 name, _, rest = rest.partition(" ")
-                if name in roles:
+                if name in roles and roles[name] != "sentence":
                     out = roles[name] == "out"
                     shown = "out" if out and outs == 1 else name
                     rest = re.sub(r";? NULL: not wanted", "", rest)

@@ -165,8 +165,11 @@ def test_threads_run_at_once_and_share_a_contact_in_turn(model):
     sys.setswitchinterval(60.0)  # so that only a call that releases the GIL lets the other thread run
     try:
         gate.release()
-        contact.exact_check(24, 24)
-        meanwhile = len(ticks)
+        for _ in range(100):  # the other thread may wait for a processor, too
+            contact.exact_check(24, 24)
+            meanwhile = len(ticks)
+            if meanwhile:
+                break
     finally:
         sys.setswitchinterval(interval)
         other.join()
@@ -187,3 +190,27 @@ def test_force_table():
 def test_a_library_of_another_interface_is_refused(tmp_path):
     found = subprocess.run([sys.executable, "-c", "import wrc"], env={"WRC_LIBRARY": str(tmp_path / "none.so")}, capture_output=True, text=True)
     assert found.returncode and "ImportError" in found.stderr and "WRC_LIBRARY" in found.stderr
+
+
+def test_contact_functions_and_conicity(model):
+    lateral = np.linspace(-5e-3, 5e-3, 41)
+    found = model.contact_functions(lateral)
+    assert found["radius_difference"] == pytest.approx(-found["radius_difference"][::-1], abs=1e-9)
+    coned = wrc.conicity(lateral, 2 * 0.1 * lateral, [1e-3, 2e-3])  # of cones
+    assert coned["conicity"] == pytest.approx(0.1) and coned["wavelength"] == pytest.approx(2 * np.pi * np.sqrt(1.5 * 0.46 / 0.2))
+    with pytest.raises(wrc.Error, match="did you pass mm"):
+        model.contact_functions([1.0])
+
+
+def test_what_has_no_method_is_raw_only():
+    """A call whose arguments do not say how long an array is gets no method; raw has every one."""
+    import ctypes
+
+    version = wrc.raw.wrc_version()
+    assert version >> 16 == 0 and len(wrc.raw.__all__) > 80
+    assert not hasattr(wrc, "exact_normal")
+    assert wrc.raw.wrc_contact_geometry(None, wrc.Pose(), None) == wrc.Status.ERROR_NULL
+    with pytest.raises(ctypes.ArgumentError, match="contiguous numpy array of f8"):
+        wrc.raw.wrc_exact_gap(None, None, np.zeros(3, np.float32))
+    with pytest.raises(ctypes.ArgumentError):
+        wrc.raw.wrc_contact_step(None, wrc.Pose(), None)

@@ -73,16 +73,22 @@ def test_arrays_are_views():
     assert wrc.WrenchSensitivities().wrench.shape == (6, 17)
 
 
+def overwrite(size):
+    """Gives memory of arrays of that size, where nothing holds it, to others."""
+    gc.collect()
+    for _ in range(200):
+        np.full(size, 7.0)
+    return [np.full(size, 7.0) for _ in range(200)]
+
+
 def test_pointers_keep_their_arrays_and_count_them():
     config = wrc.Config()
     config.wheel.set(kind="POINTS", y=np.linspace(-0.06, 0.06, 50), z=np.zeros(50))
-    gc.collect()
-    np.full(10000, 7.0)
+    overwrite(50)
     assert config.wheel.count == 50 and config.wheel.y[-1] == 0.06 and not config.wheel.z.any()
     other = copy.deepcopy(config)
     del config
-    gc.collect()
-    np.full(10000, 7.0)
+    overwrite(50)
     assert other.wheel.y[0] == -0.06
     with pytest.raises(ValueError, match="set both at once"):
         other.wheel.y = np.zeros(3)
@@ -94,13 +100,20 @@ def test_pointers_keep_their_arrays_and_count_them():
     assert other.wheel.count == 0 and other.wheel.y is None
     with pytest.raises(ValueError, match="9 numbers, not 4"):
         wrc.WheelState(rotation=np.eye(2))
+    for each in (lambda: [1.5], lambda: np.array([1.5]), lambda: np.array([[1.5, 2.5]]).T[:1, 0]):
+        strips = wrc.Strips(y=each())
+        overwrite(1)
+        assert strips.y.tolist() == [1.5]
+    frozen = np.zeros(9)
+    frozen.flags.writeable = False
+    assert wrc.WheelState(rotation=frozen).rotation.tolist() == 9 * [0]
     assert wrc.WheelState(rotation=np.eye(3)).rotation.tolist() == np.eye(3).ravel().tolist()
 
 
 def test_arrays_of_structs_share_memory():
     inputs = wrc.Input.array(4, like=wrc.Input(load={"normal_force": 80e3}, friction={"zone_y": [0.0, 1e-3], "zone_coefficient": [0.1, 0.3]}))
     inputs["pose"]["lateral"] = [0, 1e-3, 2e-3, 3e-3]
-    gc.collect()
+    overwrite(2)
     second = wrc.Input.of(inputs, 2)
     assert second.pose.lateral == 2e-3 and second.load.normal_force == 80e3
     assert second.friction.zone_coefficient.tolist() == [0.1, 0.3]

@@ -14,7 +14,7 @@ from . import _interface, _library
 from ._interface import *  # noqa: F401,F403
 from ._interface import ABI_VERSION, _wrc_build_info, _wrc_version
 from ._library import Cancelled, Error
-from .contact import Batch, Contact, Model, force_table, sweep, use
+from .contact import Batch, Contact, Model, conicity, force_table, sweep, use
 from . import exact, plot, profiles, raw
 from .profiles import ProfileError, ProfileFile, read_profile
 
@@ -28,5 +28,5 @@ def build_info() -> str:
     return str(_wrc_build_info().decode())
 
 
-__all__ = [*_interface.__all__, "Batch", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "exact",
+__all__ = [*_interface.__all__, "Batch", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "conicity", "exact",
            "force_table", "plot", "profiles", "raw", "read_profile", "sweep", "use"]

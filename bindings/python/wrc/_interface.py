@@ -2558,7 +2558,7 @@ class ContactCalls(_l.Handle):
         pose: of the wheelset, track frame
         out: where the bodies touch first; None: a new one
 
-        C status: Status.OK; Status.FLAG_ITERATION_CAP; Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (model
+        C status: Status.OK; Status.FLAG_ITERATION_CAP; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model
             without profiles), _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose).
         """
         if out is None:
@@ -2585,7 +2585,7 @@ class ContactCalls(_l.Handle):
         motion: of the wheelset, track frame
         out: the creepages with speed, approach_velocity and other_way, ready to be passed on; None: a new one
 
-        C status: Status.OK; Status.FLAG_CREEPAGES_LIMITED (any of these three); Status.ERROR_None,
+        C status: Status.OK; Status.FLAG_CREEPAGES_LIMITED (any of these three); Status.ERROR_NULL,
             _STRUCT_SIZE, _SEQUENCE (no Contact.geometry before), _NOT_FINITE, _RANGE.
         """
         if out is None:
@@ -2610,7 +2610,7 @@ class ContactCalls(_l.Handle):
             (HERTZ to STRIPES: between two loads the method has no solution; the approach is that of the
             larger, and prescribed gives that one), _BEYOND_GAP (load or approach is more than the gap
             carries, at most config.grid.gap_limit of a pose's: load and pressures go on in a straight line
-            with the last stiffness, the patch stays); Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (gap is None
+            with the last stiffness, the patch stays); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is None
             and the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED.
         """
         if out is None:
@@ -2630,7 +2630,7 @@ class ContactCalls(_l.Handle):
         out: what the strips add up to, with their double ellipse; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95);
-            Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (strips is None and the contact has none), _RANGE,
+            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (strips is None and the contact has none), _RANGE,
             _NOT_FINITE.
         """
         if out is None:
@@ -2652,7 +2652,7 @@ class ContactCalls(_l.Handle):
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high
             adhesion often: forces are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0);
-            Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
+            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
             Contact.geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED.
         """
         if out is None:
@@ -2669,7 +2669,7 @@ class ContactCalls(_l.Handle):
 
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE.
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE.
         """
         if out is None:
             out = Damage._new()
@@ -2686,7 +2686,7 @@ class ContactCalls(_l.Handle):
         laws: parameters; None: the published ones
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
             Contact.tangential before), _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone:
             no tractions to wear by).
         """
@@ -2712,7 +2712,7 @@ class ContactCalls(_l.Handle):
         out: the derivatives; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as
-            Contact.tangential()); Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no Contact.tangential).
+            Contact.tangential()); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.tangential).
         """
         if out is None:
             out = Sensitivity._new()
@@ -2730,7 +2730,7 @@ class ContactCalls(_l.Handle):
 
         out: the derivatives; None: a new one
 
-        C status: Status.OK; the flags of Contact.step(); Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no
+        C status: Status.OK; the flags of Contact.step(); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
             Contact.tangential, or on strips or a patch of the caller), and those of Contact.step() where a
             neighbouring step fails.
         """
@@ -2766,7 +2766,7 @@ class ContactCalls(_l.Handle):
         index: 0 .. NormalSolution.patches - 1, by increasing y
         out: the patch; None: a new one
 
-        C status: Status.OK; Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such
+        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such
             patch).
         """
         if out is None:
@@ -2790,7 +2790,7 @@ class ContactCalls(_l.Handle):
             nothing), _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as Contact.creepages()),
             _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is whole;
             or, says the sentence, more strips overlap than there is room for: those on the field side carry
-            nothing); Status.ERROR_None, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
+            nothing); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
             profiles or of other methods, or friction zones in a contact frame), _LOAD (the load cannot be
             carried at this pose).
         """
@@ -2831,7 +2831,7 @@ class ContactCalls(_l.Handle):
         index: 0 .. Wrench.regions - 1, from the gauge side to the field side
         out: the region; None: a new one
 
-        C status: Status.OK; Status.ERROR_None, _STRUCT_SIZE, _SEQUENCE (no Contact.wrench), _RANGE (no such
+        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.wrench), _RANGE (no such
             region).
         """
         if out is None:
@@ -2852,7 +2852,7 @@ class ContactCalls(_l.Handle):
         progress: None: none
         out: exact forces and the errors; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP; Status.ERROR_None, _STRUCT_SIZE, _RANGE,
+        C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
             _SEQUENCE, _UNSUPPORTED (both ways of rolling blended: creepage.other_way is not 0), _MEMORY,
             _CANCELLED.
         """
@@ -2880,7 +2880,7 @@ class ContactCalls(_l.Handle):
             counted, Contact.region() does not have them; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the
-            end of a profile); Status.ERROR_None, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million
+            end of a profile); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million
             cells), _UNSUPPORTED, _LOAD, _MEMORY.
         """
         if out is None:
@@ -2900,7 +2900,7 @@ def linear_coefficients(a_over_b: float, psi: float, poisson: float, *, out: Opt
     poisson: 0..0.5
     out: the coefficients; None: a new one
 
-    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_None, _STRUCT_SIZE, _RANGE,
+    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
         _NOT_FINITE.
     """
     if out is None:
@@ -2916,7 +2916,7 @@ def shakedown_limit(utilisation: float) -> float:
     utilisation: mu_a, 0..10
     load_factor: p0/k; 0 on failure
 
-    C status: Status.OK; Status.ERROR_None, _RANGE, _NOT_FINITE.
+    C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
     """
     load_factor = c.c_double()
     _l.check(_wrc_shakedown_limit(utilisation, c.byref(load_factor)))

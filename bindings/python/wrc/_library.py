@@ -76,7 +76,7 @@ def check(status: int, text: Optional[c.Array] = None) -> int:
     return status
 
 
-def check_watched(status: int, text: c.Array, watch: Any) -> int:
+def check_watched(status: int, text: Optional[c.Array], watch: Any) -> int:
     """As check(); what a progress function raised comes first."""
     watch.end()
     if watch.raised is not None:

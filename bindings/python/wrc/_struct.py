@@ -126,7 +126,7 @@ class Pointer(Member):
             if self.counter and not any(getattr(owner, "_" + each) for each in self.group):
                 setattr(owner, "_" + self.counter, 0)
             return
-        array = np.ascontiguousarray(value, np.float64)
+        array: Any = np.ascontiguousarray(value, np.float64)
         if self.fixed and array.size != self.fixed:
             raise ValueError(f"{kind.__name__}.{self.name} has {self.fixed} numbers, not {array.size}")
         if self.counter:
@@ -138,7 +138,10 @@ class Pointer(Member):
                                      f"{getattr(owner, '_' + self.counter)}: set both at once by "
                                      f"set({self.name}=..., {each}=...)")
             setattr(owner, "_" + self.counter, array.size)
-        setattr(owner, self.field, array.ctypes.data_as(_C_DOUBLES))
+        if not array.flags.writeable:
+            array = array.copy()
+        # a ctypes array over the same memory: the struct keeps that, as it would not a mere pointer's origin
+        setattr(owner, self.field, (c.c_double * array.size).from_buffer(array) if array.size else (c.c_double * 1)())
 
 
 class Reference(Member):
@@ -255,7 +258,7 @@ class Struct(c.Structure):
                 value = value.as_dict()
             elif isinstance(value, np.ndarray):
                 value = value.copy()
-            elif isinstance(value, enum.Enum):
+            elif isinstance(value, enum.IntEnum) or isinstance(value, enum.IntFlag):
                 value = int(value)
             elif isinstance(value, (c._Pointer, c._CFuncPtr)):  # type: ignore[attr-defined]
                 value = None
@@ -287,9 +290,10 @@ class Struct(c.Structure):
     def array(cls: Type[S], count: int, like: Optional[S] = None) -> np.ndarray:
         """A numpy array of `count` structs, all as `like` or as the defaults: what batches take and give. Members are
         columns: inputs["wheel"]["y"] = np.linspace(0, 3e-3, count)."""
-        memory = (cls * count)()
+        memory: Any = (cls * count)()
+        first: Any = like if like is not None else cls()
         view = np.frombuffer(memory, cls.dtype(), count)
-        view[:] = np.frombuffer(like if like is not None else cls(), cls.dtype(), 1)
+        view[:] = np.frombuffer(first, cls.dtype(), 1)
         memory._like = like.copy() if like is not None else None  # what its pointers show lives as long as the array
         return view
 

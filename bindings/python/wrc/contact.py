@@ -37,6 +37,25 @@ def use(config: i.Config, name: str) -> i.Config:
     return config
 
 
+def _results(kind: Any, count: int) -> Tuple[Any, Dict[str, np.ndarray]]:
+    """A struct whose results are arrays, with arrays of that many numbers."""
+    arrays = {name: np.zeros(count) for name in kind.members()}
+    return kind(**arrays), arrays
+
+
+def conicity(lateral: Any, radius_difference: Any, amplitude: Any, **problem: Any) -> Dict[str, np.ndarray]:
+    """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.contact_functions() gives it: the
+    members of wrc.Conicity as arrays. UIC 519, EN 15302.
+
+    problem: method, contact_distance, radius of wrc.ConicityProblem
+    """
+    told = i.ConicityProblem(lateral=lateral, radius_difference=radius_difference, amplitude=np.atleast_1d(amplitude), **problem)
+    found, arrays = _results(i.Conicity, told.amplitudes)
+    text = c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_equivalent_conicity(told, found, text, _SENTENCE), text)
+    return arrays
+
+
 class Model(i.ModelCalls):
     """Profiles, material, methods, grid: what does not change. Any number of threads and contacts may use one model.
 
@@ -84,6 +103,21 @@ class Model(i.ModelCalls):
             if status < 0:
                 raise self._error(status)
             return _view(y, self._memory), _view(z, self._memory), deviation.value
+
+    def contact_functions(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
+        """Where a wheelset without yaw touches both rails, over its lateral displacement: the members of
+        wrc.ContactFunctions as arrays. EN 15302.
+
+        lateral: of the wheelset, to the right [m]
+        wheel_load: 0: the bodies touch undeformed; of each wheel, vertical: elastic [N]
+        """
+        problem = i.ContactFunctionsProblem(lateral=np.atleast_1d(lateral), wheel_load=wheel_load)
+        found, arrays = _results(i.ContactFunctions, problem.count)
+        text = c.create_string_buffer(_SENTENCE)
+        with self._lock:
+            self._status = i._wrc_profile_contact_functions(self._handle, problem, found, text, _SENTENCE)
+        _l.check(self._status, text)
+        return arrays
 
     def __repr__(self) -> str:
         if self._handle is None:
@@ -158,25 +192,23 @@ class Contact(i.ContactCalls):
 
     def patches(self) -> List[i.Patch]:
         """Every patch of the last step, by increasing y."""
-        found: List[i.Patch] = []
-        while True:
-            try:
-                found.append(self.patch(len(found)))
-            except _l.Error as why:
-                if why.status != i.Status.ERROR_RANGE:
-                    raise
-                return found
+        return self._each(i._wrc_contact_patch, i.Patch)
 
     def regions(self) -> List[i.Region]:
         """Every region of the last wrench, from the gauge side to the field side."""
-        found: List[i.Region] = []
-        while True:
-            try:
-                found.append(self.region(len(found)))
-            except _l.Error as why:
-                if why.status != i.Status.ERROR_RANGE:
-                    raise
-                return found
+        return self._each(i._wrc_contact_region, i.Region)
+
+    def _each(self, function: Callable[..., int], kind: Any) -> List[Any]:
+        found: List[Any] = []
+        with self._lock:
+            while True:
+                one = kind._new()
+                status = function(self._handle, len(found), one)
+                if status == i.Status.ERROR_RANGE:
+                    return found
+                if status < 0:
+                    raise self._error(status)
+                found.append(one)
 
     def save(self) -> bytes:
         """The whole state, for restore() on a contact of the same model and side in this process."""

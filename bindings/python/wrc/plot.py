@@ -1,7 +1,7 @@
 """Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given."""
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterable, List, Optional, Tuple
 
 import numpy as np
 
@@ -34,8 +34,8 @@ def contact(contact: Contact, path: Any = None) -> Any:
     right, rolling direction upwards [mm]."""
     patches = _patches(contact)
     if not patches:
-        raise ValueError("there is nothing to draw: call step() first" if not contact.status else f"there is nothing to draw: {contact.message}")
-    made = figure(figsize=(11, 8.4))
+        raise ValueError(f"there is nothing to draw: {contact.message or 'call step() first'}")
+    made = figure(figsize=(11, 6.6))
     panels = made.subplots(2, 2, sharex=True, sharey=True)
     shown = (("pressure [MPa]", "PRESSURE", 1e-6, "viridis"), ("traction on the wheel [MPa]", "TRACTION", 1e-6, "magma"),
              ("stick and slip: sliding velocity / rolling speed [1e-3]", "SLIP", 1e3, "cividis"),
@@ -59,7 +59,7 @@ def contact(contact: Contact, path: Any = None) -> Any:
                 panel.quiver(y[every], x[every], fields["TRACTION_Y"][every], fields["TRACTION_X"][every], color="white", width=2.5e-3,
                              pivot="middle", scale=22 * top / scale if top else None)
         if mesh is not None:
-            made.colorbar(mesh, ax=panel)
+            made.colorbar(mesh, ax=panel, shrink=0.8)
         for fields in patches:
             panel.plot(*_edge(fields), color="black", linewidth=1)
         panel.set_aspect("equal")
@@ -128,11 +128,12 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     across, down = (y - middle), z + radius
     panel.plot(1e3 * (middle + input.wheel.y + cos * across - sin * down), 1e3 * (wrench.z - radius + sin * across + cos * down),
                color=COLOURS[0], label="wheel")
-    for region in contact.regions():
-        force = region.force
-        panel.plot(1e3 * region.point[1], 1e3 * region.point[2], "o", color=COLOURS[1])
-        panel.annotate("", xytext=(1e3 * region.point[1], 1e3 * region.point[2]), xy=(1e3 * region.point[1] + 2e-4 * force[1],
-                       1e3 * region.point[2] + 2e-4 * force[2]), arrowprops={"arrowstyle": "->", "color": COLOURS[1]})
+    regions = contact.regions()
+    largest = max((np.hypot(*each.force[1:]) for each in regions), default=1.0)
+    for region in regions:
+        at, arrow = 1e3 * region.point[1:], 15.0 * region.force[1:] / largest
+        panel.plot(*at, "o", color=COLOURS[1])
+        panel.annotate("", xytext=at, xy=at + arrow, annotation_clip=False, arrowprops={"arrowstyle": "->", "color": COLOURS[1]})
     panel.invert_yaxis()
     panel.set(xlabel="y, to the right [mm]", ylabel="z, down [mm]", aspect="equal",
               title=f"force on the wheel {wrench.force[1] / 1e3:.2f} kN to the right, {-wrench.force[2] / 1e3:.2f} kN upwards")
@@ -141,9 +142,9 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     return _done(made, path)
 
 
-def creep_curve(contact: Contact, direction: str, values: Sequence[float], input: i.Input) -> np.ndarray:
+def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.Input) -> np.ndarray:
     """Forces fx, fy [N] over creepages in one direction, "longitudinal", "lateral" or "spin", others as in `input`; shape
-    (len(values), 2). The patch is solved once."""
+    (number of values, 2). The patch is solved once."""
     if direction not in ("longitudinal", "lateral", "spin"):
         raise ValueError(f"{direction!r} is none of longitudinal, lateral, spin")
     contact.step(input)

@@ -129,7 +129,8 @@ def _columns(path: str, rows: List[str], miniprof: bool) -> Tuple[np.ndarray, np
     """Columns of numbers behind a heading; MiniProf's heading is lines NAME=value, of which ColumnDef and XYPoints are
     read. A semicolon between numbers makes commas decimal."""
     header: Dict[str, str] = {}
-    points, lines, first, second = [], [], 0, 1
+    points: List[Tuple[float, float]] = []
+    lines, first, second = [], 0, 1
     for at, row in enumerate(rows, 1):
         text = re.split(r"[#!%]", row)[0].strip()
         if not text:
@@ -156,7 +157,7 @@ def _columns(path: str, rows: List[str], miniprof: bool) -> Tuple[np.ndarray, np
         if len(numbers) <= max(first, second):
             raise ProfileError(path, at, f"{len(numbers)} number{'s' if len(numbers) != 1 else ''} in this line; y and z are columns "
                                f"{first + 1} and {second + 1}")
-        points.append((numbers[first], numbers[second]))
+        points.append((numbers[first], numbers[second]))  # type: ignore[arg-type]
         lines.append(at)
     promised = next((value for name, value in header.items() if name.lower() == "xypoints"), "")
     if promised.isdigit() and int(promised) != len(points):
@@ -169,7 +170,8 @@ def _simpack(path: str, rows: List[str], body: str, notes: List[str]) -> Tuple[n
     header: Dict[str, str] = {}
     values: Dict[str, float] = {}
     where: List[str] = []
-    points, lines = [], []
+    points: List[Tuple[float, float]] = []
+    lines: List[int] = []
     for at, row in enumerate(rows, 1):
         text = row.split("!")[0].strip()
         if not text:
@@ -200,7 +202,7 @@ def _simpack(path: str, rows: List[str], body: str, notes: List[str]) -> Tuple[n
         numbers = [_number(each) for each in text.split()]
         if len(numbers) < 2 or None in numbers[:2]:
             raise ProfileError(path, at, f"'{text}' is no point: y and z, and a weight if wanted")
-        points.append((numbers[0], numbers[1]))
+        points.append((numbers[0], numbers[1]))  # type: ignore[arg-type]
         lines.append(at)
     if where:
         raise ProfileError(path, len(rows), f"{where[-1]}.end is missing: is the file whole?")

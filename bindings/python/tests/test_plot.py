@@ -1,0 +1,50 @@
+"""Pictures: that each is drawn, of what it says."""
+import subprocess
+import sys
+
+import pytest
+import wrc
+
+DATA = dict(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3, "spin": 0.3}, friction={"coefficient": 0.35})
+
+
+@pytest.fixture(scope="module")
+def contact():
+    return wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
+
+
+def test_contact(contact, tmp_path):
+    contact.step(wrc.Input(**DATA))
+    figure = wrc.plot.contact(contact, tmp_path / "contact.png")
+    assert (tmp_path / "contact.png").stat().st_size > 20000
+    titles = [each.get_title() for each in figure.axes[:4]]
+    assert titles[0].startswith("pressure") and not any("not computed" in each for each in titles)
+
+
+def test_nothing_to_draw_is_said(contact):
+    contact.step(wrc.Input(load={"prescribed": "APPROACH", "approach": -1e-3}))
+    with pytest.raises(ValueError, match="nothing to draw: .*do not touch"):
+        wrc.plot.contact(contact)
+    with pytest.raises(ValueError, match="call step"):
+        wrc.plot.contact(wrc.Model(wheel="S1002", rail="60E1").contact())
+
+
+def test_profiles_and_curves(contact, tmp_path):
+    y, z, _ = contact.model.profile("WHEEL")
+    own = wrc.ProfileFile(y - 0.75, z, "wheel", "own")
+    assert wrc.plot.profile(own, own.mirrored()).axes[0].lines[0].get_xydata()[0, 0] == pytest.approx(1e3 * (y[0] - 0.75))
+    figure = wrc.plot.wheel_on_rail(contact, wrc.WheelInput(wheel={"y": 6.5e-3, "z": 8e-4}), tmp_path / "wheel.png")
+    assert "kN" in figure.axes[0].get_title()
+    rough = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", preset="FASTSIM-SDEC").contact()
+    figure = wrc.plot.creep_curves({"strip FASTSIM": contact, "FASTSIM-SDEC": rough}, wrc.Input(**DATA), path=tmp_path / "curves.png")
+    first, second = (each.get_ydata() for each in figure.axes[0].lines[:2])
+    assert 0.9 < first[-1] <= 1.0001 and abs(first - second).max() < 0.2
+    with pytest.raises(ValueError, match="none of longitudinal"):
+        wrc.plot.creep_curve(contact, "sideways", [0.0], wrc.Input(**DATA))
+    wrc.plot.model(contact.model, tmp_path / "model.png")
+
+
+def test_the_package_does_without_matplotlib():
+    code = "import sys; sys.modules['matplotlib'] = None; import wrc\ntry: wrc.plot.figure()\nexcept ImportError as why: print(why)"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert "pip install wrc[plot]" in found.stdout, found.stderr

@@ -1,0 +1,149 @@
+"""Profile files of every kind, written here, with what goes wrong in them."""
+import numpy as np
+import pytest
+import wrc
+from scipy.interpolate import CubicSpline
+
+
+@pytest.fixture(scope="module")
+def shapes():
+    """Points of a wheel and a rail [mm], z down, as the library's own shapes have them."""
+    model = wrc.Model(wheel="S1002", rail="60E1")
+    found = []
+    for body in ("WHEEL", "RAIL"):
+        y, z, _ = model.profile(body)
+        y = y - (0.75 if body == "WHEEL" else y[np.argmin(z)])
+        s = np.concatenate([[0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+        at = np.arange(0, s[-1], 5e-4)
+        found.append(1e3 * np.column_stack([CubicSpline(s, y)(at), CubicSpline(s, z)(at)]))
+    wheel, rail = found
+    wheel[:, 1] -= np.interp(0, *wheel.T)
+    return wheel, rail
+
+
+def rows(points, separator=" "):
+    return "".join(f"{y:.6f}{separator}{z:.6f}\n" for y, z in points)
+
+
+def simpack(points, keys="", kind=1):
+    return (f"header.begin\n  version = 1\n  type = {kind}\nheader.end\nspline.begin\n  approx.smooth = 0.0\n  comment = 'of a test'\n"
+            f"  units.len.f = 1000.\n{keys}  point.begin ! y, z\n{rows(points)}  point.end\nspline.end\n")
+
+
+def same(file, points, within=2e-6):
+    """Does the file's curve run through these points [mm]?"""
+    order = np.argsort(points[:, 0])
+    wanted = points[order] * 1e-3
+    inside = (wanted[:, 0] >= file.y[0]) & (wanted[:, 0] <= file.y[-1])
+    assert inside.mean() > 0.8
+    wanted = wanted[inside]
+    at = np.interp(wanted[:, 0], file.y, file.z)
+    assert np.median(np.abs(at - wanted[:, 1])) < within
+
+
+def write(folder, name, text):
+    path = folder / name
+    path.write_text(text)
+    return path
+
+
+def test_simpack(tmp_path, shapes):
+    wheel, rail = shapes
+    found = wrc.read_profile(write(tmp_path, "new.prw", simpack(wheel[::-1])))  # Simpack's wheels run from the field side
+    same(found, wheel)
+    assert found.body == "wheel" and found.header["comment"] == "of a test" and (np.diff(found.y) > 0).all()
+    same(wrc.read_profile(write(tmp_path, "new.prr", simpack(rail, kind=0))), rail)
+    turned = 0.02
+    keys = f"  mirror.y = 1\n  shift.y = 3.0\n  rotate = {np.degrees(turned)}\n  units.ang.f = {180 / np.pi}\n"
+    back = np.array([[np.cos(turned), np.sin(turned)], [-np.sin(turned), np.cos(turned)]])  # what the keys undo, in their order
+    changed = rail * [-1, 1] @ back.T - [3, 0]
+    found = wrc.read_profile(write(tmp_path, "changed.prr", simpack(changed, keys, 0)))
+    same(found, rail, 5e-5)
+    assert "mirror.y = 1" in " ".join(found.notes)
+
+
+def test_miniprof(tmp_path, shapes):
+    wheel, rail = shapes
+    up = wheel * [1, -1]  # MiniProf's y points up
+    body = "".join(f"{y:.4f} {z:.4f} 0.1 0.0\n" for y, z in up)
+    head = f"FileName=x.whl\nProgramName=MINIPROF\nColumnDef=X,Y,A,C\nXYPoints={len(up)}\n\n"
+    found = wrc.read_profile(write(tmp_path, "x.whl", head + body))
+    same(found, wheel, 1e-4)
+    assert any("points up" in each for each in found.notes) and found.header["ProgramName"] == "MINIPROF"
+    same(wrc.read_profile(write(tmp_path, "x.ban", rows(rail * [1, -1]))), rail)
+    with pytest.raises(wrc.ProfileError, match=rf"short.whl:{len(up) + 4}: XYPoints promises {len(up)} points, {len(up) - 1} are"):
+        wrc.read_profile(write(tmp_path, "short.whl", head + body.rsplit("\n", 2)[0] + "\n"))
+    with pytest.raises(wrc.ProfileError, match=r"odd.whl:3: ColumnDef has no columns X and Y"):
+        wrc.read_profile(write(tmp_path, "odd.whl", head.replace("X,Y,A,C", "A,C") + body))
+
+
+@pytest.mark.parametrize("text", [rows, lambda p: rows(p, ","), lambda p: "y;z\n" + rows(p, ";").replace(".", ","), lambda p: "# of a test\ny z\n" + rows(p),
+                                  lambda p: rows(1e-3 * p)])
+def test_columns(tmp_path, shapes, text):
+    wheel, _ = shapes
+    same(wrc.read_profile(write(tmp_path, "wheel.txt", text(wheel)), "wheel"), wheel, 1e-5 if text(wheel) == rows(1e-3 * wheel) else 2e-6)
+
+
+def test_left_wheels_and_ends_that_turn_back(tmp_path, shapes):
+    wheel, rail = shapes
+    found = wrc.read_profile(write(tmp_path, "left.txt", rows(wheel * [-1, 1])), "wheel")
+    same(found, wheel)
+    assert any("mirrored" in each for each in found.notes)
+    with pytest.raises(wrc.ProfileError, match="mirror_y=False its flange is at y > 0"):
+        wrc.read_profile(tmp_path / "left.txt", "wheel", mirror_y=False)
+    web = np.array([[rail[0, 0] + 2 * k, rail[0, 1] + 3 * k] for k in range(6, 0, -1)])
+    found = wrc.read_profile(write(tmp_path, "web.txt", rows(np.vstack([web, rail]))), "rail")
+    same(found, rail)
+    assert any("6 points left out where the profile turns back" in each for each in found.notes)
+    mirrored = found.mirrored()
+    assert (mirrored.y == -found.y[::-1]).all() and mirrored.check() is mirrored
+
+
+@pytest.mark.parametrize("name, change, match", [
+    ("a.txt", lambda rows: rows[:20] + ["12.3 x"] + rows[20:], r"a.txt:21: 'x' is no number"),
+    ("b.txt", lambda rows: rows[:20] + ["12.3"] + rows[20:], r"b.txt:21: 1 number in this line"),
+    ("c.txt", lambda rows: rows[:25] + rows[22:], r"c.txt:2\d: y goes back from"),
+    ("d.txt", lambda rows: rows[:2], r"d.txt:2: 2 points; a profile has at least 4"),
+    ("e.txt", lambda rows: [], r"e.txt:1: 0 points"),
+    ("f.txt", lambda rows: [f"{25 * k} {k}" for k in range(50)], r"f.txt: is 1225 wide, .* neither in mm nor in m: pass unit="),
+    ("g.txt", lambda rows: rows[:30] + ["nan 1.0"] + rows[30:], r"g.txt:31: 'nan' is no number"),
+    ("h.prw", lambda rows: ["header.begin", "header.end", "spline.begin", "point.begin"] + rows, "point.end is missing: is the file whole"),
+    ("i.prw", lambda rows: ["header.begin", "  type = 0", "header.end", "spline.begin", "point.begin"] + rows + ["point.end", "spline.end"],
+     "type = 0, a rail, and it is read as a wheel"),
+    ("j.prw", lambda rows: ["splin.begin"] + rows, "j.prw:1: there is no section splin"),
+    ("k.prw", lambda rows: ["spline.begin", " units.len.f = mm"], "k.prw:2: units.len.f = 'mm' is no number"),
+])
+def test_errors_name_file_and_line(tmp_path, shapes, name, change, match):
+    text = "\n".join(change(rows(shapes[0]).splitlines())) + "\n"
+    with pytest.raises(wrc.ProfileError, match=match):
+        wrc.read_profile(write(tmp_path, name, text), "wheel")
+
+
+def test_what_a_caller_gets_wrong(tmp_path, shapes):
+    wheel, rail = shapes
+    path = write(tmp_path, "wheel.txt", rows(wheel))
+    with pytest.raises(FileNotFoundError):
+        wrc.read_profile(tmp_path / "none.txt", "wheel")
+    with pytest.raises(wrc.ProfileError, match="is it of a wheel or a rail"):
+        wrc.read_profile(path)
+    with pytest.raises(wrc.ProfileError, match="is it in mm?"):
+        wrc.read_profile(path, "wheel", unit="m")
+    with pytest.raises(wrc.ProfileError, match="there is no unit 'furlong'"):
+        wrc.read_profile(path, "wheel", unit="furlong")
+    with pytest.raises(wrc.ProfileError, match="pass running_circle="):
+        wrc.read_profile(write(tmp_path, "off.txt", rows(wheel + [200, 0])), "wheel")
+    same(wrc.read_profile(tmp_path / "off.txt", "wheel", running_circle=0.2), wheel)
+    shallow = rail[np.abs(rail[:, 0]) < 25]
+    with pytest.raises(wrc.ProfileError, match="shallow.txt"):
+        wrc.read_profile(write(tmp_path, "shallow.txt", rows(shallow)), "rail")
+
+
+def test_read_profiles_make_the_model_of_the_built_in_ones(tmp_path, shapes):
+    wheel, rail = shapes
+    wheel = wrc.read_profile(write(tmp_path, "w.txt", rows(wheel)), "wheel")
+    rail = wrc.read_profile(write(tmp_path, "r.txt", rows(rail)), "rail")
+    data = wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})
+    own = wrc.Model(wheel=wheel, rail=rail).contact().step(data)
+    built_in = wrc.Model(wheel="S1002", rail="60E1").contact().step(data)
+    assert own.forces.fx == pytest.approx(built_in.forces.fx, rel=0.03)
+    assert "w.txt" in repr(wheel) and wheel.as_struct().count == len(wheel.y)
