@@ -69,7 +69,7 @@ const size_t layout_wrc_wheel_state[] = {sizeof(wrc_wheel_state), offsetof(wrc_w
 extern const size_t layout_wrc_rail_state[];
 const size_t layout_wrc_rail_state[] = {sizeof(wrc_rail_state), offsetof(wrc_rail_state, y), offsetof(wrc_rail_state, z), offsetof(wrc_rail_state, roll), offsetof(wrc_rail_state, y_velocity), offsetof(wrc_rail_state, z_velocity), offsetof(wrc_rail_state, roll_velocity)};
 extern const size_t layout_wrc_wheel_input[];
-const size_t layout_wrc_wheel_input[] = {sizeof(wrc_wheel_input), offsetof(wrc_wheel_input, struct_size), offsetof(wrc_wheel_input, prescribed), offsetof(wrc_wheel_input, wheel), offsetof(wrc_wheel_input, rail), offsetof(wrc_wheel_input, friction), offsetof(wrc_wheel_input, vertical_load), offsetof(wrc_wheel_input, damping)};
+const size_t layout_wrc_wheel_input[] = {sizeof(wrc_wheel_input), offsetof(wrc_wheel_input, struct_size), offsetof(wrc_wheel_input, prescribed), offsetof(wrc_wheel_input, start), offsetof(wrc_wheel_input, reserved), offsetof(wrc_wheel_input, wheel), offsetof(wrc_wheel_input, rail), offsetof(wrc_wheel_input, friction), offsetof(wrc_wheel_input, vertical_load), offsetof(wrc_wheel_input, damping)};
 extern const size_t layout_wrc_wrench[];
 const size_t layout_wrc_wrench[] = {sizeof(wrc_wrench), offsetof(wrc_wrench, struct_size), offsetof(wrc_wrench, regions), offsetof(wrc_wrench, iterations), offsetof(wrc_wrench, reserved), offsetof(wrc_wrench, force), offsetof(wrc_wrench, moment), offsetof(wrc_wrench, rail_force), offsetof(wrc_wrench, rail_moment), offsetof(wrc_wrench, z), offsetof(wrc_wrench, normal_force), offsetof(wrc_wrench, area), offsetof(wrc_wrench, peak_pressure), offsetof(wrc_wrench, power), offsetof(wrc_wrench, steepest_angle)};
 extern const size_t layout_wrc_region[];

@@ -34,7 +34,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(4)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(8)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(10)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(16)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
@@ -716,16 +716,20 @@ contains
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheel_input(2))
     call same('wrc_wheel_input', 'prescribed', &
       distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_wheel_input(3))
+    call same('wrc_wheel_input', 'start', &
+      distance(c_loc(a), c_loc(a%start)), layout_wrc_wheel_input(4))
+    call same('wrc_wheel_input', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wheel_input(5))
     call same('wrc_wheel_input', 'wheel', &
-      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_wheel_input(4))
+      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_wheel_input(6))
     call same('wrc_wheel_input', 'rail', &
-      distance(c_loc(a), c_loc(a%rail)), layout_wrc_wheel_input(5))
+      distance(c_loc(a), c_loc(a%rail)), layout_wrc_wheel_input(7))
     call same('wrc_wheel_input', 'friction', &
-      distance(c_loc(a), c_loc(a%friction)), layout_wrc_wheel_input(6))
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_wheel_input(8))
     call same('wrc_wheel_input', 'vertical_load', &
-      distance(c_loc(a), c_loc(a%vertical_load)), layout_wrc_wheel_input(7))
+      distance(c_loc(a), c_loc(a%vertical_load)), layout_wrc_wheel_input(9))
     call same('wrc_wheel_input', 'damping', &
-      distance(c_loc(a), c_loc(a%damping)), layout_wrc_wheel_input(8))
+      distance(c_loc(a), c_loc(a%damping)), layout_wrc_wheel_input(10))
   end subroutine
   subroutine test_wrc_wrench()
     type(wrc_wrench), target :: a

@@ -285,8 +285,8 @@ typedef struct wrc_config_normal {
   int32_t max_iterations; /**< cap of the steps of the load search, 4..1000; not read by WRC_NORMAL_STRIP_HALFSPACE [60] */
   int32_t max_sweeps;     /**< cap of the sweeps over the strips on each of two grids, 4..1000; read by
                                WRC_NORMAL_STRIP_HALFSPACE [16] */
-  int32_t warm_start;     /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution; results then
-                               depend on the calls before: the same approach again moves the force by up to 0.1 %. Unfit
+  int32_t warm_start;     /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution (not read by
+                               wrc_contact_wrench: wrc_wheel_input.start); results then depend on the calls before: the same approach again moves the force by up to 0.1 %. Unfit
                                for implicit integrators, whose iterations stall on that, and for differences between
                                calls. 0: results depend on the inputs of the call alone [0] */
   double load_tolerance;  /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below 1e-12

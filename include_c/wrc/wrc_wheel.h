@@ -82,6 +82,13 @@ enum wrc_wheel_prescribed {
   WRC_PRESCRIBE_VERTICAL_LOAD = 1 /**< vertical_load is given, z of the reference point is found */
 };
 
+/** Where the sweeps over the strips, and the search for the height of a load, begin. */
+enum wrc_wheel_start {
+  WRC_START_FROM_LAST = 0, /**< the contact's last solution: faster where poses follow each other. Results then depend on
+                                the calls before, by at most 1e-6 of the normal force, or load_tolerance of a load */
+  WRC_START_ANEW = 1       /**< results depend on the inputs of the call alone, to the last bit */
+};
+
 /** Where a wheel or wheelset is and how it moves, against the ground. */
 typedef struct wrc_wheel_state {
   int32_t reference;          /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment
@@ -117,8 +124,10 @@ typedef struct wrc_rail_state {
 /** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only
  * read during the call. */
 typedef struct wrc_wheel_input {
-  uint32_t struct_size;  /**< sizeof this struct, 256 or more */
+  uint32_t struct_size;  /**< sizeof this struct, 264 or more */
   int32_t prescribed;    /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
+  int32_t start;         /**< enum wrc_wheel_start [WRC_START_FROM_LAST] */
+  uint32_t reserved;     /**< 0 */
   wrc_wheel_state wheel; /**< where the wheel is and how it moves */
   wrc_rail_state rail;   /**< where the rail is and how it moves */
   wrc_friction friction; /**< of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep

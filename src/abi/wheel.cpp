@@ -147,6 +147,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   if (fault.failed()) return fault;
   hosted.rail = rail_of(ours.rail);
   hosted.load_prescribed = !height;
+  hosted.start_anew = ours.start == WRC_START_ANEW;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
   return {};

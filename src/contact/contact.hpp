@@ -101,6 +101,7 @@ struct HostedWheel {
   RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
+  bool start_anew = false;     ///< not from the last solution
   bool frictionless = true;
   Friction friction;     ///< zones over the rail's y, those of the caller
   double damping = 0.0;  ///< [s/m]

@@ -163,7 +163,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
   SeenWrench found;
-  fault = solve_wheel_on_rail(*model.surface, problem, model.options.warm_start, state,
+  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state,
                               array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr);
   const bool touching = wrench.regions > 0 || fault.status == WRC_FLAG_CLIMBING;
   if (fault.failed() || (hosted.load_prescribed && !touching)) {

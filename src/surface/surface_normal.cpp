@@ -15,6 +15,10 @@ constexpr std::int32_t history = 5;        ///< earlier sweeps the acceleration 
 constexpr std::int32_t most_rounds = 20;   ///< of strips entering and leaving within a sweep
 constexpr double coarse_tolerance = 1e-2;  ///< of the start on pairs of strips
 constexpr std::int32_t fewest_pairs = 12;
+/// Part of the area that the first sweep from an earlier solution may move; beyond, a start from the overlaps
+/// is nearer.
+constexpr double farthest_start = 0.3;
+constexpr double anywhere = 1e300;
 
 /// StripSet a solve works on: candidates, or pairs of them.
 struct StripSet {
@@ -245,14 +249,16 @@ void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int
   }
 }
 
-/// Sweeps from the lengths and shifts that stand in `s` to the tolerance.
-SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double tolerance,
+/// Sweeps from the lengths and shifts that stand in `s` to the tolerance. Ends after the first sweep where
+/// that moves more than the part `farthest` of the area.
+SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double tolerance, double farthest,
                              std::int32_t max_sweeps, Scratch& w) {
   SurfaceNormalResult result;
   const std::int32_t n = s.count;
   bool skewed = false;
   for (std::int32_t i = 1; i < n; ++i) skewed = skewed || s.middle[i] != s.middle[0];
   const std::int32_t both = skewed ? 2 * n : n;
+  if (!skewed) std::fill_n(s.shift, n, 0.0);  // which sweeps leave alone then; a start may bring others
   for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300, area = 1.0;
@@ -282,6 +288,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
       result.converged = true;
       break;
     }
+    if (sweep == 0 && moved > farthest * area) return result;
     // where acceleration does not pay, as while strips enter, it starts anew
     slow = moved > 0.7 * moved_before ? slow + 1 : 0;
     if (slow == 2) since = slow = 0;
@@ -335,6 +342,36 @@ void pair_up(const StripSet& s, std::int32_t* pair_of, const std::int32_t* numbe
   }
 }
 
+/// Lengths and shifts to start from where there is no earlier solution: those of the overlaps, or of a
+/// solution on pairs of strips. Its sweeps are added to `result`.
+void start_from_overlaps(const Problem& problem, const Overlaps& o, std::int32_t max_sweeps,
+                         std::int32_t* pair_of, SurfaceNormalResult& result, Scratch& w) {
+  const StripSet& s = w.fine;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
+    s.shift[i] = 0.0;
+  }
+  if (s.count >= 2 * fewest_pairs) {
+    StripSet& c = w.coarse;
+    pair_up(s, pair_of, o.strip, c);
+    result.sweeps += sweep_to(problem, c, coarse_tolerance, anywhere, max_sweeps, w).sweeps;
+    for (std::int32_t i = 0; i < s.count; ++i) {
+      // along the line through this pair and the next one on the strip's side, where both are in contact
+      const std::int32_t k = pair_of[i];
+      const double off = s.place[i] - c.place[k];
+      const std::int32_t other = off > 0.0 ? k + 1 : k - 1;
+      s.L[i] = c.L[k];
+      s.shift[i] = c.shift[k];
+      if (off == 0.0 || other < 0 || other >= c.count) continue;
+      const double apart = c.place[other] - c.place[k];
+      if (magnitude(apart) > 1.5 * c.width[k]) continue;
+      const double t = off / apart;
+      s.L[i] = larger(c.L[k] + t * (c.L[other] - c.L[k]), 0.0);
+      s.shift[i] = c.shift[k] + t * (c.shift[other] - c.shift[k]);
+    }
+  }
+}
+
 }  // namespace
 
 std::int64_t surface_normal_doubles(std::int32_t most) {
@@ -371,34 +408,16 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
   if (o.count == 0) {
     result.converged = true;
   } else {
-    if (!started) {
-      for (std::int32_t i = 0; i < s.count; ++i) {
-        s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
-        s.shift[i] = 0.0;
-      }
-      if (s.count >= 2 * fewest_pairs) {
-        StripSet& c = w.coarse;
-        pair_up(s, pair_of, o.strip, c);
-        result = sweep_to(problem, c, coarse_tolerance, options.max_sweeps, w);
-        for (std::int32_t i = 0; i < s.count; ++i) {
-          // along the line through this pair and the next one on the strip's side, where both are in contact
-          const std::int32_t k = pair_of[i];
-          const double off = s.place[i] - c.place[k];
-          const std::int32_t other = off > 0.0 ? k + 1 : k - 1;
-          s.L[i] = c.L[k];
-          s.shift[i] = c.shift[k];
-          if (off == 0.0 || other < 0 || other >= c.count) continue;
-          const double apart = c.place[other] - c.place[k];
-          if (magnitude(apart) > 1.5 * c.width[k]) continue;
-          const double t = off / apart;
-          s.L[i] = larger(c.L[k] + t * (c.L[other] - c.L[k]), 0.0);
-          s.shift[i] = c.shift[k] + t * (c.shift[other] - c.shift[k]);
-        }
-      }
+    if (started) {
+      result = sweep_to(problem, s, options.tolerance, farthest_start, options.max_sweeps, w);
+      started = result.converged;
     }
-    const std::int32_t earlier = result.sweeps;
-    result = sweep_to(problem, s, options.tolerance, options.max_sweeps, w);
-    result.sweeps += earlier;
+    if (!started) {
+      start_from_overlaps(problem, o, options.max_sweeps, pair_of, result, w);
+      const std::int32_t earlier = result.sweeps;
+      result = sweep_to(problem, s, options.tolerance, anywhere, options.max_sweeps, w);
+      result.sweeps += earlier;
+    }
   }
   for (std::int32_t j = 0; j < rail.count; ++j) start.length_squared[j] = start.shift[j] = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) {

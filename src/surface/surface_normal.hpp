@@ -38,7 +38,7 @@ struct SurfaceNormalOptions {
   std::int32_t max_sweeps = 40;
   /// Part of the area that a sweep still moves at which sweeps end. The forces are then nearer by far: they
   /// change with the square of what the lengths are off.
-  double tolerance = 1e-6;
+  double tolerance = 1e-8;
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.

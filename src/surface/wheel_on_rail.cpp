@@ -17,8 +17,7 @@ using Work = WheelWork;
 
 constexpr std::int32_t most = most_overlapping_strips;
 
-/// Prescribed loads are met to this part; the normal problem is solved that much finer for them.
-constexpr double load_tolerance = 1e-8, tolerance_for_load = 1e-8;
+constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
 constexpr std::int32_t most_load_steps = 30;
 
 /// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
@@ -493,10 +492,9 @@ class HeightSearch {
 Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, Work& w,
                     SurfaceStart& start, double& height, Wrench& out) {
   const double asked = in.vertical_load;
-  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
   Fault fault;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    const Fault here = solve_at(model, in, height, false, w, start, options, out);
+    const Fault here = solve_at(model, in, height, false, w, start, {}, out);
     const double load = -out.force[2];
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
     if (std::abs(load - asked) <= load_tolerance * asked) return fault;
@@ -579,9 +577,8 @@ Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double l
                       SurfaceStart& start, double& height, Wrench& out) {
   constexpr double golden = 0.6180339887498949;
   constexpr int steps = 20;
-  const SurfaceNormalOptions options{.tolerance = tolerance_for_load};
   const auto load_at = [&](double at) {
-    solve_at(model, in, at, false, w, start, options, out);
+    solve_at(model, in, at, false, w, start, {}, out);
     return -out.force[2];
   };
   double left = high - golden * (high - low), right = low + golden * (high - low);
@@ -602,7 +599,7 @@ Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double l
     }
   }
   height = 0.5 * (low + high);
-  return solve_at(model, in, height, false, w, start, options, out);
+  return solve_at(model, in, height, false, w, start, {}, out);
 }
 
 /// The wrench at the height that carries the load given, searched from `height`, which becomes it.
@@ -666,7 +663,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
     return climbing("none does; returned is first touch: from there on the force does not grow", {});
   }
   const Fault fault =
-      solve_at(model, in, height = searched, false, w, start, {.tolerance = tolerance_for_load}, out);
+      solve_at(model, in, height = searched, false, w, start, {}, out);
   return found.status == WRC_OK ? fault : found;
 }
 

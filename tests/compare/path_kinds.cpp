@@ -30,9 +30,10 @@ Load load_of(WheelCase& at, const Solver& solver) {
   return load;
 }
 
-std::vector<Load> scan(const Csv& file, std::size_t row, const Solver& solver) {
+std::vector<Load> scan(const Csv& file, std::size_t row, const Solver& solver, bool warm) {
   const auto steps = static_cast<std::size_t>(file(row, "steps"));
   WheelCase at = wheel_case(file, row);
+  at.input.start = warm ? WRC_START_FROM_LAST : WRC_START_ANEW;
   if (file.text(row, "prescribed") == "load") {
     at.input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     at.input.vertical_load = file(row, "Q_N");
@@ -120,10 +121,7 @@ Report compare_scan(const Csv& file, const Options& options) {
     ++report.rows;
     std::vector<Load> cold;
     for (const bool warm : {false, true}) {
-      PairOptions pair = pair_of(file, row);
-      pair.warm = warm;
-      const Solver& solver = pairs.of(pair);
-      const std::vector<Load> loads = scan(file, row, solver);
+      const std::vector<Load> loads = scan(file, row, pairs.of(pair_of(file, row)), warm);
       auto& errors = report.errors[warm ? "warm" : "cold"];
       std::size_t where = 0, component = 0;
       const double jump = largest_jump(loads, where, component);
@@ -146,11 +144,16 @@ Report compare_scan(const Csv& file, const Options& options) {
       }
       double apart = 0.0;
       for (std::size_t k = 0; k < loads.size(); ++k) {
-        for (std::size_t i = 0; i < 6; ++i)
-          apart = std::max(apart, std::fabs(loads[k].component[i] - cold[k].component[i]) /
-                                      std::max(cold[k].normal_force, least_force));
+        for (std::size_t i = 0; i < 6; ++i) {
+          const double here = std::fabs(loads[k].component[i] - cold[k].component[i]) /
+                              std::max(cold[k].normal_force, least_force);
+          if (here <= apart) continue;
+          apart = here, where = k, component = i;
+        }
       }
       errors["warm_from_cold"].add(number, apart);
+      if (options.list)
+        std::printf("%4zu warm from cold %.3e at step %zu in %s\n", number, apart, where, names[component]);
     }
     show_progress("scan", row + 1, file.rows());
   }

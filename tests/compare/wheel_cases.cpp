@@ -51,7 +51,7 @@ const Pairs::Points& Pairs::points(const std::string& name) {
 
 const Solver& Pairs::of(const PairOptions& options) {
   auto& solver = solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson,
-                           options.radius, options.smoothing, options.side, options.warm}];
+                           options.radius, options.smoothing, options.side}];
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
@@ -70,7 +70,6 @@ const Solver& Pairs::of(const PairOptions& options) {
   config.wheelset.wheel_radius = options.radius;
   config.track.placement = WRC_PLACEMENT_ORIGIN;
   config.track.rail_origin = 0.7605325577;
-  config.normal.warm_start = options.warm ? 1 : 0;
   config.wheel = profile_of(options.wheel);
   config.rail = profile_of(options.rail);
   solver = std::make_unique<Solver>(config, options.side);
@@ -90,6 +89,7 @@ PairOptions pair_of(const Csv& file, std::size_t row) {
 
 WheelCase wheel_case(const Csv& file, std::size_t row) {
   WheelCase made_case;
+  made_case.input.start = WRC_START_ANEW;  // a row does not depend on those before
   wrc_wheel_state& wheel = made_case.input.wheel;
   const auto if_there = [&](const char* column) { return file.has(column) ? file(row, column) : 0.0; };
   wheel.angular_axes = WRC_AXES_BODY;

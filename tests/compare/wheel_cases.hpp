@@ -42,7 +42,6 @@ struct PairOptions {
   double shear_modulus = 82e9, poisson = 0.28, radius = 0.46;  ///< [Pa], [-], [m]
   double smoothing = 0.0;                                      ///< [m]
   int32_t side = WRC_SIDE_RIGHT;
-  bool warm = false;
 };
 
 /// The contacts of a file, each pair of profiles made once.
@@ -59,7 +58,7 @@ class Pairs {
 
   std::string folder_;
   std::map<std::string, Points> points_;
-  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, bool>,
+  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t>,
            std::unique_ptr<Solver>>
       solvers_;
 };

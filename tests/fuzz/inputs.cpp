@@ -269,6 +269,7 @@ void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
+  input.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(3)) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = sized(choices, member<wrc_wheel_input>("vertical_load"));

@@ -40,7 +40,7 @@ HEIGHT, LOAD = 0, 1
 class Model:
     """One model for all wheels; contact() makes a contact, step() solves one, regions() tells of the last solution."""
 
-    def __init__(self, library, warm_start=0, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
+    def __init__(self, library, shear_modulus=82e9, poisson=0.28, rail=UIC60_BENCHMARK):
         self.lib = lib = c.CDLL(library)
         lib.wrc_contact_last_error.argtypes = [c.c_void_p, c.c_char_p, c.c_uint64]
         lib.wrc_contact_wrench_flat.argtypes = [c.c_void_p, c.c_void_p, c.c_void_p]
@@ -49,7 +49,7 @@ class Model:
         config = Config(c.sizeof(Config))
         assert lib.wrc_config_init(c.byref(config)) == 0
         config.wheel.kind, config.rail.kind = S1002, rail
-        config.material.shear_modulus, config.material.poisson, config.normal.warm_start = shear_modulus, poisson, warm_start
+        config.material.shear_modulus, config.material.poisson = shear_modulus, poisson
         self.model = c.c_void_p()
         text = c.create_string_buffer(400)
         if lib.wrc_model_create(c.byref(config), None, c.byref(self.model)) < 0:

@@ -380,6 +380,18 @@ class WheelPrescribed(s.Choice):
     VERTICAL_LOAD = 1
 
 
+class WheelStart(s.Choice):
+    """Where the sweeps over the strips, and the search for the height of a load, begin.
+
+    FROM_LAST: the contact's last solution: faster where poses follow each other. Results then depend on the
+        calls before, by at most 1e-6 of the normal force, or load_tolerance of a load
+    ANEW: results depend on the inputs of the call alone, to the last bit
+    """
+
+    FROM_LAST = 0
+    ANEW = 1
+
+
 class WrenchInput(s.Choice):
     """What a wrench depends on: the columns of WrenchSensitivities.
 
@@ -626,10 +638,10 @@ class ConfigNormal(s.Struct):
           1000; default 60)
       max_sweeps: cap of the sweeps over the strips on each of two grids; read by NormalMethod.STRIP_HALFSPACE
           (4 .. 1000; default 16)
-      warm_start: 1: NormalMethod.STRIP_HALFSPACE starts from the contact's last solution; results then depend
-          on the calls before: the same approach again moves the force by up to 0.1 %. Unfit for implicit
-          integrators, whose iterations stall on that, and for differences between calls. 0: results depend on
-          the inputs of the call alone (0 .. 1; default 0)
+      warm_start: 1: NormalMethod.STRIP_HALFSPACE starts from the contact's last solution (not read by
+          Contact.wrench: WheelInput.start); results then depend on the calls before: the same approach again
+          moves the force by up to 0.1 %. Unfit for implicit integrators, whose iterations stall on that, and
+          for differences between calls. 0: results depend on the inputs of the call alone (0 .. 1; default 0)
       load_tolerance: relative error of a prescribed load at the approach found for it (below 1e-12 as that);
           not read by NormalMethod.STRIP_HALFSPACE, which meets the load to rounding (1e-14 .. 1e-2; default
           1e-10)
@@ -1681,6 +1693,7 @@ class WheelInput(s.Struct):
 
     Members:
       prescribed: WheelPrescribed (default WheelPrescribed.HEIGHT)
+      start: WheelStart (default WheelStart.FROM_LAST)
       wheel: where the wheel is and how it moves
       rail: where the rail is and how it moves
       friction: of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep
@@ -1695,23 +1708,27 @@ class WheelInput(s.Struct):
     __slots__ = ()
     struct_size: int
     prescribed: WheelPrescribed = s.Chosen('prescribed', WheelPrescribed)  # type: ignore[assignment]
+    start: WheelStart = s.Chosen('start', WheelStart)  # type: ignore[assignment]
+    reserved: int
     wheel: WheelState
     rail: RailState
     friction: Friction
     vertical_load: float
     damping: float
     _units_ = {'vertical_load': 'N', 'damping': 's/m'}
-    _hidden_ = ('struct_size',)
+    _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_prescribed', c.c_int32),
+        ('_start', c.c_int32),
+        ('reserved', c.c_uint32),
         ('wheel', WheelState),
         ('rail', RailState),
         ('friction', Friction),
         ('vertical_load', c.c_double),
         ('damping', c.c_double),
     ]
-assert c.sizeof(WheelInput) == 256
+assert c.sizeof(WheelInput) == 264
 
 
 class Wrench(s.Struct):
@@ -2998,6 +3015,7 @@ __all__ = [
     'WheelReference',
     'Axes',
     'WheelPrescribed',
+    'WheelStart',
     'WrenchInput',
     'Adhesion',
     'Collocation',

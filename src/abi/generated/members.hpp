@@ -180,6 +180,13 @@ inline constexpr Enumerator wrc_wheel_prescribed_values[] = {
 inline constexpr Enumeration wrc_wheel_prescribed{wrc_wheel_prescribed_values, 2,
     "see enum wrc_wheel_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
 
+inline constexpr Enumerator wrc_wheel_start_values[] = {
+    {"WRC_START_FROM_LAST", WRC_START_FROM_LAST},
+    {"WRC_START_ANEW", WRC_START_ANEW},
+};
+inline constexpr Enumeration wrc_wheel_start{wrc_wheel_start_values, 2,
+    "see enum wrc_wheel_start: WRC_START_FROM_LAST (0), _ANEW (1)"};
+
 inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_Y", WRC_BY_Y},
     {"WRC_BY_Z", WRC_BY_Z},
@@ -1090,7 +1097,7 @@ template <>
 struct Description<wrc_wheel_input> {
   static constexpr const char* name = "wrc_wheel_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 256;
+  static constexpr std::size_t first = 264;
   static constexpr wrc_wheel_input defaults = [] {
     wrc_wheel_input value{};
     value.struct_size = sizeof value;
@@ -1102,6 +1109,8 @@ struct Description<wrc_wheel_input> {
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_prescribed},
+      {.name = "start", .offset = offsetof(wrc_wheel_input, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_start},
+      {.name = "reserved", .offset = offsetof(wrc_wheel_input, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "wheel.reference", .offset = offsetof(wrc_wheel_input, wheel.reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
       {.name = "wheel.angular_axes", .offset = offsetof(wrc_wheel_input, wheel.angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
       {.name = "wheel.y", .offset = offsetof(wrc_wheel_input, wheel.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
@@ -1138,7 +1147,7 @@ struct Description<wrc_wheel_input> {
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 256, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_input) == 264, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {
