@@ -4,12 +4,13 @@ module layout
   implicit none
   integer(c_size_t), bind(C) :: layout_wrc_profile(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_material(4)
+  integer(c_size_t), bind(C) :: layout_wrc_heat_properties(4)
   integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(3)
   integer(c_size_t), bind(C) :: layout_wrc_config_track(7)
   integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config(11)
+  integer(c_size_t), bind(C) :: layout_wrc_config(13)
   integer(c_size_t), bind(C) :: layout_wrc_pose(4)
   integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
   integer(c_size_t), bind(C) :: layout_wrc_gap(10)
@@ -41,6 +42,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
   integer(c_size_t), bind(C) :: layout_wrc_stresses(6)
+  integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(3)
+  integer(c_size_t), bind(C) :: layout_wrc_temperature(11)
   integer(c_size_t), bind(C) :: layout_wrc_grid(7)
   integer(c_size_t), bind(C) :: layout_wrc_materials(5)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
@@ -62,6 +65,7 @@ program layout_test
   integer :: failures = 0
   call test_wrc_profile()
   call test_wrc_config_material()
+  call test_wrc_heat_properties()
   call test_wrc_config_wheelset()
   call test_wrc_config_track()
   call test_wrc_config_grid()
@@ -99,6 +103,8 @@ program layout_test
   call test_wrc_stress_peak()
   call test_wrc_stress_peaks()
   call test_wrc_stresses()
+  call test_wrc_bulk_temperatures()
+  call test_wrc_temperature()
   call test_wrc_grid()
   call test_wrc_materials()
   call test_wrc_exact_normal_problem()
@@ -112,7 +118,7 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 52, ' types compared'
+  print '(i0,a)', 55, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -139,6 +145,17 @@ contains
       distance(c_loc(a), c_loc(a%poisson)), layout_wrc_config_material(3))
     call same('wrc_config_material', 'shear_yield', &
       distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_config_material(4))
+  end subroutine
+  subroutine test_wrc_heat_properties()
+    type(wrc_heat_properties), target :: a
+    call wrc_init(a)
+    call same('wrc_heat_properties', 'size', c_sizeof(a), layout_wrc_heat_properties(1))
+    call same('wrc_heat_properties', 'conductivity', &
+      distance(c_loc(a), c_loc(a%conductivity)), layout_wrc_heat_properties(2))
+    call same('wrc_heat_properties', 'density', &
+      distance(c_loc(a), c_loc(a%density)), layout_wrc_heat_properties(3))
+    call same('wrc_heat_properties', 'specific_heat', &
+      distance(c_loc(a), c_loc(a%specific_heat)), layout_wrc_heat_properties(4))
   end subroutine
   subroutine test_wrc_config_wheelset()
     type(wrc_config_wheelset), target :: a
@@ -224,16 +241,20 @@ contains
       distance(c_loc(a), c_loc(a%rail)), layout_wrc_config(5))
     call same('wrc_config', 'material', &
       distance(c_loc(a), c_loc(a%material)), layout_wrc_config(6))
+    call same('wrc_config', 'wheel_heat', &
+      distance(c_loc(a), c_loc(a%wheel_heat)), layout_wrc_config(7))
+    call same('wrc_config', 'rail_heat', &
+      distance(c_loc(a), c_loc(a%rail_heat)), layout_wrc_config(8))
     call same('wrc_config', 'wheelset', &
-      distance(c_loc(a), c_loc(a%wheelset)), layout_wrc_config(7))
+      distance(c_loc(a), c_loc(a%wheelset)), layout_wrc_config(9))
     call same('wrc_config', 'track', &
-      distance(c_loc(a), c_loc(a%track)), layout_wrc_config(8))
+      distance(c_loc(a), c_loc(a%track)), layout_wrc_config(10))
     call same('wrc_config', 'grid', &
-      distance(c_loc(a), c_loc(a%grid)), layout_wrc_config(9))
+      distance(c_loc(a), c_loc(a%grid)), layout_wrc_config(11))
     call same('wrc_config', 'normal', &
-      distance(c_loc(a), c_loc(a%normal)), layout_wrc_config(10))
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_config(12))
     call same('wrc_config', 'tangential', &
-      distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(11))
+      distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(13))
   end subroutine
   subroutine test_wrc_pose()
     type(wrc_pose), target :: a
@@ -843,6 +864,40 @@ contains
       distance(c_loc(a), c_loc(a%surface)), layout_wrc_stresses(5))
     call same('wrc_stresses', 'below', &
       distance(c_loc(a), c_loc(a%below)), layout_wrc_stresses(6))
+  end subroutine
+  subroutine test_wrc_bulk_temperatures()
+    type(wrc_bulk_temperatures), target :: a
+    call wrc_init(a)
+    call same('wrc_bulk_temperatures', 'size', c_sizeof(a), layout_wrc_bulk_temperatures(1))
+    call same('wrc_bulk_temperatures', 'wheel', &
+      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_bulk_temperatures(2))
+    call same('wrc_bulk_temperatures', 'rail', &
+      distance(c_loc(a), c_loc(a%rail)), layout_wrc_bulk_temperatures(3))
+  end subroutine
+  subroutine test_wrc_temperature()
+    type(wrc_temperature), target :: a
+    call wrc_init(a)
+    call same('wrc_temperature', 'size', c_sizeof(a), layout_wrc_temperature(1))
+    call same('wrc_temperature', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_temperature(2))
+    call same('wrc_temperature', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_temperature(3))
+    call same('wrc_temperature', 'at_entry', &
+      distance(c_loc(a), c_loc(a%at_entry)), layout_wrc_temperature(4))
+    call same('wrc_temperature', 'rise', &
+      distance(c_loc(a), c_loc(a%rise)), layout_wrc_temperature(5))
+    call same('wrc_temperature', 'x', &
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_temperature(6))
+    call same('wrc_temperature', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_temperature(7))
+    call same('wrc_temperature', 'largest', &
+      distance(c_loc(a), c_loc(a%largest)), layout_wrc_temperature(8))
+    call same('wrc_temperature', 'mean_rise', &
+      distance(c_loc(a), c_loc(a%mean_rise)), layout_wrc_temperature(9))
+    call same('wrc_temperature', 'wheel_heat', &
+      distance(c_loc(a), c_loc(a%wheel_heat)), layout_wrc_temperature(10))
+    call same('wrc_temperature', 'rail_heat', &
+      distance(c_loc(a), c_loc(a%rail_heat)), layout_wrc_temperature(11))
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a

@@ -212,7 +212,9 @@ enum wrc_field_id {
   WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
   WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
                                     needs wrc_contact_wear */
-  WRC_FIELD_STRIP_FRICTION = 19  /**< strips: coefficient of friction the law gave [-]; needs wrc_contact_tangential */
+  WRC_FIELD_STRIP_FRICTION = 19, /**< strips: coefficient of friction the law gave [-]; needs wrc_contact_tangential */
+  WRC_FIELD_TEMPERATURE_RISE = 20 /**< cells: rise of both surfaces by friction over what they have at first touch [K];
+                                     needs wrc_contact_temperature */
 };
 
 /* ------------------------------------------------------------------------------------------------------ structs */
@@ -243,6 +245,13 @@ typedef struct wrc_config_material {
   double shear_yield;   /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did you pass
                              MPa? */
 } wrc_config_material;
+
+/** How a body takes up heat. Read by wrc_contact_temperature() and friction over temperature. */
+typedef struct wrc_heat_properties {
+  double conductivity;  /**< lambda, 0.1..1000 W/(m K) [50]. Steel has 40 to 55 */
+  double density;       /**< rho, 100..1e5 kg/m^3 [7850]. Too small: did you pass g/cm^3? */
+  double specific_heat; /**< c, 10..1e5 J/(kg K) [450]. Too small: did you pass kJ? */
+} wrc_heat_properties;
 
 /** Where the wheels are on their axle. */
 typedef struct wrc_config_wheelset {
@@ -309,12 +318,14 @@ typedef struct wrc_config_tangential {
 /** Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A member that the
  * chosen methods do not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
-  uint32_t struct_size;             /**< sizeof this struct, 232 or more */
+  uint32_t struct_size;             /**< sizeof this struct, 280 or more */
   int32_t instruction_set;          /**< enum wrc_instruction_set; one this processor lacks is WRC_ERROR_UNSUPPORTED
                                          [WRC_INSTRUCTIONS_BEST] */
   wrc_profile wheel;                /**< profile of the wheel */
   wrc_profile rail;                 /**< profile of the rail; both are WRC_PROFILE_NONE or neither is */
   wrc_config_material material;     /**< of both bodies */
+  wrc_heat_properties wheel_heat;   /**< how the wheel takes up heat */
+  wrc_heat_properties rail_heat;    /**< how the rail does */
   wrc_config_wheelset wheelset;     /**< where the wheels are on their axle */
   wrc_config_track track;           /**< where the rails are */
   wrc_config_grid grid;             /**< strips, cells, rows of the gap */
@@ -678,6 +689,7 @@ WRC_API const char* wrc_status_text(int32_t status);
  * @{ */
 WRC_API int32_t wrc_profile_init(wrc_profile* profile); /**< Defaults: profile. */
 WRC_API int32_t wrc_config_init(wrc_config* config); /**< Defaults: configuration. */
+WRC_API int32_t wrc_heat_properties_init(wrc_heat_properties* heat); /**< Defaults: how a body takes up heat. */
 WRC_API int32_t wrc_pose_init(wrc_pose* pose); /**< Defaults: pose. */
 WRC_API int32_t wrc_gap_init(wrc_gap* gap); /**< Defaults: gap. */
 WRC_API int32_t wrc_load_init(wrc_load* load); /**< Defaults: load. */
@@ -709,6 +721,7 @@ WRC_API int32_t wrc_patch_init(wrc_patch* patch); /**< Defaults: patch. */
   }
 WRC_DEFAULT(wrc_profile)
 WRC_DEFAULT_SIZED(wrc_config)
+WRC_DEFAULT(wrc_heat_properties)
 WRC_DEFAULT(wrc_pose)
 WRC_DEFAULT(wrc_gap)
 WRC_DEFAULT(wrc_load)

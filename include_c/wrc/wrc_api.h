@@ -112,6 +112,13 @@ struct wrc_api {
     /**< wrc_exact_stress() */
   int32_t (*exact_largest_stresses)(const wrc_exact_loads*, const double*, uint32_t, wrc_stress_peaks*, wrc_stresses*, wrc_progress, void*, char*, uint64_t);
     /**< wrc_exact_largest_stresses() */
+  int32_t (*heat_properties_init)(wrc_heat_properties*); /**< wrc_heat_properties_init() */
+  int32_t (*bulk_temperatures_init)(wrc_bulk_temperatures*); /**< wrc_bulk_temperatures_init() */
+  int32_t (*temperature_init)(wrc_temperature*); /**< wrc_temperature_init() */
+  int32_t (*contact_temperature)(wrc_contact*, const wrc_bulk_temperatures*, wrc_temperature*);
+    /**< wrc_contact_temperature() */
+  int32_t (*flash_temperature)(uint32_t, double, const double*, double, const wrc_heat_properties*, const wrc_heat_properties*, double*);
+    /**< wrc_flash_temperature() */
 };
 
 #endif /* WRC_API_H */

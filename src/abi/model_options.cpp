@@ -1,6 +1,7 @@
 #include "abi/model_options.hpp"
 
 #include "abi/structs.hpp"
+#include "abi/temperature.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
 #include "tangential/force_table/force_table_file.hpp"
@@ -195,6 +196,7 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   options.load_tolerance = config.normal.load_tolerance;
   options.material = {config.material.shear_modulus, config.material.poisson};
   options.shear_yield = config.material.shear_yield;
+  options.effusivities = {effusivity_of(config.wheel_heat), effusivity_of(config.rail_heat)};
   options.wheelset.nominal_radius = config.wheelset.wheel_radius;
   options.wheelset.flange_back_distance = config.wheelset.flange_back_distance;
   options.track = {.gauge = config.track.gauge,

@@ -12,6 +12,7 @@
 
 #include "base/fault.hpp"
 #include "contact/model.hpp"
+#include "damage/flash_temperature.hpp"
 #include "damage/wear.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/creepages.hpp"
@@ -51,6 +52,14 @@ struct WearNumbers {
   double worn_area_rate = 0.0;          ///< by T-gamma [m^2/m]
   double largest_depth_rate = 0.0;      ///< Sheffield [m/m]
   double largest_depth_velocity = 0.0;  ///< Archard [m/s]
+};
+
+/// Temperatures in one contact.
+struct TemperatureNumbers {
+  double at_entry = 0.0;                     ///< of both surfaces at first touch [degC]
+  double rise = 0.0, x = 0.0, y = 0.0;       ///< the largest over that, and where [K], [m]
+  double mean_rise = 0.0;                    ///< over the area [K]
+  double wheel_heat = 0.0, rail_heat = 0.0;  ///< [W]
 };
 
 /// Where the y of friction zones counts from: the contact frame, or the rail's profile.
@@ -170,10 +179,12 @@ struct Contact {
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
-  bool touching = false;          ///< false: the bodies are apart and forces are zero
-  bool posed = false;             ///< pose and point belong to the gap in the contact
-  bool pressed = false;           ///< the patch belongs to the load
-  bool worn = false;              ///< strip_wear belongs to the present tractions
+  bool touching = false;  ///< false: the bodies are apart and forces are zero
+  bool posed = false;     ///< pose and point belong to the gap in the contact
+  bool pressed = false;   ///< the patch belongs to the load
+  /// What has been made of the present tractions beside the stages, and its fields belong to.
+  enum Beside : std::uint8_t { wear = 1, temperature = 2 };
+  std::uint8_t beside = 0;
   std::int32_t gap_rows = 0;      ///< rows in use
   std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
   std::int32_t strips = 0;        ///< of all patches
@@ -208,13 +219,13 @@ static_assert(sizeof(Load) == 4 * sizeof(double));
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
                                    sizeof(TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 4 * sizeof(bool) +
-                                     4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) +
-                                     sizeof(ContactPoint) + sizeof(Load) + sizeof(NormalSolution) +
-                                     sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
-                                     sizeof(Friction) + (2 + 2 * zone_capacity) * sizeof(double) +
-                                     sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
-                                     sizeof(std::int64_t) + sizeof(HostedWrench));
+static_assert(sizeof(Contact) ==
+              sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) + sizeof(std::uint8_t) +
+                  4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) + sizeof(ContactPoint) +
+                  sizeof(Load) + sizeof(NormalSolution) + sizeof(StripTotals) +
+                  sizeof(Patch[patch_capacity]) + sizeof(Creepage) + sizeof(Friction) +
+                  (2 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) + sizeof(TangentialForces) +
+                  sizeof(DamageNumbers) + sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
               2 * sizeof(std::int32_t) + 15 * sizeof(double) +
@@ -294,8 +305,15 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
 Friction friction_of(const Contact& contact);
 Fault assess_damage(Contact& contact);
 
+/// Why nothing can be made of the contact's tractions: there are none yet, none of this method, for which
+/// `why_not` is the sentence, or no contact.
+Fault tractions_needed(const Contact& contact, const char* why_not);
+
 /// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.
 Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
+
+/// Temperatures by the frictional power of the tractions in the contact; the same.
+Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature);
 
 /// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
 /// work on a copy: the contact stays as it is.

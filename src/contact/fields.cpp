@@ -16,7 +16,9 @@ bool computed(const Contact& contact, FieldStage stage) {
     case FieldStage::damage:
       return contact.reached >= Stage::damage;
     case FieldStage::wear:
-      return contact.worn;
+      return (contact.beside & Contact::wear) != 0;
+    case FieldStage::temperature:
+      return (contact.beside & Contact::temperature) != 0;
   }
   return false;
 }

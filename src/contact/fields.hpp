@@ -14,7 +14,7 @@ enum class FieldGrid { gap_rows, strips, cells };
 
 /// What must have been computed. `patch`: the strips of the patch, and after the tangential stage those that
 /// its method rolled.
-enum class FieldStage { gap, patch, tangential, damage, wear };
+enum class FieldStage { gap, patch, tangential, damage, wear, temperature };
 
 struct FieldRow {
   Array array;

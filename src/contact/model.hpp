@@ -7,6 +7,7 @@
 
 #include "base/fault.hpp"
 #include "contact/layout.hpp"
+#include "damage/flash_temperature.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
@@ -50,6 +51,7 @@ struct ModelOptions {
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
   double shear_yield = 0.0;     ///< k [Pa]
+  Effusivities effusivities;
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;

@@ -252,7 +252,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.rolling = rolling;
   contact.forces = {};
   contact.damage = {};
-  contact.worn = false;
+  contact.beside = 0;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;
   contact.law = friction;
@@ -328,17 +328,22 @@ Fault assess_damage(Contact& contact) {
   return {};
 }
 
-Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
-  wear = {};
+Fault tractions_needed(const Contact& contact, const char* why_not) {
   if (contact.reached < Stage::tangential) {
     return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
   }
   if (!gives_fields(contact)) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.tangential.method",
-            .cause = "this method has no tractions to wear by: choose another, or use T-gamma"};
+    return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  return {};
+}
+
+Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
+  wear = {};
+  const Fault fault =
+      tractions_needed(contact, "this method has no tractions to wear by: choose another, or use T-gamma");
+  if (fault.status != WRC_OK) return fault;
   const ModelOptions& options = contact.model->options;
   wear.worn_area_rate =
       worn_area_rate(laws.t_gamma, t_gamma(contact.forces), 2.0 * options.wheelset.nominal_radius);
@@ -368,7 +373,49 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
       per_width[j] = sum * 2.0 * region.half_length[j] / cells;
     }
   }
-  contact.worn = true;
+  contact.beside |= Contact::wear;
+  return {};
+}
+
+Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature) {
+  temperature = {};
+  const Fault fault = tractions_needed(contact, "this method has no power over the patch: choose another");
+  if (fault.status != WRC_OK) return fault;
+  const ModelOptions& options = contact.model->options;
+  const Effusivities& bodies = options.effusivities;
+  const std::int32_t cells = options.sizes.cells;
+  const double speed = contact.rolling.speed;
+  const FlashWeights weights(cells);
+  const double difference = bulk.rail - bulk.wheel;
+  double power = 0.0, into_wheel = 0.0, warmth = 0.0, area = 0.0;
+  temperature.at_entry = bulk.at_entry(bodies);
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    const Strips region = region_strips(contact, patch);
+    const TangentialFields fields = cell_fields(contact, patch);
+    const double* const x = cell_block(contact, Array::x, patch);
+    double* const rise = cell_block(contact, Array::temperature_rise, patch);
+    flash_rise(region, fields, cells, speed, bodies, weights, rise);
+    for (std::int32_t j = 0; j < region.count; ++j) {
+      const double length = 2.0 * region.half_length[j], cell_area = length / cells * region.width[j];
+      for (std::int32_t i = 0; i < cells; ++i) {
+        const std::int32_t at = i * region.count + j;
+        warmth += rise[at] * cell_area;
+        area += cell_area;
+        power -= speed * cell_area *
+                 (fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at]);
+        if (rise[at] <= temperature.rise) continue;
+        temperature.rise = rise[at];
+        temperature.x = x[at];
+        temperature.y = region.y[j];
+      }
+      into_wheel += region.width[j] * heat_by_touching(bodies, difference, speed, length);
+    }
+  }
+  temperature.mean_rise = area > 0.0 ? warmth / area : 0.0;
+  temperature.wheel_heat = bodies.wheel / bodies.sum() * power + into_wheel;
+  temperature.rail_heat = bodies.rail / bodies.sum() * power - into_wheel;
+  contact.beside |= Contact::temperature;
   return {};
 }
 

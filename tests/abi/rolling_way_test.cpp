@@ -83,7 +83,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
       ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
       const wrc_damage damaged = damage;
       std::vector<std::vector<double>> fields;
-      for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) fields.push_back(field(id));
+      for (int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) fields.push_back(field(id));
 
       creepage.longitudinal *= -1.0;
       creepage.spin *= -1.0;
@@ -99,7 +99,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
       EXPECT_GT(forces.power, 0.0) << method;
       EXPECT_EQ(backwards.adhesion_fraction, forces.adhesion_fraction) << method;
       EXPECT_EQ(std::memcmp(&damaged, &damage, sizeof damage), 0) << method;
-      for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
+      for (int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) {
         const bool along_x = id == WRC_FIELD_X || id == WRC_FIELD_TRACTION_X || id == WRC_FIELD_SLIP_X ||
                              id == WRC_FIELD_STRIP_CENTRE;
         std::vector<double> mirrored = field(id);

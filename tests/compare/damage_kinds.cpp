@@ -31,6 +31,10 @@ wrc_creepage creepage_of(const Csv& file, std::size_t row) {
   return creepage;
 }
 
+wrc_heat_properties steel_of(const Csv& file, std::size_t row) {
+  return {file(row, "lambda_W_mK"), file(row, "rho_kg_m3"), file(row, "cp_J_kgK")};
+}
+
 /// Pressure, tractions and slip of a row by the exact solver, on cells of about `dx` and `dy`.
 struct ExactFields {
   wrc_grid grid;
@@ -94,7 +98,75 @@ struct StressVariant {
 };
 const std::vector<StressVariant> stress_variants = {{"exact", exact_stresses}};
 
+/// Largest rise of the temperature [K].
+double exact_temperature(const Csv& file, std::size_t row) {
+  const ExactFields fields = exact_fields(file, row, 1e-3 * file(row, "dx_mm"), 1e-3 * file(row, "dy_mm"));
+  const double speed = file(row, "V_mps");
+  const wrc_heat_properties steel = steel_of(file, row);
+  double largest = 0.0;
+  for (uint32_t j = 0; j < fields.grid.ny; ++j) {
+    std::vector<double> power, rise;  // of the row's cells from the leading edge on
+    for (uint32_t i = fields.grid.nx; i-- > 0;) {
+      const std::size_t k = std::size_t{j} * fields.grid.nx + i;
+      if (fields.pressure[k] <= 0.0) continue;
+      power.push_back(-speed *
+                      (fields.traction_x[k] * fields.slip_x[k] + fields.traction_y[k] * fields.slip_y[k]));
+    }
+    if (power.empty()) continue;
+    rise.resize(power.size());
+    if (wrc_flash_temperature(static_cast<uint32_t>(power.size()), fields.grid.dx, power.data(), speed,
+                              &steel, &steel, rise.data()) < 0)
+      throw std::runtime_error("wrc_flash_temperature failed");
+    largest = std::max(largest, *std::max_element(rise.begin(), rise.end()));
+  }
+  return largest;
+}
+
+double strip_temperature(const Csv& file, std::size_t row) {
+  wrc_config config = wrc_config_default();
+  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.material.poisson = file(row, "nu");
+  config.wheel_heat = config.rail_heat = steel_of(file, row);
+  const Solver solver(config);
+  const wrc_ellipse ellipse = ellipse_of(file, row);
+  const wrc_creepage creepage = creepage_of(file, row);
+  wrc_friction friction = wrc_friction_default();
+  friction.coefficient = file(row, "mu");
+  int32_t status = wrc_contact_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
+  wrc_temperature temperature = wrc_temperature_default();
+  if (status >= 0) status = wrc_contact_temperature(solver.contact(), nullptr, &temperature);
+  if (status < 0) throw std::runtime_error(solver.reason(status));
+  return temperature.rise;
+}
+
+struct TemperatureVariant {
+  const char* name;
+  double (*find)(const Csv&, std::size_t row);
+};
+const std::vector<TemperatureVariant> temperature_variants = {{"strip", strip_temperature},
+                                                              {"exact", exact_temperature}};
+
 }  // namespace
+
+Report compare_temperature(const Csv& file, const Names& only) {
+  Report report;
+  report.kind = "temperature";
+  report.rows = file.rows();
+  report.measures = {"temperature"};
+  report.default_variant = temperature_variants[0].name;
+  for (const TemperatureVariant& variant : chosen(temperature_variants, only)) {
+    report.variants.emplace_back(variant.name);
+    for (std::size_t row = 0; row < file.rows(); ++row) {
+      try {
+        report.errors[variant.name]["temperature"].add(row,
+                                                       variant.find(file, row) / file(row, "dT_max_K") - 1.0);
+      } catch (const std::runtime_error& why) {
+        report.fail(row, variant.name, why.what());
+      }
+    }
+  }
+  return report;
+}
 
 Report compare_subsurface(const Csv& file, const Names& only) {
   Report report;

@@ -43,6 +43,9 @@ Report compare_grid(const Csv& file, const Names& only);
 /// Largest stresses below double ellipses and their depths.
 Report compare_subsurface(const Csv& file, const Names& only);
 
+/// The largest rise of the surface's temperature in ellipses.
+Report compare_temperature(const Csv& file, const Names& only);
+
 /// Wheels on rails from the pose to the wrench (wrc_contact_wrench): new and worn profiles at given heights;
 /// flange roots under given loads against conformal theory; second differences along lines through pose
 /// space; work round closed paths.

@@ -49,6 +49,8 @@ constexpr Kind kinds[] = {
     {"subsurf", compare::compare_subsurface, nullptr, none,
      "those of subsurf_cases.csv: largest stresses in the rail under a patch, and their depths"},
     {"subsurface", compare::compare_subsurface, nullptr, none, "the same kind by its longer name"},
+    {"temperature", compare::compare_temperature, nullptr, none,
+     "those of temperature_cases.csv: the largest rise of the surface's temperature by friction"},
     {"wheelset",
      nullptr,
      compare::compare_wheelset,

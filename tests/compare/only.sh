@@ -20,7 +20,7 @@ while IFS= read -r row; do
   grep -qxF -e "$row" "$folder/all" || { echo "not a row of the whole table: $row"; exit 1; }
 done < <(rows "$folder/some")
 
-for kind in sdec normal wheelrail halfspace-sdec halfspace-normal grid subsurf; do
+for kind in sdec normal wheelrail halfspace-sdec halfspace-normal grid subsurf temperature; do
   status=0
   "$compare" "$kind" "$folder/one.csv" --only guessed >"$folder/said" 2>&1 || status=$?
   [ "$status" -eq 1 ] && grep -q "no variant 'guessed'; known are" "$folder/said" && [ "$(wc -l <"$folder/said")" -ge 2 ] ||

@@ -178,7 +178,7 @@ class Case {
       check_step(status, results, input.load, input.creepage, input.friction.coefficient);
       all.push_back(status);
       for (double value : all_doubles(results)) all.push_back(value);
-      for (std::int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id)
+      for (std::int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id)
         for (double value : field(contact_, id)) all.push_back(value);
     }
     return all;
@@ -215,6 +215,25 @@ class Case {
     }
     for (double rate : field(contact_, WRC_FIELD_STRIP_WEAR))
       expect(std::isfinite(rate) && rate >= 0.0, "no strip grows");
+  }
+
+  /// Temperatures of whatever is in the contact.
+  void temperatures() {
+    where_ = "temperatures";
+    wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
+    if (choices_.one_in(2)) bulk.wheel = choices_.between(-273.0, 2000.0);
+    if (choices_.one_in(20)) bulk.rail = choices_.poison();
+    wrc_temperature result = wrc_temperature_default();
+    const std::int32_t status = hand_over(
+        [&] { return wrc_contact_temperature(contact_, choices_.one_in(4) ? nullptr : &bulk, &result); });
+    expect(documented(status), "the status is documented for this call");
+    for (double value : {result.at_entry, result.rise, result.x, result.y, result.largest, result.mean_rise,
+                         result.wheel_heat, result.rail_heat})
+      expect(std::isfinite(value), "every number is finite");
+    expect(result.rise >= 0.0 && result.mean_rise <= result.rise * (1.0 + 1e-9), "friction heats");
+    expect(status >= 0 || result.largest == 0.0, "outputs of a failed call are zero");
+    for (double rise : field(contact_, WRC_FIELD_TEMPERATURE_RISE))
+      expect(std::isfinite(rise) && rise >= 0.0, "no cell is cooled by friction");
   }
 
   /// Creepages at whatever contact point is in the contact.
@@ -274,6 +293,7 @@ class Case {
     const std::int32_t status = hand_over([&] { return wrc_contact_step(contact_, &input, &results); });
     check_step(status, results, input.load, input.creepage, given.most());
     if (choices_.one_in(2)) wear();
+    if (choices_.one_in(2)) temperatures();
     if (choices_.one_in(2)) creepages();
   }
 
@@ -488,7 +508,7 @@ class Case {
       if (wrc_contact_patch(contact_, each, &one) != WRC_OK) break;
       expect(all_finite(doubles_from(one, one.ellipse.a)), "every number of each patch is finite");
     }
-    for (std::int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
+    for (std::int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) {
       const std::vector<double> values = field(contact_, id);
       expect(all_finite(values), "every field is finite");
       if (id == WRC_FIELD_PRESSURE || id == WRC_FIELD_POWER_DENSITY || id == WRC_FIELD_STRIP_POWER) {

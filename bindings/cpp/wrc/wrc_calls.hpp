@@ -27,6 +27,12 @@ inline double shakedown_limit(double utilisation) { return detail::value_or_thro
 #endif
 /** wrc_contact_wrench_batch() */
 inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const wrc_wheel_input> inputs, span<wrc_wrench> wrenches, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(wrenches, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_wrench_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), wrenches.data(), detail::stride(wrenches), statuses.data()); }
+/** wrc_flash_temperature() */
+inline status flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail, double& rise) noexcept { return wrc_flash_temperature(count, cell, power_density, speed, wheel, &rail, &rise); }
+inline expected<double> try_flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return flash_temperature(count, cell, power_density, speed, wheel, rail, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline double flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail) { return detail::value_or_throw(try_flash_temperature(count, cell, power_density, speed, wheel, rail)); }
+#endif
 /** wrc_exact_normal() */
 inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_rolling() */
@@ -154,6 +160,12 @@ class contact_calls {
   expected<answer<wrc_region>> try_region(std::int32_t index) const noexcept { return detail::attempt_struct<wrc_region>(wrc_region_default(), [&](wrc_region& found_) { return this->region(index, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_region> region(std::int32_t index) const { return detail::value_or_throw(try_region(index), handle_); }
+#endif
+  /** wrc_contact_temperature() */
+  status temperature(const wrc_bulk_temperatures* bulk, wrc_temperature& temperature) noexcept { return wrc_contact_temperature(handle_, bulk, &temperature); }
+  expected<answer<wrc_temperature>> try_temperature(const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(wrc_temperature_default(), [&](wrc_temperature& found_) { return this->temperature(bulk, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_temperature> temperature(const wrc_bulk_temperatures* bulk) { return detail::value_or_throw(try_temperature(bulk), handle_); }
 #endif
   /** wrc_exact_gap() */
   status exact_gap(const wrc_grid& grid, double* gap) noexcept { return wrc_exact_gap(handle_, &grid, gap); }

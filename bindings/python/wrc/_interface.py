@@ -323,6 +323,8 @@ class FieldId(s.Choice):
     GAP_CURVATURE: gap rows: d2h/dx2 [1/m]
     STRIP_WEAR: strips: volume lost per metre rolled and per width, Sheffield's law [m]; needs Contact.wear
     STRIP_FRICTION: strips: coefficient of friction the law gave [-]; needs Contact.tangential
+    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]; needs
+        Contact.temperature
     """
 
     X = 0
@@ -345,6 +347,7 @@ class FieldId(s.Choice):
     GAP_CURVATURE = 17
     STRIP_WEAR = 18
     STRIP_FRICTION = 19
+    TEMPERATURE_RISE = 20
 
 
 class WheelReference(s.Choice):
@@ -542,6 +545,30 @@ class ConfigMaterial(s.Struct):
 assert c.sizeof(ConfigMaterial) == 24
 
 
+class HeatProperties(s.Struct):
+    """How a body takes up heat. Read by Contact.temperature() and friction over temperature.
+
+    Members:
+      conductivity [W/(m K)]: lambda (0.1 .. 1000; default 50)
+      density [kg/m^3]: rho (100 .. 1e5; default 7850)
+      specific_heat [J/(kg K)]: c (10 .. 1e5; default 450)
+    """
+
+    _c_name_ = 'wrc_heat_properties'
+    __slots__ = ()
+    conductivity: float
+    density: float
+    specific_heat: float
+    _units_ = {'conductivity': 'W/(m K)', 'density': 'kg/m^3', 'specific_heat': 'J/(kg K)'}
+    _hidden_ = ()
+    _fields_ = [
+        ('conductivity', c.c_double),
+        ('density', c.c_double),
+        ('specific_heat', c.c_double),
+    ]
+assert c.sizeof(HeatProperties) == 24
+
+
 class ConfigWheelset(s.Struct):
     """Where the wheels are on their axle.
 
@@ -713,6 +740,8 @@ class Config(s.Struct):
       wheel: profile of the wheel
       rail: profile of the rail; both are ProfileKind.NONE or neither is
       material: of both bodies
+      wheel_heat: how the wheel takes up heat
+      rail_heat: how the rail does
       wheelset: where the wheels are on their axle
       track: where the rails are
       grid: strips, cells, rows of the gap
@@ -727,6 +756,8 @@ class Config(s.Struct):
     wheel: Profile
     rail: Profile
     material: ConfigMaterial
+    wheel_heat: HeatProperties
+    rail_heat: HeatProperties
     wheelset: ConfigWheelset
     track: ConfigTrack
     grid: ConfigGrid
@@ -740,13 +771,15 @@ class Config(s.Struct):
         ('wheel', Profile),
         ('rail', Profile),
         ('material', ConfigMaterial),
+        ('wheel_heat', HeatProperties),
+        ('rail_heat', HeatProperties),
         ('wheelset', ConfigWheelset),
         ('track', ConfigTrack),
         ('grid', ConfigGrid),
         ('normal', ConfigNormal),
         ('tangential', ConfigTangential),
     ]
-assert c.sizeof(Config) == 232
+assert c.sizeof(Config) == 280
 
 
 class Pose(s.Struct):
@@ -1952,6 +1985,70 @@ class Stresses(s.Struct):
 assert c.sizeof(Stresses) == 296
 
 
+class BulkTemperatures(s.Struct):
+    """Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass.
+
+    Members:
+      wheel [degC]: of the tread (-273 .. 2000; default 20)
+      rail [degC]: of the running surface (-273 .. 2000; default 20)
+    """
+
+    _c_name_ = 'wrc_bulk_temperatures'
+    __slots__ = ()
+    wheel: float
+    rail: float
+    _units_ = {'wheel': 'degC', 'rail': 'degC'}
+    _hidden_ = ()
+    _fields_ = [
+        ('wheel', c.c_double),
+        ('rail', c.c_double),
+    ]
+assert c.sizeof(BulkTemperatures) == 16
+
+
+class Temperature(s.Struct):
+    """Temperatures in the contact. Wheel and rail have the same where they touch.
+
+    Members:
+      at_entry [degC]: of both surfaces as soon as they touch, between those of the bodies
+      rise [K]: the largest by friction over that, of all cells
+      x [m]: where: contact frame, the middle of the cell
+      y [m]: see x
+      largest [degC]: at_entry + rise
+      mean_rise [K]: over the contact's area
+      wheel_heat [W]: that flows into the wheel, of friction and of the bodies' touching
+      rail_heat [W]: the same of the rail; both together are the frictional power
+    """
+
+    _c_name_ = 'wrc_temperature'
+    __slots__ = ()
+    struct_size: int
+    reserved: int
+    at_entry: float
+    rise: float
+    x: float
+    y: float
+    largest: float
+    mean_rise: float
+    wheel_heat: float
+    rail_heat: float
+    _units_ = {'at_entry': 'degC', 'rise': 'K', 'x': 'm', 'y': 'm', 'largest': 'degC', 'mean_rise': 'K', 'wheel_heat': 'W', 'rail_heat': 'W'}
+    _hidden_ = ('struct_size', 'reserved')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('reserved', c.c_uint32),
+        ('at_entry', c.c_double),
+        ('rise', c.c_double),
+        ('x', c.c_double),
+        ('y', c.c_double),
+        ('largest', c.c_double),
+        ('mean_rise', c.c_double),
+        ('wheel_heat', c.c_double),
+        ('rail_heat', c.c_double),
+    ]
+assert c.sizeof(Temperature) == 72
+
+
 class Grid(s.Struct):
     """A rectangular grid in the contact frame.
 
@@ -2477,6 +2574,7 @@ _wrc_status_name = _l.function(FUNCTIONS, 'wrc_status_name', c.c_char_p, [c.c_in
 _wrc_status_text = _l.function(FUNCTIONS, 'wrc_status_text', c.c_char_p, [c.c_int32])
 _wrc_profile_init = _l.function(FUNCTIONS, 'wrc_profile_init', c.c_int32, [c.POINTER(Profile)])
 _wrc_config_init = _l.function(FUNCTIONS, 'wrc_config_init', c.c_int32, [c.POINTER(Config)])
+_wrc_heat_properties_init = _l.function(FUNCTIONS, 'wrc_heat_properties_init', c.c_int32, [c.POINTER(HeatProperties)])
 _wrc_pose_init = _l.function(FUNCTIONS, 'wrc_pose_init', c.c_int32, [c.POINTER(Pose)])
 _wrc_gap_init = _l.function(FUNCTIONS, 'wrc_gap_init', c.c_int32, [c.POINTER(Gap)])
 _wrc_load_init = _l.function(FUNCTIONS, 'wrc_load_init', c.c_int32, [c.POINTER(Load)])
@@ -2532,6 +2630,10 @@ _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_wrench_flat = _l.function(FUNCTIONS, 'wrc_contact_wrench_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
 _wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.POINTER(Stresses)])
+_wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
+_wrc_temperature_init = _l.function(FUNCTIONS, 'wrc_temperature_init', c.c_int32, [c.POINTER(Temperature)])
+_wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
+_wrc_flash_temperature = _l.function(FUNCTIONS, 'wrc_flash_temperature', c.c_int32, [c.c_uint32, c.c_double, s.Numbers(c.c_double), c.c_double, c.POINTER(HeatProperties), c.POINTER(HeatProperties), s.Numbers(c.c_double)])
 _wrc_get_api = _l.function(FUNCTIONS, 'wrc_get_api', c.c_void_p, [c.c_uint32])
 _wrc_grid_init = _l.function(FUNCTIONS, 'wrc_grid_init', c.c_int32, [c.POINTER(Grid)])
 _wrc_materials_init = _l.function(FUNCTIONS, 'wrc_materials_init', c.c_int32, [c.POINTER(Materials)])
@@ -2859,6 +2961,33 @@ class ContactCalls(_l.Handle):
                 raise self._error(status)
         return out
 
+    def temperature(self, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
+        """Temperatures in the contact from the frictional power of the last Contact.tangential or Contact.step,
+            and the field TEMPERATURE_RISE: flash temperatures of points that pass through the contact (Ertz
+            and Knothe, Wear 253 (2002) 498), T(s) = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 /
+            ((beta_w + beta_r) sqrt(pi V)) Int_0^s q / sqrt(s - s') ds', s from the leading edge along each
+            strip, q the power density, beta = sqrt(conductivity density specific_heat) of config.wheel_heat
+            and config.rail_heat. Heat flows into the depth alone, which holds from some 0.1 m/s on (Peclet
+            number V a density specific_heat / (2 conductivity) > 10); below, temperatures are too high and go
+            to zero with the speed. Near standstill (creepage.other_way) it is of the way of creepage.speed.
+            Cost grows with strips * cells^2. May be called again with other bulk temperatures. Theory manual,
+            section 6.
+
+        bulk: temperatures of the bodies; None: the defaults
+        out: the numbers; None: a new one
+
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
+            Contact.tangential before), _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone:
+            there is no power over the patch).
+        """
+        if out is None:
+            out = Temperature._new()
+        with self._lock:
+            status = self._status = _wrc_contact_temperature(self._handle, bulk, out)
+            if status < 0:
+                raise self._error(status)
+        return out
+
     def exact_check(self, nx: int, ny: int, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
         """Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages
             and friction) exactly on nx x ny cells over its patches, and reports the errors of the real-time
@@ -2943,6 +3072,7 @@ def shakedown_limit(utilisation: float) -> float:
 STRUCTS = {
     'wrc_profile': Profile,
     'wrc_config_material': ConfigMaterial,
+    'wrc_heat_properties': HeatProperties,
     'wrc_config_wheelset': ConfigWheelset,
     'wrc_config_track': ConfigTrack,
     'wrc_config_grid': ConfigGrid,
@@ -2980,6 +3110,8 @@ STRUCTS = {
     'wrc_stress_peak': StressPeak,
     'wrc_stress_peaks': StressPeaks,
     'wrc_stresses': Stresses,
+    'wrc_bulk_temperatures': BulkTemperatures,
+    'wrc_temperature': Temperature,
     'wrc_grid': Grid,
     'wrc_materials': Materials,
     'wrc_exact_normal_problem': ExactNormalProblem,
@@ -3023,6 +3155,7 @@ __all__ = [
     'ConicityMethod',
     'Profile',
     'ConfigMaterial',
+    'HeatProperties',
     'ConfigWheelset',
     'ConfigTrack',
     'ConfigGrid',
@@ -3060,6 +3193,8 @@ __all__ = [
     'StressPeak',
     'StressPeaks',
     'Stresses',
+    'BulkTemperatures',
+    'Temperature',
     'Grid',
     'Materials',
     'ExactNormalProblem',

@@ -155,9 +155,10 @@ inline constexpr Enumerator wrc_field_id_values[] = {
     {"WRC_FIELD_GAP_CURVATURE", WRC_FIELD_GAP_CURVATURE},
     {"WRC_FIELD_STRIP_WEAR", WRC_FIELD_STRIP_WEAR},
     {"WRC_FIELD_STRIP_FRICTION", WRC_FIELD_STRIP_FRICTION},
+    {"WRC_FIELD_TEMPERATURE_RISE", WRC_FIELD_TEMPERATURE_RISE},
 };
-inline constexpr Enumeration wrc_field_id{wrc_field_id_values, 20,
-    "see enum wrc_field_id: WRC_FIELD_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_Y (3), _SLIP_X (4), _SLIP_Y (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_Y (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _GAP_Y (14), _GAP_HEIGHT (15), _GAP_CENTRE (16), _GAP_CURVATURE (17), _STRIP_WEAR (18), _STRIP_FRICTION (19)"};
+inline constexpr Enumeration wrc_field_id{wrc_field_id_values, 21,
+    "see enum wrc_field_id: WRC_FIELD_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_Y (3), _SLIP_X (4), _SLIP_Y (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_Y (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _GAP_Y (14), _GAP_HEIGHT (15), _GAP_CENTRE (16), _GAP_CURVATURE (17), _STRIP_WEAR (18), _STRIP_FRICTION (19), _TEMPERATURE_RISE (20)"};
 
 inline constexpr Enumerator wrc_wheel_reference_values[] = {
     {"WRC_REFERENCE_WHEELSET", WRC_REFERENCE_WHEELSET},
@@ -279,6 +280,26 @@ struct Description<wrc_config_material> {
 static_assert(sizeof(wrc_config_material) == 24, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_heat_properties> {
+  static constexpr const char* name = "wrc_heat_properties";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_heat_properties defaults = [] {
+    wrc_heat_properties value{};
+    value.conductivity = 50;
+    value.density = 7850;
+    value.specific_heat = 450;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "conductivity", .offset = offsetof(wrc_heat_properties, conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
+      {.name = "density", .offset = offsetof(wrc_heat_properties, density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
+      {.name = "specific_heat", .offset = offsetof(wrc_heat_properties, specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
+  };
+};
+static_assert(sizeof(wrc_heat_properties) == 24, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_config_wheelset> {
   static constexpr const char* name = "wrc_config_wheelset";
   static constexpr bool versioned = false;
@@ -391,13 +412,15 @@ template <>
 struct Description<wrc_config> {
   static constexpr const char* name = "wrc_config";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 232;
+  static constexpr std::size_t first = 280;
   static constexpr wrc_config defaults = [] {
     wrc_config value{};
     value.struct_size = sizeof value;
     value.wheel = Description<wrc_profile>::defaults;
     value.rail = Description<wrc_profile>::defaults;
     value.material = Description<wrc_config_material>::defaults;
+    value.wheel_heat = Description<wrc_heat_properties>::defaults;
+    value.rail_heat = Description<wrc_heat_properties>::defaults;
     value.wheelset = Description<wrc_config_wheelset>::defaults;
     value.track = Description<wrc_config_track>::defaults;
     value.grid = Description<wrc_config_grid>::defaults;
@@ -421,6 +444,12 @@ struct Description<wrc_config> {
       {.name = "material.shear_modulus", .offset = offsetof(wrc_config, material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
       {.name = "material.poisson", .offset = offsetof(wrc_config, material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
       {.name = "material.shear_yield", .offset = offsetof(wrc_config, material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheel_heat.conductivity", .offset = offsetof(wrc_config, wheel_heat.conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
+      {.name = "wheel_heat.density", .offset = offsetof(wrc_config, wheel_heat.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
+      {.name = "wheel_heat.specific_heat", .offset = offsetof(wrc_config, wheel_heat.specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
+      {.name = "rail_heat.conductivity", .offset = offsetof(wrc_config, rail_heat.conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
+      {.name = "rail_heat.density", .offset = offsetof(wrc_config, rail_heat.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
+      {.name = "rail_heat.specific_heat", .offset = offsetof(wrc_config, rail_heat.specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
       {.name = "wheelset.wheel_radius", .offset = offsetof(wrc_config, wheelset.wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "wheelset.flange_back_distance", .offset = offsetof(wrc_config, wheelset.flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "track.placement", .offset = offsetof(wrc_config, track.placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
@@ -448,7 +477,7 @@ struct Description<wrc_config> {
       {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_config) == 232, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 280, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {
@@ -1326,6 +1355,49 @@ struct Description<wrc_stresses> {
   };
 };
 static_assert(sizeof(wrc_stresses) == 296, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_bulk_temperatures> {
+  static constexpr const char* name = "wrc_bulk_temperatures";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 16;
+  static constexpr wrc_bulk_temperatures defaults = [] {
+    wrc_bulk_temperatures value{};
+    value.wheel = 20;
+    value.rail = 20;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "wheel", .offset = offsetof(wrc_bulk_temperatures, wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "rail", .offset = offsetof(wrc_bulk_temperatures, rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+  };
+};
+static_assert(sizeof(wrc_bulk_temperatures) == 16, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_temperature> {
+  static constexpr const char* name = "wrc_temperature";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_temperature defaults = [] {
+    wrc_temperature value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_temperature, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_temperature, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "at_entry", .offset = offsetof(wrc_temperature, at_entry), .type = Type::real, .rule = Rule::none, .unit = "degC"},
+      {.name = "rise", .offset = offsetof(wrc_temperature, rise), .type = Type::real, .rule = Rule::none, .unit = "K"},
+      {.name = "x", .offset = offsetof(wrc_temperature, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_temperature, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest", .offset = offsetof(wrc_temperature, largest), .type = Type::real, .rule = Rule::none, .unit = "degC"},
+      {.name = "mean_rise", .offset = offsetof(wrc_temperature, mean_rise), .type = Type::real, .rule = Rule::none, .unit = "K"},
+      {.name = "wheel_heat", .offset = offsetof(wrc_temperature, wheel_heat), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "rail_heat", .offset = offsetof(wrc_temperature, rail_heat), .type = Type::real, .rule = Rule::none, .unit = "W"},
+  };
+};
+static_assert(sizeof(wrc_temperature) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {

@@ -42,32 +42,31 @@ main:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3296, %rsp
+	subq	$3344, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$599, (%rax)
+	cmpl	$719, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
-	leaq	4(%rsp), %rdx
-	movl	$57, %ecx
+	movl	$35, %ecx
 	movl	$0, %eax
-	movq	%rdx, %rdi
-	rep stosl
-	movl	$232, (%rsp)
+	movq	%rbp, %rdi
+	rep stosq
+	movl	$280, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
 	leaq	3056(%rsp), %rdi
-	movl	$58, %ecx
+	movl	$35, %ecx
 	movq	%rbp, %rsi
-	rep movsl
+	rep movsq
 	movl	$2, 3064(%rsp)
 	movl	$4, 3096(%rsp)
-	movl	$40, 3208(%rsp)
-	movl	$2, 3256(%rsp)
+	movl	$40, 3256(%rsp)
+	movl	$2, 3304(%rsp)
 	movq	$0, 3048(%rsp)
 	movq	$0, 3040(%rsp)
 	leaq	3048(%rsp), %rdx
@@ -275,7 +274,7 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3296, %rsp
+	addq	$3344, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12

@@ -104,6 +104,22 @@ void run_wear(wrc_contact* contact, Hash& hash) {
   }
 }
 
+void run_temperature(wrc_contact* contact, Hash& hash) {
+  for (double lateral : {0.0, 5.1e-3, 7e-3}) {
+    hash.add(roll(contact, lateral));
+    wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
+    bulk.wheel = 80.0 + 1e3 * lateral;
+    wrc_temperature found = wrc_temperature_default();
+    hash.add(wrc_contact_temperature(contact, &bulk, &found));
+    for (double number : {found.at_entry, found.rise, found.x, found.y, found.largest, found.mean_rise,
+                          found.wheel_heat, found.rail_heat})
+      hash.add(number);
+    wrc_view view{};
+    hash.add(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view));
+    hash_view(view, hash);
+  }
+}
+
 void run_plain_numbers(wrc_contact*, Hash& hash) {
   wrc_coefficients c{};
   double ratio = 1e-3;
@@ -224,6 +240,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});
+  plan.jobs.push_back({"temperature", model, {}, run_temperature});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});
   plan.jobs.push_back({"standstill", model, {}, run_standstill});

@@ -84,6 +84,18 @@ int32_t wear_numbers(Wheel& wheel) {
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
+int32_t temperatures(Wheel& wheel) {
+  wrc_temperature temperature = wrc_temperature_default();
+  const int32_t status = wrc_contact_temperature(wheel.contact, nullptr, &temperature);
+  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+}
+
+int32_t flash_temperature(Wheel&) {
+  double heat[512];
+  for (double& each : heat) each = 1e10;
+  return wrc_flash_temperature(512, 1e-5, heat, 30.0, nullptr, nullptr, heat);
+}
+
 int32_t sensitivities(Wheel& wheel) {
   wrc_sensitivity forces{};
   return wrc_contact_sensitivities(wheel.contact, &forces);
@@ -105,7 +117,7 @@ int32_t contact_patch(Wheel& wheel) {
 /// always.
 int32_t field(Wheel& wheel) {
   int32_t of_gap = WRC_OK;
-  for (int32_t id = 0; id <= WRC_FIELD_STRIP_FRICTION; ++id) {
+  for (int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) {
     wrc_view view{};
     const int32_t status = wrc_contact_field(wheel.contact, 0, id, &view);
     if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE && status < 0) of_gap = status;
@@ -287,6 +299,8 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_tangential", tangential},
       {"wrc_contact_damage", damage_numbers},
       {"wrc_contact_wear", wear_numbers},
+      {"wrc_contact_temperature", temperatures},
+      {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_sensitivities", sensitivities},
       {"wrc_contact_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},

@@ -1,0 +1,80 @@
+/// Contact temperatures: bulk temperatures checked, results handed back.
+#include "abi/temperature.hpp"
+
+#include "abi/call.hpp"
+
+namespace wrc::abi {
+namespace {
+
+Fault find_flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed,
+                             const wrc_heat_properties* wheel, const wrc_heat_properties* rail,
+                             double* rise) {
+  constexpr double shortest_cell = 1e-7, longest_cell = 0.01, most_power = 1e18;
+  constexpr double slowest = 1e-6, fastest = 200.0;
+  Fault fault = check(count, "count", "", 1.0, most_flash_cells);
+  if (fault.failed()) return fault;
+  if (power_density == nullptr) return {.status = WRC_ERROR_NULL, .field = "power_density"};
+  if (rise == nullptr) return {.status = WRC_ERROR_NULL, .field = "rise"};
+  wrc_heat_properties of_wheel, of_rail;
+  fault = first_of(
+      {check(cell, "cell", "m", shortest_cell, longest_cell, nullptr, "did you pass mm?"),
+       check(speed, "speed", "m/s", slowest, fastest, nullptr, "did you pass km/h?"),
+       check_all(power_density, count, "power_density", "W/m^2", -most_power, most_power, nullptr, nullptr),
+       read_or_defaults(wheel, "wheel", of_wheel), read_or_defaults(rail, "rail", of_rail)});
+  if (fault.failed()) {
+    for (std::uint32_t i = 0; i < count; ++i) rise[i] = 0.0;
+    return fault;
+  }
+  // One strip, whose tractions of 1 Pa slide by -q / V.
+  const auto cells = static_cast<std::int32_t>(count);
+  double one[most_flash_cells], none[most_flash_cells] = {}, slip[most_flash_cells], found[most_flash_cells];
+  for (std::int32_t i = 0; i < cells; ++i) {
+    one[i] = 1.0;
+    slip[i] = -power_density[i] / speed;
+  }
+  double half_length = 0.5 * cell * count;
+  Strips strip{};
+  strip.count = 1;
+  strip.half_length = &half_length;
+  flash_rise(strip, {one, none, slip, none}, cells, speed, {effusivity_of(of_wheel), effusivity_of(of_rail)},
+             FlashWeights(cells), found);
+  for (std::int32_t i = 0; i < cells; ++i) rise[i] = found[i];
+  return {};
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
+extern "C" {
+
+int32_t wrc_contact_temperature(wrc_contact* handle, const wrc_bulk_temperatures* bulk,
+                                wrc_temperature* temperature) {
+  namespace abi = wrc::abi;
+  return abi::call(handle, abi::clear(temperature), [&](wrc::Contact& contact) {
+    wrc_bulk_temperatures ours;
+    wrc::TemperatureNumbers numbers;
+    wrc::Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);
+    if (!outcome.failed()) outcome = wrc::assess_temperature(contact, {ours.wheel, ours.rail}, numbers);
+    if (outcome.failed()) return outcome;
+    wrc_temperature result = abi::empty<wrc_temperature>();
+    result.at_entry = numbers.at_entry;
+    result.rise = numbers.rise;
+    result.x = numbers.x;
+    result.y = numbers.y;
+    result.largest = numbers.at_entry + numbers.rise;
+    result.mean_rise = numbers.mean_rise;
+    result.wheel_heat = numbers.wheel_heat;
+    result.rail_heat = numbers.rail_heat;
+    abi::write(result, temperature);
+    return outcome;
+  });
+}
+
+int32_t wrc_flash_temperature(uint32_t count, double cell, const double* power_density, double speed,
+                              const wrc_heat_properties* wheel, const wrc_heat_properties* rail,
+                              double* rise) {
+  const wrc::abi::FloatingPointScope scope;
+  return wrc::abi::find_flash_temperature(count, cell, power_density, speed, wheel, rail, rise).status;
+}
+
+}  // extern "C"
