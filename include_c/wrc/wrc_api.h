@@ -119,6 +119,11 @@ struct wrc_api {
     /**< wrc_contact_temperature() */
   int32_t (*flash_temperature)(uint32_t, double, const double*, double, const wrc_heat_properties*, const wrc_heat_properties*, double*);
     /**< wrc_flash_temperature() */
+  int32_t (*exact_transient_create)(const wrc_grid*, const wrc_materials*, wrc_exact_transient**, char*, uint64_t);
+    /**< wrc_exact_transient_create() */
+  int32_t (*exact_transient_step)(wrc_exact_transient*, const wrc_exact_rolling_problem*, wrc_exact_rolling_solution*, char*, uint64_t);
+    /**< wrc_exact_transient_step() */
+  void (*exact_transient_destroy)(wrc_exact_transient*); /**< wrc_exact_transient_destroy() */
 };
 
 #endif /* WRC_API_H */

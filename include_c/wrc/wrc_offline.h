@@ -11,7 +11,8 @@
  * K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2) is neglected: it vanishes for equal materials, where all is exact.
  *
  * Memory during a call: 600 bytes per cell of the grid for the normal problem; for rolling at most 2.5 kB + 16 nx bytes
- * (measured: 7 MB at 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256; 20 GB is the bound at 1024 x 1024).
+ * (measured: 7 MB at 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256; 20 GB is the bound at 1024 x 1024). A
+ * handle of non-steady rolling keeps 850 bytes per cell.
  */
 #ifndef WRC_OFFLINE_H
 #define WRC_OFFLINE_H
@@ -257,6 +258,39 @@ WRC_API int32_t wrc_exact_stress(const wrc_exact_loads* loads, const double* poi
 WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* depths, uint32_t count,
                                            wrc_stress_peaks* levels, wrc_stresses* stresses, wrc_progress progress,
                                            void* user, char* text, uint64_t size);
+
+/** @name Non-steady rolling
+ * In each step the bodies roll on by one cell, grid.dx, under pressure, friction and creepages of that step, and what they
+ * were displaced by before stays with them: s(x) = w + (u(x) - u_before(x + dx)) / dx (Kalker 1990; CONTACT's T = 2 with
+ * dq = dx). Conditions that stay the same end in wrc_exact_rolling().
+ * @{ */
+
+/** Two bodies that roll, with their history. One thread at a time. */
+typedef struct wrc_exact_transient wrc_exact_transient;
+
+/** Makes two bodies that have not rolled yet, without tractions.
+ * @param grid cells of every step @param materials of the two bodies
+ * @param[out] transient the caller's, for wrc_exact_transient_destroy(); NULL on failure
+ * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _MEMORY. @rt init @thread free */
+WRC_API int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_materials* materials,
+                                           wrc_exact_transient** transient, char* text, uint64_t size);
+
+/** Rolls on by one cell. A failed or cancelled step leaves the bodies where they were; one without a cell under pressure
+ * leaves them without tractions.
+ * @param transient the bodies
+ * @param problem pressure and friction at the end of the step, creepages of its middle, grid and materials of the handle
+ * @param[in,out] solution at the end of the step; power is what slip dissipates, power_by_balance the work of the
+ * creepages, which the elastic energy of the bodies takes its part of
+ * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
+ * @return as wrc_exact_rolling(); _RANGE: grid or materials are not the handle's. @rt init @thread contact */
+WRC_API int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,
+                                         wrc_exact_rolling_solution* solution, char* text, uint64_t size);
+
+/** Frees what wrc_exact_transient_create() made; NULL is ignored. @param transient the bodies
+ * @rt init @thread contact */
+WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
+/** @} */
 
 /** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
  * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not

@@ -21,9 +21,23 @@
 #include "surface/surface_model.hpp"
 #include "wrc/wrc_offline.h"
 
+/// Bodies that have rolled so far, and what they are.
+struct wrc_exact_transient {
+  std::uint64_t tag;
+  wrc_grid grid;
+  wrc_materials materials;
+  wrc::halfspace::TransientSolver solver;
+};
+
 namespace wrc::abi {
 
 namespace {
+
+constexpr std::uint64_t transient_tag = 0x736e6172746378;  // "xctrans"
+
+bool is_transient(const wrc_exact_transient* handle) {
+  return handle != nullptr && handle->tag == transient_tag;
+}
 
 /// The host's callback behind the solver's: 0 goes on. A residual may rise on its way down; the fraction does
 /// not fall.
@@ -105,19 +119,12 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   return found.fault;
 }
 
-Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
-  wrc_exact_rolling_problem ours;
-  Fault fault = read(theirs, "problem", ours);
-  if (fault.failed()) return fault;
-  const halfspace::Grid grid = grid_of(ours.grid);
+/// A rolling problem as the solver takes it, `grid` being that of `ours`. The reporter must outlive it.
+Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Grid& grid, Reporter& reporter,
+                      halfspace::RollingProblem& problem) {
   const std::size_t cells = grid.cells();
-  for (double* each : {solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y}) {
-    zero_field(each, cells);
-  }
-  const Material material = material_of(ours.materials);
   const wrc_creepage& creepage = ours.creepage;
-  halfspace::RollingProblem problem;
-  fault = first_of(
+  Fault fault = first_of(
       {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
        check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, fastest_rolling,
              "the exact solver rolls along x: mirror the problem"),
@@ -142,20 +149,39 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
                             : halfspace::Collocation::quarter_point;
   problem.tolerance = ours.tolerance;
   problem.max_iterations = ours.max_iterations;
-  Reporter reporter{.progress = ours.progress, .user = ours.user};
   problem.progress = reporter.callback();
-  const bool touching =
-      std::any_of(problem.pressure.begin(), problem.pressure.end(), [](double p) { return p > 0.0; });
-  if (!touching) return {.status = WRC_FLAG_NO_CONTACT};
+  return {};
+}
 
-  const halfspace::RollingSolution found = halfspace::RollingSolver(grid, material).solve(problem);
-  if (found.fault.failed()) return found.fault;
+bool touching(const halfspace::RollingProblem& problem) {
+  return std::any_of(problem.pressure.begin(), problem.pressure.end(), [](double p) { return p > 0.0; });
+}
+
+/// Reads a rolling problem, has it solved and fills in the solution; solve(grid, materials, problem).
+template <typename Solve>
+Fault solve_rolling(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution,
+                    Solve&& solve) {
+  wrc_exact_rolling_problem ours;
+  Fault fault = read(theirs, "problem", ours);
+  if (fault.failed()) return fault;
+  const halfspace::Grid grid = grid_of(ours.grid);
+  for (double* each : {solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y}) {
+    zero_field(each, grid.cells());
+  }
+  Reporter reporter{.progress = ours.progress, .user = ours.user};
+  halfspace::RollingProblem problem;
+  fault = rolling_problem(ours, grid, reporter, problem);
+  if (fault.failed()) return fault;
+
+  const halfspace::RollingSolution found = solve(ours, problem);
+  if (found.fault.failed() || found.fault.status == WRC_FLAG_NO_CONTACT) return found.fault;
+  const double speed = ours.creepage.speed;
   solution.iterations = found.iterations;
   solution.fx = found.forces.fx;
   solution.fy = found.forces.fy;
   solution.mz = found.forces.mz;
-  solution.power = found.forces.power_per_speed * creepage.speed;
-  solution.power_by_balance = found.power_by_balance * creepage.speed;
+  solution.power = found.forces.power_per_speed * speed;
+  solution.power_by_balance = found.power_by_balance * speed;
   solution.adhesion_fraction = found.forces.adhesion_fraction;
   solution.residual = found.residual;
   copy_field(found.traction_x, solution.traction_x);
@@ -239,6 +265,16 @@ Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths,
   }
   fill(found.surface, found.below, body, stresses);
   return found.fault;
+}
+
+Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
+  return solve_rolling(
+      theirs, solution, [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+        halfspace::RollingSolution found;
+        found.fault = {.status = WRC_FLAG_NO_CONTACT};
+        if (!touching(problem)) return found;
+        return halfspace::RollingSolver(grid_of(ours.grid), material_of(ours.materials)).solve(problem);
+      });
 }
 
 /// Friction at y in the contact frame: that of the nearest strip.
@@ -427,6 +463,43 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   return found.fault;
 }
 
+bool equal(const wrc_grid& a, const wrc_grid& b) {
+  return a.nx == b.nx && a.ny == b.ny && a.dx == b.dx && a.dy == b.dy && a.x0 == b.x0 && a.y0 == b.y0;
+}
+
+bool equal(const wrc_materials& a, const wrc_materials& b) {
+  return a.shear_modulus_1 == b.shear_modulus_1 && a.poisson_1 == b.poisson_1 &&
+         a.shear_modulus_2 == b.shear_modulus_2 && a.poisson_2 == b.poisson_2;
+}
+
+Fault create_transient(const wrc_grid* grid, const wrc_materials* materials, wrc_exact_transient*& handle) {
+  wrc_grid cells;
+  wrc_materials bodies;
+  const Fault fault = first_of({read(grid, "grid", cells), read(materials, "materials", bodies)});
+  if (fault.failed()) return fault;
+  handle = new wrc_exact_transient{transient_tag, cells, bodies,
+                                   halfspace::TransientSolver(grid_of(cells), material_of(bodies))};
+  return {};
+}
+
+Fault step_transient(wrc_exact_transient& handle, const wrc_exact_rolling_problem* theirs,
+                     wrc_exact_rolling_solution& solution) {
+  return solve_rolling(
+      theirs, solution, [&](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+        const bool other_grid = !equal(ours.grid, handle.grid);
+        halfspace::RollingSolution found;
+        if (other_grid || !equal(ours.materials, handle.materials)) {
+          found.fault = {.status = WRC_ERROR_RANGE,
+                         .field = other_grid ? "problem.grid" : "problem.materials",
+                         .cause = "other than the handle was made with: its history does not fit"};
+          return found;
+        }
+        found = handle.solver.step(problem);
+        if (!found.fault.failed() && !touching(problem)) found.fault = {.status = WRC_FLAG_NO_CONTACT};
+        return found;
+      });
+}
+
 /// Only where the caller wants the fields; every number zero.
 wrc_exact_normal_solution emptied(const wrc_exact_normal_solution& theirs) {
   wrc_exact_normal_solution ours = defaults<wrc_exact_normal_solution>();
@@ -515,6 +588,31 @@ int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* d
     return found;
   });
   return abi::finish(fault, text, size);
+}
+
+int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_materials* materials,
+                                   wrc_exact_transient** transient, char* text, uint64_t size) {
+  if (transient == nullptr) return WRC_ERROR_NULL;
+  *transient = nullptr;
+  return abi::finish(
+      abi::guarded([&]() -> Fault { return abi::create_transient(grid, materials, *transient); }), text,
+      size);
+}
+
+int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,
+                                 wrc_exact_rolling_solution* solution, char* text, uint64_t size) {
+  return abi::solve_into(
+      problem, solution, text, size,
+      [&](const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& ours) -> Fault {
+        if (!abi::is_transient(transient)) return {.status = WRC_ERROR_NULL, .field = "transient"};
+        return abi::step_transient(*transient, theirs, ours);
+      });
+}
+
+void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
+  if (!abi::is_transient(transient)) return;
+  transient->tag = 0;
+  delete transient;
 }
 
 int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,

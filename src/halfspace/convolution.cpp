@@ -18,9 +18,11 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   kxx_.assign(coefficients, 0.0);
   kyy_.assign(coefficients, 0.0);
   kxy_.assign(coefficients, 0.0);
-  const bool shear = kernel == Kernel::shear || kernel == Kernel::tangential;
+  const bool shear =
+      kernel == Kernel::shear || kernel == Kernel::shear_slip || kernel == Kernel::tangential;
   const bool differenced = kernel == Kernel::normal_slip || kernel == Kernel::tangential;
   const auto coefficient = [&](double at, double upstream) {
+    if (kernel == Kernel::shear_slip) return at / grid.dx;
     return differenced ? (at - upstream) / grid.dx : at;
   };
   for (int my = 1 - ny_; my < ny_; ++my) {

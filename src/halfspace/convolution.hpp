@@ -22,6 +22,7 @@ class Convolution {
     normal,       ///< u_z from p_z, of two independent pressure fields at once
     normal_slip,  ///< (u_z - u_z one cell upstream) / dx from p_z, of two fields at once
     shear,        ///< u_x and u_y from p_x and p_y
+    shear_slip,   ///< u_x / dx and u_y / dx from p_x and p_y: slip while the surfaces advance by a cell
     tangential    ///< (u_x - u_x one cell upstream) / dx and the same of u_y, from p_x and p_y: minus the
                 ///< upstream difference quotient of displacement along the rolling direction, tangential.hpp
   };

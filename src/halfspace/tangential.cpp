@@ -14,8 +14,20 @@
 namespace wrc::halfspace {
 namespace {
 
+constexpr int products_of_a_step = 20;  // of projected gradients, for one of Newton's iterations
+
 double friction_of(const RollingProblem& problem, std::size_t at) {
   return problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at];
+}
+
+Fault capped(double residual, double tolerance) {
+  return {.status = WRC_FLAG_ITERATION_CAP,
+          .field = "solution.residual",
+          .value = residual,
+          .unit = "",
+          .low = 0.0,
+          .high = tolerance,
+          .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
 }
 
 // One grid's Newton iteration. Tractions in `solution` are the start and the result.
@@ -187,13 +199,148 @@ bool Newton::run(double tolerance, double begun, double done) {
     step();
     update_slip();
   }
-  s.fault = {.status = WRC_FLAG_ITERATION_CAP,
-             .field = "solution.residual",
-             .value = s.residual,
-             .unit = "",
-             .low = 0.0,
-             .high = tolerance,
-             .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
+  s.fault = capped(s.residual, tolerance);
+  return true;
+}
+
+// One step of rolling that is not steady. Its slips are the gradient of
+//     E(p) = 1/2 p.A p + w'.p,  A the displacements of tractions over dx, symmetric and positive,
+// w' the rigid slip and what earlier displacements add, and its solution is where E is least with |p| <= g in
+// every cell. Spectral projected gradients find it (Birgin, Martinez, Raydan, SIAM J. Optim. 10, 2000): steps
+// of Barzilai and Borwein's length, cut back onto the disks, halved in effect by an exact search wherever E
+// would exceed its largest of the last few steps. Newton's moving adhesion area goes round in circles here:
+// cells act on their neighbours with one sign.
+class TransientStep {
+ public:
+  TransientStep(const Grid& grid, TurnedConvolution& displacement, const RollingProblem& problem,
+                const Field& earlier_x, const Field& earlier_y, RollingSolution& solution);
+
+  // Iterates until the convergence test holds; false if cancelled.
+  bool run();
+
+ private:
+  struct Cell {
+    std::size_t at;
+    double wx, wy;  // rigid slip and that of earlier displacements
+    double bound;   // g [Pa]
+  };
+  void displace(const Field& x, const Field& y);
+  double residual();
+
+  const RollingProblem& problem_;
+  RollingSolution& solution_;
+  TurnedConvolution& displacement_;
+  double rho_;
+  std::vector<Cell> cells_;
+  Field change_x_, change_y_, slip_x_, slip_y_;
+};
+
+// The point of the disk of this radius nearest to (x, y).
+void into_disk(double radius, double& x, double& y) {
+  const double length = std::sqrt(x * x + y * y);
+  if (length <= radius) return;
+  x *= radius / length;
+  y *= radius / length;
+}
+
+TransientStep::TransientStep(const Grid& grid, TurnedConvolution& displacement, const RollingProblem& problem,
+                             const Field& earlier_x, const Field& earlier_y, RollingSolution& solution)
+    : problem_(problem),
+      solution_(solution),
+      displacement_(displacement),
+      rho_(1.0 / std::max(displacement.planar().xx(0, 0), displacement.planar().yy(0, 0))),
+      change_x_(grid.cells(), 0.0),
+      change_y_(grid.cells(), 0.0),
+      slip_x_(grid.cells(), 0.0),
+      slip_y_(grid.cells(), 0.0) {
+  const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
+  const Creepage& c = problem.creepage;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const std::size_t at = grid.index(i, j);
+      if (problem.pressure[at] <= 0.0) continue;
+      const double bound = problem.adhesion == Adhesion::full
+                               ? std::numeric_limits<double>::infinity()
+                               : friction_of(problem, at) * problem.pressure[at];
+      cells_.push_back({at, c.longitudinal - c.spin * grid.y(j) + earlier_x[at],
+                        c.lateral + c.spin * (grid.x(i) + ahead) + earlier_y[at], bound});
+      into_disk(bound, solution.traction_x[at], solution.traction_y[at]);
+    }
+  }
+}
+
+// Slip that tractions cause, into slip_x_, slip_y_.
+void TransientStep::displace(const Field& x, const Field& y) {
+  slip_x_ = x;
+  slip_y_ = y;
+  displacement_.tangential(slip_x_, slip_y_);
+  ++solution_.products;
+}
+
+// |p - P(p - rho s)| over |min(g, max(|p|, rho |w'|))|, and which cells slide.
+double TransientStep::residual() {
+  RollingSolution& s = solution_;
+  NewtonResidual sums;
+  for (const Cell& c : cells_) {
+    const double px = s.traction_x[c.at], py = s.traction_y[c.at];
+    double x = px - rho_ * s.slip_x[c.at], y = py - rho_ * s.slip_y[c.at];
+    s.state[c.at] = x * x + y * y > c.bound * c.bound ? CellState::slip : CellState::adhesion;
+    into_disk(c.bound, x, y);
+    sums.error_squared += (px - x) * (px - x) + (py - y) * (py - y);
+    const double asked = std::max(px * px + py * py, rho_ * rho_ * (c.wx * c.wx + c.wy * c.wy));
+    sums.norm_squared += std::min(c.bound * c.bound, asked);
+  }
+  return sums.value();
+}
+
+bool TransientStep::run() {
+  RollingSolution& s = solution_;
+  displace(s.traction_x, s.traction_y);
+  for (const Cell& c : cells_) {
+    s.slip_x[c.at] = c.wx + slip_x_[c.at];
+    s.slip_y[c.at] = c.wy + slip_y_[c.at];
+  }
+  constexpr int remembered = 10;
+  double energies[remembered] = {};  // relative to that of the start
+  double energy = 0.0, length = rho_;
+  const int cap = products_of_a_step * problem_.max_iterations;
+  for (s.iterations = 0;; ++s.iterations) {
+    s.residual = residual();
+    if (s.residual <= problem_.tolerance) return true;
+    if (s.iterations == cap) break;
+    const double decades =
+        natural_log(std::max(s.residual, problem_.tolerance)) / natural_log(problem_.tolerance);
+    if (!problem_.progress.goes_on(std::clamp(decades, 0.0, 1.0))) return false;
+    double slope = 0.0;
+    for (const Cell& c : cells_) {
+      double x = s.traction_x[c.at] - length * s.slip_x[c.at],
+             y = s.traction_y[c.at] - length * s.slip_y[c.at];
+      into_disk(c.bound, x, y);
+      change_x_[c.at] = x - s.traction_x[c.at];
+      change_y_[c.at] = y - s.traction_y[c.at];
+      slope += s.slip_x[c.at] * change_x_[c.at] + s.slip_y[c.at] * change_y_[c.at];
+    }
+    displace(change_x_, change_y_);
+    double bend = 0.0, square = 0.0;
+    for (const Cell& c : cells_) {
+      bend += change_x_[c.at] * slip_x_[c.at] + change_y_[c.at] * slip_y_[c.at];
+      square += change_x_[c.at] * change_x_[c.at] + change_y_[c.at] * change_y_[c.at];
+    }
+    if (!(bend > 0.0)) break;
+    double share = 1.0;
+    if (energy + slope + 0.5 * bend > *std::max_element(energies, energies + remembered))
+      share = -slope / bend;
+    energy += share * (slope + 0.5 * share * bend);
+    energies[s.iterations % remembered] = energy;
+    length = square / bend;
+    for (const Cell& c : cells_) {
+      s.traction_x[c.at] += share * change_x_[c.at];
+      s.traction_y[c.at] += share * change_y_[c.at];
+      s.slip_x[c.at] += share * slip_x_[c.at];
+      s.slip_y[c.at] += share * slip_y_[c.at];
+    }
+  }
+  s.fault = capped(s.residual, problem_.tolerance);
   return true;
 }
 
@@ -358,6 +505,40 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     if (l > 0) coarse = std::move(solution);
   }
   finish(levels_[0].grid, problem, solution);
+  return solution;
+}
+
+TransientSolver::TransientSolver(const Grid& grid, const Material& material)
+    : grid_(grid),
+      displacement_(grid, material, Convolution::Kernel::shear_slip),
+      steady_(grid, material, Convolution::Kernel::tangential),
+      traction_x_(grid.cells(), 0.0),
+      traction_y_(grid.cells(), 0.0) {}
+
+RollingSolution TransientSolver::step(const RollingProblem& problem) {
+  RollingSolution solution;
+  clear(grid_, solution);
+  solution.fault = check(grid_, problem);
+  if (solution.fault.failed()) return solution;
+  // -u_before(x + dx) / dx is what the steady slip has beside u(x) / dx, of the tractions before.
+  Field earlier_x = traction_x_, earlier_y = traction_y_, own_x = traction_x_, own_y = traction_y_;
+  steady_.tangential(earlier_x, earlier_y);
+  displacement_.tangential(own_x, own_y);
+  for (std::size_t k = 0; k < earlier_x.size(); ++k) {
+    earlier_x[k] -= own_x[k];
+    earlier_y[k] -= own_y[k];
+    if (problem.pressure[k] <= 0.0) continue;
+    solution.traction_x[k] = traction_x_[k];
+    solution.traction_y[k] = traction_y_[k];
+  }
+  if (!TransientStep(grid_, displacement_, problem, earlier_x, earlier_y, solution).run()) {
+    clear(grid_, solution);
+    solution.fault = {.status = WRC_ERROR_CANCELLED};
+    return solution;
+  }
+  finish(grid_, problem, solution);
+  traction_x_ = solution.traction_x;
+  traction_y_ = solution.traction_y;
   return solution;
 }
 

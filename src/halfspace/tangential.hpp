@@ -1,4 +1,4 @@
-/// Steady rolling with Coulomb friction between two half-spaces: Kalker's exact theory.
+/// Rolling with Coulomb friction between two half-spaces, steady or step by step: Kalker's exact theory.
 ///
 /// Slip of the wheel over the rail per unit rolled length, particles travelling towards -x:
 ///     s(x, y) = w(x, y) - du/dx,    w = (nu_x - phi y, nu_y + phi x),
@@ -107,6 +107,28 @@ class RollingSolver {
     TurnedConvolution convolution;
   };
   std::vector<Level> levels_;  // finest first
+};
+
+/// Non-steady rolling in the contact frame, from bodies without tractions. In a step the bodies advance by
+/// one cell, so that what is at x was at x + dx before, with the displacements of then:
+///     s(x) = w + (u(x) - u_before(x + dx)) / dx
+/// (Kalker 1990, 1.3; CONTACT's T = 2 with dq = dx). Everything else is as in steady rolling, which is what a
+/// long time under equal conditions ends in, to the tolerance. Not to be shared by threads.
+class TransientSolver {
+ public:
+  TransientSolver(const Grid& grid, const Material& material);
+
+  const Grid& grid() const { return grid_; }
+
+  /// One step: pressure and friction as they are at its end, creepages those of its middle. A failed or
+  /// cancelled step leaves the state where it was. `start` is not used, the tractions before are the start.
+  /// power_by_balance is the work of the creepages: what is dissipated and what the elastic energy gains.
+  RollingSolution step(const RollingProblem& problem);
+
+ private:
+  Grid grid_;
+  TurnedConvolution displacement_, steady_;
+  Field traction_x_, traction_y_;  // at the end of the last step
 };
 
 }  // namespace wrc::halfspace

@@ -32,7 +32,7 @@ class TurnedConvolution {
   /// The same with sin(a_i - a_j).
   void normal_crossed(const Field& p, Field& out);
 
-  /// Kernels shear, tangential, in place: x <- sum_j K_xx x_j + K_xy y_j,
+  /// Kernels shear, shear_slip, tangential, in place: x <- sum_j K_xx x_j + K_xy y_j,
   /// y <- sum_j cos(a_i - a_j) (K_xy x_j + K_yy y_j).
   void tangential(Field& x, Field& y);
   /// out_i = sum_j sin(a_i - a_j) (K_xy x_j + K_yy y_j).

@@ -36,6 +36,10 @@ Report compare_wheelrail(const Csv& file, const Names& only);
 Report compare_halfspace_sdec(const Csv& file, const Names& only);
 Report compare_halfspace_normal(const Csv& file, const Names& only);
 
+/// Non-steady rolling, step by step: the exact solver with history and the real-time method with memory.
+/// Errors are over mu times the row's load; beside all rows they are listed by wave length.
+Report compare_transient(const Csv& file, const Names& only);
+
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);

@@ -44,6 +44,8 @@ constexpr Kind kinds[] = {
      "those of sdec_cases.csv: the exact solver on each row's grid"},
     {"halfspace-normal", compare::compare_halfspace_normal, nullptr, none,
      "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
+    {"transient", compare::compare_transient, nullptr, none,
+     "those of transient_cases.csv, transient_params.csv beside it: rolling that is not steady"},
     {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
     {"subsurf", compare::compare_subsurface, nullptr, none,

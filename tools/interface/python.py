@@ -6,7 +6,7 @@ import fortran
 
 NUMBERS = {"int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "uint64_t": "c.c_uint64", "int64_t": "c.c_int64",
            "double": "c.c_double"}
-HANDLES = ("wrc_contact", "wrc_model")
+HANDLES = ("wrc_contact", "wrc_model", "wrc_exact_transient")
 # Written by hand in contact.py, where a Python caller wants something else than the C arguments.
 BY_HAND = ("wrc_contact_field", "wrc_model_profile", "wrc_config_use")
 # double* that is one number; any other may be an array, and such calls are left to the raw functions.

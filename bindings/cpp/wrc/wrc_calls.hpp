@@ -41,6 +41,10 @@ inline status exact_rolling(const wrc_exact_rolling_problem& problem, wrc_exact_
 inline status exact_stress(const wrc_exact_loads& loads, const double* points, std::uint32_t count, double& stresses, span<char> text) noexcept { return wrc_exact_stress(&loads, points, count, &stresses, text.data(), text.size()); }
 /** wrc_exact_largest_stresses() */
 inline status exact_largest_stresses(const wrc_exact_loads& loads, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses, wrc_progress progress, void* user, span<char> text) noexcept { return wrc_exact_largest_stresses(&loads, depths, count, levels, stresses, progress, user, text.data(), text.size()); }
+/** wrc_exact_transient_create() */
+inline status exact_transient_create(const wrc_grid& grid, const wrc_materials& materials, wrc_exact_transient** transient, span<char> text) noexcept { return wrc_exact_transient_create(&grid, &materials, transient, text.data(), text.size()); }
+/** wrc_exact_transient_step() */
+inline status exact_transient_step(wrc_exact_transient& transient, const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_transient_step(&transient, &problem, &solution, text.data(), text.size()); }
 /** wrc_equivalent_conicity() */
 inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conicity& conicity, span<char> text) noexcept { return wrc_equivalent_conicity(&problem, &conicity, text.data(), text.size()); }
 

@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kinds.hpp"
+#include "library.hpp"
+#include "wrc/wrc_offline.h"
+
+namespace compare {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// One line of transient_params.csv.
+struct Sequence {
+  long number = 0;
+  std::string kind;
+  bool ellipse = false;
+  wrc_ellipse shape = wrc_ellipse_default();  ///< at the mean load
+  double load_amplitude = 0.0, wave_length = 0.0;
+  double gap_x = 0.0, gap_y = 0.0;  ///< A, B of the gap A x^2 + B y^2 [1/m]
+  wrc_materials materials = wrc_materials_default();
+  double friction = 0.0, step = 0.0;
+  wrc_creepage mean = wrc_creepage_default(), amplitude = wrc_creepage_default();
+  int stride = 0;
+
+  double sine(double s) const { return wave_length > 0.0 ? std::sin(2.0 * pi * s / wave_length) : 0.0; }
+  double load(double s) const { return shape.normal_force * (1.0 + load_amplitude * sine(s)); }
+  wrc_creepage creepage(double s) const {
+    wrc_creepage c = mean;
+    c.longitudinal += amplitude.longitudinal * sine(s);
+    c.lateral += amplitude.lateral * sine(s);
+    c.spin += amplitude.spin * sine(s);
+    return c;
+  }
+  /// Hertz's ellipse at this load, the double ellipse of a prescribed pressure at the mean one.
+  wrc_ellipse patch(double s) const {
+    wrc_ellipse patch = shape;
+    patch.normal_force = load(s);
+    const double scale = std::cbrt(patch.normal_force / shape.normal_force);
+    patch.a *= scale;
+    patch.b *= scale;
+    return patch;
+  }
+};
+
+Sequence sequence_of(const Csv& file, std::size_t row) {
+  Sequence q;
+  q.number = static_cast<long>(file(row, "case"));
+  q.kind = file.text(row, "kind");
+  q.ellipse = file.text(row, "shape") == "ellipse";
+  q.shape.a = 1e-3 * file(row, "a_mm");
+  q.shape.b = 1e-3 * file(row, "b_mm");
+  q.shape.psi = file(row, "psi");
+  q.shape.normal_force = file(row, "Fn0_N");
+  q.load_amplitude = file(row, "Fn_amp");
+  q.wave_length = 1e-3 * file(row, "L_mm");
+  q.gap_x = 1e3 * file(row, "A_per_mm");
+  q.gap_y = 1e3 * file(row, "B_per_mm");
+  q.materials.shear_modulus_1 = q.materials.shear_modulus_2 = 1e6 * file(row, "G_MPa");
+  q.materials.poisson_1 = q.materials.poisson_2 = file(row, "nu");
+  q.friction = file(row, "mu");
+  q.step = 1e-3 * file(row, "dq_mm");
+  q.mean.longitudinal = file(row, "cx0");
+  q.amplitude.longitudinal = file(row, "cx1");
+  q.mean.lateral = file(row, "cy0");
+  q.amplitude.lateral = file(row, "cy1");
+  q.mean.spin = file(row, "phi0_per_m");
+  q.amplitude.spin = file(row, "phi1_per_m");
+  q.stride = static_cast<int>(file(row, "stride"));
+  return q;
+}
+
+/// The parameters' file that belongs to a file of cases.
+std::string parameters_of(const std::string& path) {
+  const std::size_t at = path.rfind("cases");
+  if (at == std::string::npos)
+    throw std::runtime_error(path + ": no 'cases' in its name to make 'params' of");
+  return path.substr(0, at) + "params" + path.substr(at + 5);
+}
+
+struct Force {
+  double fx = 0.0, fy = 0.0;
+};
+
+/// What rolls a sequence, one step of `Sequence::step` at a time.
+class Roller {
+ public:
+  virtual ~Roller() = default;
+  /// Force at the end of the step that ends at `s`; throws the reason of a failure.
+  virtual Force roll(const Sequence& sequence, double s) = 0;
+};
+
+/// wrc_exact_transient_step() on the reference's own cells: a step long, b / 28 wide, borders on the origin.
+class Exact : public Roller {
+ public:
+  explicit Exact(const Sequence& q) {
+    grid_.dx = q.step;
+    grid_.dy = q.shape.b / 28.0;
+    const double margin = std::cbrt(1.0 + std::fabs(q.load_amplitude));
+    const auto cells = [](double length, double cell) {
+      return static_cast<std::uint32_t>(std::ceil(length / cell - 1e-3)) + 1;
+    };
+    const std::uint32_t ahead = cells(margin * q.shape.a, grid_.dx);
+    const std::uint32_t right = cells(margin * q.shape.b * (1.0 - q.shape.psi), grid_.dy);
+    const std::uint32_t left = cells(margin * q.shape.b * (1.0 + q.shape.psi), grid_.dy);
+    grid_.nx = 2 * ahead;
+    grid_.ny = left + right;
+    grid_.x0 = -(ahead - 0.5) * grid_.dx;
+    grid_.y0 = -(right - 0.5) * grid_.dy;
+    if (wrc_exact_transient_create(&grid_, &q.materials, &transient_, text_, sizeof text_) < 0)
+      throw std::runtime_error(text_);
+    pressure_.resize(std::size_t{grid_.nx} * grid_.ny);
+    if (q.load_amplitude == 0.0) press(q, 0.0);
+  }
+  Exact(const Exact&) = delete;
+  Exact& operator=(const Exact&) = delete;
+  ~Exact() override { wrc_exact_transient_destroy(transient_); }
+
+  Force roll(const Sequence& q, double s) override {
+    if (q.load_amplitude != 0.0) press(q, s);
+    wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+    problem.collocation = WRC_COLLOCATION_REFERENCE;
+    problem.materials = q.materials;
+    problem.grid = grid_;
+    problem.pressure = pressure_.data();
+    problem.coefficient = q.friction;
+    problem.creepage = q.creepage(s - 0.5 * q.step);
+    wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+    if (wrc_exact_transient_step(transient_, &problem, &solution, text_, sizeof text_) < 0)
+      throw std::runtime_error(text_);
+    return {solution.fx, solution.fy};
+  }
+
+ private:
+  /// The pressure at the load at `s`.
+  void press(const Sequence& q, double s) {
+    if (!q.ellipse) {
+      const double peak = 1.5 * q.load(s) / (pi * q.shape.a * q.shape.b);
+      for_each([&](double x, double y) {
+        const double eta = y / (q.shape.b * (1.0 + (y > 0.0 ? q.shape.psi : -q.shape.psi)));
+        const double xi = x / q.shape.a;
+        return peak * std::sqrt(std::fmax(0.0, 1.0 - xi * xi - eta * eta));
+      });
+      return;
+    }
+    for_each([&](double x, double y) { return q.gap_x * x * x + q.gap_y * y * y; });
+    const std::vector<double> gap = pressure_;
+    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+    problem.normal_force = q.load(s);
+    problem.materials = q.materials;
+    problem.grid = grid_;
+    problem.gap = gap.data();
+    wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+    solution.pressure = pressure_.data();
+    if (wrc_exact_normal(&problem, &solution, text_, sizeof text_) < 0) throw std::runtime_error(text_);
+  }
+
+  template <class Value>
+  void for_each(Value value) {
+    for (std::uint32_t j = 0, k = 0; j < grid_.ny; ++j)
+      for (std::uint32_t i = 0; i < grid_.nx; ++i, ++k)
+        pressure_[k] = value(grid_.x0 + i * grid_.dx, grid_.y0 + j * grid_.dy);
+  }
+
+  wrc_grid grid_ = wrc_grid_default();
+  wrc_exact_transient* transient_ = nullptr;
+  std::vector<double> pressure_;
+  char text_[256] = "";
+};
+
+/// wrc_contact_tangential() with a memory.
+class Strip : public Roller {
+ public:
+  explicit Strip(const Sequence& q) : solver_(config(q)) {}
+
+  Force roll(const Sequence& q, double s) override {
+    const wrc_ellipse patch = q.patch(s);
+    const wrc_creepage creepage = q.creepage(s - 0.5 * q.step);
+    wrc_friction friction = wrc_friction_default();
+    friction.coefficient = q.friction;
+    wrc_forces forces{};
+    const int32_t status = wrc_contact_tangential(solver_.contact(), &patch, &creepage, &friction, &forces);
+    if (status < 0) throw std::runtime_error(solver_.reason(status));
+    return {forces.fx, forces.fy};
+  }
+
+ private:
+  static wrc_config config(const Sequence& q) {
+    wrc_config config = wrc_config_default();
+    config.material.shear_modulus = q.materials.shear_modulus_1;
+    config.material.poisson = q.materials.poisson_1;
+    return config;
+  }
+  Solver solver_;
+};
+
+template <class Kind>
+std::unique_ptr<Roller> make(const Sequence& q) {
+  return std::make_unique<Kind>(q);
+}
+
+struct Variant {
+  const char* name;
+  std::unique_ptr<Roller> (*make)(const Sequence&);
+};
+const std::vector<Variant> every_variant = {{"exact", make<Exact>}, {"strip", make<Strip>}};
+
+/// What a row is listed under beside "force".
+std::string group_of(const Sequence& q) {
+  if (q.kind == "start") return "force_start";
+  const double waves = q.wave_length / q.shape.a;
+  return "force_L" + std::to_string(std::lround(waves)) + "a";
+}
+
+}  // namespace
+
+Report compare_transient(const Csv& file, const Names& only) {
+  const Csv parameters(parameters_of(file.path()));
+  std::map<long, Sequence> sequences;
+  for (std::size_t row = 0; row < parameters.rows(); ++row) {
+    const Sequence q = sequence_of(parameters, row);
+    sequences[q.number] = q;
+  }
+  Report report;
+  report.kind = "transient";
+  report.rows = file.rows();
+  report.measures = {"force"};
+  for (const auto& [number, q] : sequences) {
+    const std::string group = group_of(q);
+    if (std::find(report.measures.begin(), report.measures.end(), group) == report.measures.end())
+      report.measures.push_back(group);
+  }
+  report.default_variant = "strip";
+  for (const Variant& variant : chosen(every_variant, only)) {
+    report.variants.emplace_back(variant.name);
+    std::unique_ptr<Roller> roller;
+    const Sequence* q = nullptr;
+    long step = 0;
+    for (std::size_t row = 0; row < file.rows(); ++row) {
+      const long number = static_cast<long>(file(row, "case"));
+      try {
+        if (q == nullptr || number != q->number) {
+          q = &sequences.at(number);
+          roller = variant.make(*q);
+          step = 0;
+        }
+        Force force;
+        for (const long end = q->stride * static_cast<long>(file(row, "step")); step < end;) {
+          ++step;
+          force = roller->roll(*q, static_cast<double>(step) * q->step);
+        }
+        const double error = std::hypot(force.fx - file(row, "Fx_N"), force.fy - file(row, "Fy_N")) /
+                             (q->friction * file(row, "Fn_N"));
+        report.errors[variant.name]["force"].add(row, error);
+        report.errors[variant.name][group_of(*q)].add(row, error);
+      } catch (const std::exception& error) {
+        report.fail(row, variant.name, error.what(), {"force"});
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace compare
