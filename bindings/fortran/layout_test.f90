@@ -37,7 +37,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(10)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
-  integer(c_size_t), bind(C) :: layout_wrc_region(16)
+  integer(c_size_t), bind(C) :: layout_wrc_region(18)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
@@ -819,6 +819,10 @@ contains
       distance(c_loc(a), c_loc(a%power)), layout_wrc_region(15))
     call same('wrc_region', 'creepage', &
       distance(c_loc(a), c_loc(a%creepage)), layout_wrc_region(16))
+    call same('wrc_region', 'strips', &
+      distance(c_loc(a), c_loc(a%strips)), layout_wrc_region(17))
+    call same('wrc_region', 'cells', &
+      distance(c_loc(a), c_loc(a%cells)), layout_wrc_region(18))
   end subroutine
   subroutine test_wrc_wrench_sensitivities()
     type(wrc_wrench_sensitivities), target :: a

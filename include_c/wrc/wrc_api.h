@@ -124,6 +124,9 @@ struct wrc_api {
   int32_t (*exact_transient_step)(wrc_exact_transient*, const wrc_exact_rolling_problem*, wrc_exact_rolling_solution*, char*, uint64_t);
     /**< wrc_exact_transient_step() */
   void (*exact_transient_destroy)(wrc_exact_transient*); /**< wrc_exact_transient_destroy() */
+  int32_t (*contact_region_ellipse)(const wrc_contact*, int32_t, wrc_ellipse*); /**< wrc_contact_region_ellipse() */
+  int32_t (*contact_region_damage)(wrc_contact*, int32_t, wrc_damage*); /**< wrc_contact_region_damage() */
+  int32_t (*contact_region_field)(wrc_contact*, int32_t, int32_t, double*, uint64_t); /**< wrc_contact_region_field() */
 };
 
 #endif /* WRC_API_H */

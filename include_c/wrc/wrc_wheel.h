@@ -183,7 +183,34 @@ typedef struct wrc_region {
   double peak_pressure; /**< [Pa] */
   double power;         /**< frictional power [W] */
   double creepage[3];   /**< means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail */
+  int32_t strips;       /**< strips it is made of: columns of wrc_contact_region_field() */
+  int32_t cells;        /**< cells along each of them: its rows */
 } wrc_region;
+
+/** What wrc_contact_region_field() writes of a region: one value per strip, by increasing arc length, or one per cell of its
+ * strips. Each strip has axes of its own on the rail's surface: x forward along the track, s along the rail's arc from its
+ * gauge side to its field side, on either side of the track. */
+enum wrc_region_field {
+  WRC_REGION_X = 0,               /**< cells: x of the middle, as wrc_region.point[0] [m] */
+  WRC_REGION_PRESSURE = 1,        /**< cells: normal pressure in the middle [Pa] */
+  WRC_REGION_TRACTION_X = 2,      /**< cells: tangential traction on the wheel along x [Pa] */
+  WRC_REGION_TRACTION_S = 3,      /**< cells: the same along s [Pa] */
+  WRC_REGION_SLIP_X = 4,          /**< cells: sliding velocity of the wheel over the rail / rolling speed along x [-] */
+  WRC_REGION_SLIP_S = 5,          /**< cells: the same along s [-] */
+  WRC_REGION_POWER_DENSITY = 6,   /**< cells: frictional power per area [W/m^2] */
+  WRC_REGION_FATIGUE_INDEX = 7,   /**< cells: local surface fatigue index, as WRC_FIELD_FATIGUE_INDEX [-] */
+  WRC_REGION_STRIP_S = 8,         /**< strips: arc length of the middle, from the gauge end of the rail's profile [m] */
+  WRC_REGION_STRIP_WIDTH = 9,     /**< strips: width along the arc [m] */
+  WRC_REGION_STRIP_CENTRE = 10,   /**< strips: x of the middle, as wrc_region.point[0] [m] */
+  WRC_REGION_STRIP_HALF = 11,     /**< strips: half length [m] */
+  WRC_REGION_STRIP_PEAK = 12,     /**< strips: peak pressure, damping included [Pa] */
+  WRC_REGION_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m] */
+  WRC_REGION_STRIP_FRICTION = 14, /**< strips: coefficient of friction the law gave [-] */
+  WRC_REGION_STRIP_Y = 15,        /**< strips: the middle in the coordinates of the rail's profile, as wrc_region.y_rail [m] */
+  WRC_REGION_STRIP_Z = 16,        /**< strips: the same, as wrc_region.z_rail [m] */
+  WRC_REGION_STRIP_ANGLE = 17     /**< strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side
+                                       [rad] */
+};
 
 /** What a wrench depends on: the columns of wrc_wrench_sensitivities. */
 enum wrc_wrench_input {
@@ -277,6 +304,38 @@ WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_region(const wrc_contact* contact, int32_t index, wrc_region* region);
+
+/** The equivalent double ellipse of a region of the last wrc_contact_wrench(), its strips laid flat along the rail's arc: as
+ * wrc_contact_regularise() with the strips' extent, the joint where they are longest. The results stay as they are.
+ * Theory manual, section 3.
+ * @param contact the contact
+ * @param index as for wrc_contact_region()
+ * @param[out] ellipse with the arc length of its joint as y (WRC_REGION_STRIP_S) and the sum of the strips' loads as
+ * normal_force
+ * @return WRC_OK; WRC_FLAG_TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _SEQUENCE (no wrc_contact_wrench), _RANGE (no
+ * such region). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_region_ellipse(const wrc_contact* contact, int32_t index, wrc_ellipse* ellipse);
+
+/** Wear and fatigue numbers of a region of the last wrc_contact_wrench(), as wrc_contact_damage() gives them of a patch. Forces
+ * are the sums of the strips' own along x and s, the load that of the strips' loads, creepages the region's means; near
+ * standstill what is made of cells is of the way the wheel rolls. The results stay as they are.
+ * @param contact the contact; its work space is used
+ * @param index as for wrc_contact_region()
+ * @param[out] damage the numbers
+ * @return WRC_OK; WRC_ERROR_NULL, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_region_damage(wrc_contact* contact, int32_t index, wrc_damage* damage);
+
+/** A field of a region of the last wrc_contact_wrench(), written into memory of the caller. The results stay as they are.
+ * @param contact the contact; its work space is used
+ * @param index as for wrc_contact_region()
+ * @param field enum wrc_region_field
+ * @param[out] values over strips: wrc_region.strips of them; over cells: wrc_region.cells * wrc_region.strips, cell i of
+ * strip j at i * strips + j, cell 0 at the leading edge (at +x, rolling backwards at -x); the rest stays as it is
+ * @param count room in values
+ * @return WRC_OK; WRC_ERROR_NULL, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region), _UNSUPPORTED (no such
+ * field), _BUFFER (too little room: nothing is written). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_region_field(wrc_contact* contact, int32_t index, int32_t field, double* values,
+                                         uint64_t count);
 
 /** wrc_contact_wrench() for many contacts, in order; as wrc_contact_step_batch().
  * @param contacts count of them, each once

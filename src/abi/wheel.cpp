@@ -194,6 +194,8 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
   ours.area = region.area;
   ours.peak_pressure = region.peak_pressure;
   ours.power = region.power;
+  ours.strips = region_strip_count(contact, index);
+  ours.cells = contact.model->options.sizes.cells;
   return ours;
 }
 
@@ -203,6 +205,17 @@ wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
   std::copy_n(&slopes.wrench[0][0], 6 * hosted_inputs, &ours.wrench[0][0]);
   std::copy_n(slopes.z, hosted_inputs, ours.z);
   return ours;
+}
+
+static_assert(same<WRC_REGION_TRACTION_S>(RegionField::traction_y) &&
+              same<WRC_REGION_STRIP_S>(RegionField::strip_s) &&
+              same<WRC_REGION_STRIP_ANGLE + 1>(RegionField::count_));
+
+/// Is there that region of a solution, and somewhere to write what is asked of it?
+int32_t find_region(const Contact& contact, int32_t index, const void* result) {
+  if (result == nullptr) return WRC_ERROR_NULL;
+  if (contact.wheel_solved == 0) return WRC_ERROR_SEQUENCE;
+  return index < 0 || index >= contact.wheel.wrench.regions ? WRC_ERROR_RANGE : WRC_OK;
 }
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
@@ -247,10 +260,61 @@ int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_in
 
 int32_t wrc_contact_region(const wrc_contact* handle, int32_t index, wrc_region* region) {
   return abi::look(handle, abi::clear(region), [&](const wrc::Contact& contact) -> int32_t {
-    if (region == nullptr) return WRC_ERROR_NULL;
-    if (contact.wheel_solved == 0) return WRC_ERROR_SEQUENCE;
-    if (index < 0 || index >= contact.wheel.wrench.regions) return WRC_ERROR_RANGE;
-    abi::write(abi::region_of(contact, index), region);
+    const int32_t status = abi::find_region(contact, index, region);
+    if (status == WRC_OK) abi::write(abi::region_of(contact, index), region);
+    return status;
+  });
+}
+
+int32_t wrc_contact_region_ellipse(const wrc_contact* handle, int32_t index, wrc_ellipse* ellipse) {
+  return abi::look(handle, abi::clear(ellipse), [&](const wrc::Contact& contact) -> int32_t {
+    const int32_t status = abi::find_region(contact, index, ellipse);
+    if (status != WRC_OK) return status;
+    wrc::RegionEllipse found;
+    const wrc::Fault fault = wrc::region_ellipse(contact, index, found);
+    abi::write({.a = found.sdec.a,
+                .b = found.sdec.b,
+                .psi = found.sdec.psi,
+                .y = found.joint,
+                .normal_force = found.normal_force},
+               ellipse);
+    return fault.status;
+  });
+}
+
+int32_t wrc_contact_region_damage(wrc_contact* handle, int32_t index, wrc_damage* damage) {
+  return abi::look(handle, abi::clear(damage), [&](wrc::Contact& contact) -> int32_t {
+    const int32_t status = abi::find_region(contact, index, damage);
+    if (status != WRC_OK) return status;
+    wrc::DamageNumbers found;
+    wrc::region_damage(contact, index, found);
+    abi::write({.power = found.power,
+                .peak_power_density = found.peak_power_density,
+                .t_gamma = found.t_gamma,
+                .t_gamma_no_spin = found.t_gamma_no_spin,
+                .utilisation = found.utilisation,
+                .load_factor = found.load_factor,
+                .shakedown_limit = found.shakedown_limit,
+                .fatigue_index = found.fatigue_index,
+                .local_fatigue_index = found.local_fatigue_index,
+                .available = WRC_AVAILABLE_TRACTIONS,
+                .reserved = 0},
+               damage);
+    return WRC_OK;
+  });
+}
+
+int32_t wrc_contact_region_field(wrc_contact* handle, int32_t index, int32_t field, double* values,
+                                 uint64_t count) {
+  return abi::look(handle, {}, [&](wrc::Contact& contact) -> int32_t {
+    const int32_t status = abi::find_region(contact, index, values);
+    if (status != WRC_OK) return status;
+    if (field < 0 || field >= static_cast<int32_t>(wrc::RegionField::count_)) return WRC_ERROR_UNSUPPORTED;
+    const auto which = static_cast<wrc::RegionField>(field);
+    const auto strips = static_cast<uint64_t>(wrc::region_strip_count(contact, index));
+    const auto cells = static_cast<uint64_t>(contact.model->options.sizes.cells);
+    if (count < strips * (wrc::over_cells(which) ? cells : 1)) return WRC_ERROR_BUFFER;
+    wrc::region_field(contact, index, which, values);
     return WRC_OK;
   });
 }

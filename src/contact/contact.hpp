@@ -301,6 +301,45 @@ void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel&
 /// `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes = nullptr);
 
+/// The equivalent double ellipse of a region, over the arc length of the rail.
+struct RegionEllipse {
+  Sdec sdec;
+  double joint = 0.0;         ///< where the strips are longest [m]
+  double normal_force = 0.0;  ///< sum of the strips' loads [N]
+};
+
+/// Fields of a region, by enum wrc_region_field.
+enum class RegionField : std::int32_t {
+  x,
+  pressure,
+  traction_x,
+  traction_y,
+  slip_x,
+  slip_y,
+  power_density,
+  fatigue_index,
+  strip_s,
+  strip_width,
+  strip_centre,
+  strip_half,
+  strip_peak,
+  strip_power,
+  strip_friction,
+  strip_y,
+  strip_z,
+  strip_angle,
+  count_
+};
+constexpr bool over_cells(RegionField field) { return field < RegionField::strip_s; }
+
+/// What is asked of a region of the last solve_wheel(), with which nothing of its results changes
+/// (wheel_regions.cpp).
+Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& ellipse);
+void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
+std::int32_t region_strip_count(const Contact& contact, std::int32_t index);
+/// One value per strip, or per cell at cell * strips + strip.
+void region_field(Contact& contact, std::int32_t index, RegionField field, double* values);
+
 /// The friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);
 Fault assess_damage(Contact& contact);

@@ -112,7 +112,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
     sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
-  sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel));
+  sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel), options.sizes.cells);
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.

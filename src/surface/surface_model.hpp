@@ -49,18 +49,47 @@ struct SurfaceModel {
 /// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.
 inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_strips = 256;
 
+/// The strips in contact of the last solution, by increasing arc length, for what is asked of its regions
+/// afterwards: each strip's own axes, of right-hand bodies. Doubles only, so that there is no padding.
+struct KeptStrips {
+  double count = 0.0;
+  double speed = 0.0;            ///< what slips are over: divisor of rolling_reference() [m/s]
+  double backwards = 0.0;        ///< 1: the wheel rolls against x
+  double rolls = 0.0;            ///< 1: there is friction
+  double slope_reduction = 1.0;  ///< of a layer between the bodies
+  double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
+  double x = 0.0;       ///< of the wheel's reference point, from that of the host [m]
+  double strip[most_overlapping_strips] = {};        ///< of the rail
+  double half_length[most_overlapping_strips] = {};  ///< [m]
+  double peak[most_overlapping_strips] = {};         ///< without the factor [Pa]
+  double centre[most_overlapping_strips] = {};       ///< x from the wheel's reference point [m]
+  double curvature[most_overlapping_strips] = {};    ///< [1/m]
+  double slip_x[most_overlapping_strips] = {}, slip_y[most_overlapping_strips] = {};  ///< [-]
+  double spin[most_overlapping_strips] = {};                                          ///< [1/m]
+  double friction[most_overlapping_strips] = {};                                      ///< [-]
+  double fx[most_overlapping_strips] = {}, fy[most_overlapping_strips] = {};  ///< without the factor [N]
+};
+
+/// Over the cells of some of them, element (cell i, strip j) at i * strips + j; without the factor.
+struct KeptFields {
+  std::int32_t strips = 0, cells = 0;
+  double *traction_x = nullptr, *traction_y = nullptr;  ///< on the wheel [Pa]
+  double *slip_x = nullptr, *slip_y = nullptr;          ///< sliding velocity / rolling speed [-]
+};
+
 /// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.
 struct SurfaceState {
   double set = 0.0;     ///< 1: the rest holds a solution
   double height = 0.0;  ///< of the wheel [m], where the load was given
   double length_squared[most_strips_of_a_rail] = {};
   double shift[most_strips_of_a_rail] = {};
+  KeptStrips kept;
 };
 
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes);
 std::int64_t surface_state_bytes();
-/// Of a solve; the march grid's fields over cells are not part of it.
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes);
+/// Of a solve, and of fields over cells.
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells);
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
@@ -71,6 +100,12 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 /// is solved.
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
                           void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr) noexcept;
+
+/// Tractions and slips over the cells of `count` kept strips from `first` on, which are one region or
+/// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, of the way it
+/// rolls.
+KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
+                     std::int32_t count, void* workspace) noexcept;
 
 /// The law's coefficient over a strip's width on the rail, at rest.
 double friction_at_rest(const SurfaceModel& model, const FrictionLaw& law, std::int32_t strip);

@@ -24,7 +24,7 @@ constexpr std::int32_t most_load_steps = 30;
 constexpr double deepest_overlap = 2e-3;
 
 /// Cuts the workspace; returns the bytes it takes.
-std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
+std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, Work& w) {
   auto* const begin = static_cast<double*>(memory);
   double* at = begin;
   const auto doubles = [&at](std::int64_t n) {
@@ -56,6 +56,9 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, Work& w) {
                      &w.friction, &w.fx, &w.fy, &w.mz, &w.other_fx, &w.other_fy, &w.other_mz})
     *a = doubles(most);
   w.candidate = integers(most);
+  for (double** a : {&w.fields.traction_x, &w.fields.traction_y, &w.fields.slip_x, &w.fields.slip_y})
+    *a = doubles(static_cast<std::int64_t>(most) * cells);
+  w.loaded = 0;
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
 }
 
@@ -133,7 +136,7 @@ void find_friction(const SurfaceModel& model, const FrictionLaw& law, double spe
 /// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
 /// slip along x and spin, change sign, and so do their forces.
 void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, Work& w,
-          SurfaceRollingForces forces) {
+          const TangentialFields& fields, SurfaceRollingForces forces) {
   const auto mirror = [&](double* a) {
     for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
   };
@@ -142,7 +145,7 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, 
     mirror(w.slip_x);
     mirror(w.spin);
   }
-  roll_on_surface(rolls, w.rolling, {}, forces);
+  roll_on_surface(rolls, w.rolling, fields, forces);
   if (backwards)
     for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
 }
@@ -194,6 +197,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   // the mean of the speeds at which wheel and rail material pass through the contact
   const double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
   const RollingReference reference = rolling_reference(rolling_speed);
+  w.backwards = rolling_speed < 0.0;
   const double speed = reference.divisor;
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.slip_x[k] /= speed;
@@ -202,11 +206,11 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   }
   if (!(in.friction > 0.0)) return reference;
   if (in.law) find_friction(model, *in.law, speed, loaded.count, w);
-  const bool backwards = rolling_speed < 0.0;
-  roll(model, in, loaded.count, backwards, w, {w.fx, w.fy, w.mz});
+  const bool backwards = w.backwards;
+  roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz});
   const double other = reference.other_way;
   if (!(other > 0.0)) return reference;
-  roll(model, in, loaded.count, !backwards, w, {w.other_fx, w.other_fy, w.other_mz});
+  roll(model, in, loaded.count, !backwards, w, {}, {w.other_fx, w.other_fy, w.other_mz});
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
     w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
@@ -345,6 +349,7 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const Work& 
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
                SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
   const std::int32_t sweeps_before = out.sweeps;
+  w.factor = 1.0;
   out = {};
   out.sweeps = sweeps_before;
   out.height = height;
@@ -358,9 +363,12 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   if (!normal.converged)
     fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
   const Loaded loaded = take_loaded_strips(model, in, seen, w);
+  w.loaded = 0;
   if (loaded.count == 0)
     return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
   const RollingReference reference = roll_strips(model, in, seen, loaded, w);
+  w.loaded = loaded.count;
+  w.speed = reference.divisor;
   keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
   keep_worst(fault, extrapolated(model, loaded, w));
   if (in.friction > 0.0 && reference.other_way > 0.0)
@@ -413,7 +421,8 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Work&
   Fault fault = solve_at(model, in, border, false, w, start, {}, out);
   if (out.normal_force > 0.0) {
     const double stiffness = larger(out.normal_force - before, 0.0) / step;
-    scale(1.0 + stiffness * (asked - border) / out.normal_force, out);
+    w.factor = 1.0 + stiffness * (asked - border) / out.normal_force;
+    scale(w.factor, out);
   }
   out.height = asked;
   keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
@@ -667,18 +676,41 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
   return found.status == WRC_OK ? fault : found;
 }
 
+/// What the last solve left in `w`, for later.
+void keep_strips(const WheelOnRail& in, const Work& w, KeptStrips& kept) {
+  const std::int32_t n = w.loaded;
+  kept.count = n;
+  kept.speed = n > 0 ? w.speed : 0.0;
+  kept.backwards = n > 0 && w.backwards ? 1.0 : 0.0;
+  kept.rolls = in.friction > 0.0 ? 1.0 : 0.0;
+  kept.slope_reduction = in.slope_reduction;
+  kept.factor = w.factor;
+  kept.x = in.wheel.position[0];
+  for (std::int32_t k = 0; k < n; ++k) {
+    kept.strip[k] = w.overlaps.strip[w.candidate[k]];
+    kept.centre[k] = w.pressure.centre[w.candidate[k]];
+  }
+  const struct {
+    const double* from;
+    double* to;
+  } each[] = {{w.half_length, kept.half_length}, {w.peak, kept.peak},     {w.curvature, kept.curvature},
+              {w.slip_x, kept.slip_x},           {w.slip_y, kept.slip_y}, {w.spin, kept.spin},
+              {w.friction, kept.friction},       {w.fx, kept.fx},         {w.fy, kept.fy}};
+  for (const auto& [from, to] : each) std::copy_n(from, n, to);
+}
+
 }  // namespace
 
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes) {
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells) {
   Work w;
   alignas(64) static double nothing[1];
-  return cut(nothing, most_curve_pieces(wheel_nodes), w);
+  return cut(nothing, most_curve_pieces(wheel_nodes), cells, w);
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool warm, SurfaceState& state,
                           void* workspace, Wrench& out, SeenWrench* slopes) noexcept {
   Work w;
-  cut(workspace, model.wheel.curve.pieces, w);
+  cut(workspace, model.wheel.curve.pieces, model.grid->cells, w);
   warm = warm && state.set > 0.0;
   SurfaceStart start{state.length_squared, state.shift, warm};
   out = {};
@@ -692,8 +724,49 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     state.height = in.wheel.position[2];
   }
   state.set = start.set ? 1.0 : 0.0;
+  keep_strips(in, w, state.kept);
   if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, *slopes));
   return fault;
+}
+
+KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
+                     std::int32_t count, void* workspace) noexcept {
+  Work w;
+  cut(workspace, model.wheel.curve.pieces, model.grid->cells, w);
+  const struct {
+    const double* from;
+    double* to;
+  } each[] = {{kept.half_length, w.half_length}, {kept.peak, w.peak},     {kept.curvature, w.curvature},
+              {kept.slip_x, w.slip_x},           {kept.slip_y, w.slip_y}, {kept.spin, w.spin},
+              {kept.friction, w.friction}};
+  for (const auto& [from, to] : each) std::copy_n(from + first, count, to);
+  for (std::int32_t k = 0; k < count; ++k) {
+    const auto j = static_cast<std::int32_t>(kept.strip[first + k]);
+    w.place[k] = model.rail.s[j];
+    w.width[k] = model.rail.width[j];
+  }
+  const TangentialFields& f = w.fields;
+  const std::int32_t cells = model.grid->cells;
+  const bool backwards = kept.backwards > 0.0;
+  if (kept.rolls > 0.0) {
+    WheelOnRail in;
+    in.slope_reduction = kept.slope_reduction;
+    roll(model, in, count, backwards, w, f, {w.fx, w.fy, w.mz});
+    if (backwards)
+      for (double* const a : {f.traction_x, f.slip_x})
+        for (std::int32_t at = 0; at < count * cells; ++at) a[at] = -a[at];
+  } else {
+    // nothing holds the rigid slip back
+    const double way = backwards ? -1.0 : 1.0;
+    for (std::int32_t i = 0; i < cells; ++i)
+      for (std::int32_t k = 0; k < count; ++k) {
+        const std::int32_t at = i * count + k;
+        f.traction_x[at] = f.traction_y[at] = 0.0;
+        f.slip_x[at] = w.slip_x[k];
+        f.slip_y[at] = w.slip_y[k] + w.spin[k] * (way * w.half_length[k] * model.grid->middles.place[i]);
+      }
+  }
+  return {count, cells, f.traction_x, f.traction_y, f.slip_x, f.slip_y};
 }
 
 }  // namespace wrc

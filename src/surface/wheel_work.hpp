@@ -31,6 +31,12 @@ struct WheelWork {
   double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
       *other_fx, *other_fy, *other_mz;
   std::int32_t* candidate;  ///< of a strip in contact
+  TangentialFields fields;  ///< over their cells, on request
+  // of the last solve
+  std::int32_t loaded;  ///< strips in contact
+  double speed;         ///< what their slips are over [m/s]
+  bool backwards;
+  double factor;  ///< on its pressures and tractions
 };
 
 /// What the strips in contact roll with: the arrays of these names in `strips`, and the model's numbers.

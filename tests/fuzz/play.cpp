@@ -297,6 +297,25 @@ class Case {
     if (choices_.one_in(2)) creepages();
   }
 
+  /// Ellipse, damage and one field of a region.
+  void ask_region(std::int32_t index, const wrc_region& region) {
+    wrc_ellipse ellipse{};
+    wrc_damage damage{};
+    expect(wrc_contact_region_ellipse(contact_, index, &ellipse) >= 0, "a region has an ellipse");
+    expect(wrc_contact_region_damage(contact_, index, &damage) == WRC_OK, "a region has damage numbers");
+    expect(all_finite(doubles_from(ellipse, ellipse.a)) && std::isfinite(damage.local_fatigue_index) &&
+               std::isfinite(damage.peak_power_density) && std::isfinite(damage.fatigue_index),
+           "ellipse and damage of a region are finite");
+    expect(std::fabs(ellipse.psi) <= 0.95 && ellipse.a > 0.0 && ellipse.b > 0.0, "an ellipse is one");
+    const auto which = static_cast<std::int32_t>(choices_.below(WRC_REGION_STRIP_ANGLE + 1));
+    const auto strips = static_cast<std::size_t>(region.strips),
+               cells = static_cast<std::size_t>(region.cells);
+    std::vector<double> values(which < WRC_REGION_STRIP_S ? strips * cells : strips);
+    expect(wrc_contact_region_field(contact_, index, which, values.data(), values.size()) == WRC_OK,
+           "a region has that field");
+    expect(all_finite(values), "fields of regions are finite");
+  }
+
   /// A wheel on a rail, one call or two: the same twice has the same bits.
   void wheel_on_rail() {
     where_ = "wheel on rail";
@@ -324,8 +343,9 @@ class Case {
     expect(wrench.power >= 0.0 && wrench.area >= 0.0 && wrench.peak_pressure >= 0.0 &&
                wrench.normal_force >= 0.0,
            "areas, pressures and power are not negative");
-    expect((wrench.regions > 0) == (status != WRC_FLAG_NO_CONTACT), "bodies that touch do so in regions");
-    if (status == WRC_FLAG_NO_CONTACT) {
+    expect((wrench.regions > 0) == (status != WRC_FLAG_NO_CONTACT) || status == WRC_FLAG_CLIMBING,
+           "bodies that touch do so in regions");
+    if (wrench.regions == 0) {
       expect(std::all_of(wrench.force, wrench.force + 3, zero), "apart there is no force");
     }
     if (wrench.normal_force > 0.0) ++verdict_.solved;
@@ -335,6 +355,7 @@ class Case {
       expect(wrc_contact_region(contact_, i, &region) == WRC_OK, "every region can be seen");
       expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
       for (int k = 0; k < 3; ++k) force[k] += region.force[k];
+      ask_region(i, region);
     }
     const double size = std::fabs(wrench.force[0]) + std::fabs(wrench.force[1]) + std::fabs(wrench.force[2]);
     for (int k = 0; k < 3; ++k) {

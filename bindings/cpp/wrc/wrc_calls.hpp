@@ -165,6 +165,20 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_region> region(std::int32_t index) const { return detail::value_or_throw(try_region(index), handle_); }
 #endif
+  /** wrc_contact_region_ellipse() */
+  status region_ellipse(std::int32_t index, wrc_ellipse& ellipse) const noexcept { return wrc_contact_region_ellipse(handle_, index, &ellipse); }
+  expected<answer<wrc_ellipse>> try_region_ellipse(std::int32_t index) const noexcept { return detail::attempt_struct<wrc_ellipse>(wrc_ellipse_default(), [&](wrc_ellipse& found_) { return this->region_ellipse(index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_ellipse> region_ellipse(std::int32_t index) const { return detail::value_or_throw(try_region_ellipse(index), handle_); }
+#endif
+  /** wrc_contact_region_damage() */
+  status region_damage(std::int32_t index, wrc_damage& damage) noexcept { return wrc_contact_region_damage(handle_, index, &damage); }
+  expected<answer<wrc_damage>> try_region_damage(std::int32_t index) noexcept { return detail::attempt_struct<wrc_damage>(wrc_damage(), [&](wrc_damage& found_) { return this->region_damage(index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_damage> region_damage(std::int32_t index) { return detail::value_or_throw(try_region_damage(index), handle_); }
+#endif
+  /** wrc_contact_region_field() */
+  status region_field(std::int32_t index, std::int32_t field, double& values, std::uint64_t count) noexcept { return wrc_contact_region_field(handle_, index, field, &values, count); }
   /** wrc_contact_temperature() */
   status temperature(const wrc_bulk_temperatures* bulk, wrc_temperature& temperature) noexcept { return wrc_contact_temperature(handle_, bulk, &temperature); }
   expected<answer<wrc_temperature>> try_temperature(const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(wrc_temperature_default(), [&](wrc_temperature& found_) { return this->temperature(bulk, found_); }); }

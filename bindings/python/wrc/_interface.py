@@ -395,6 +395,51 @@ class WheelStart(s.Choice):
     ANEW = 1
 
 
+class RegionField(s.Choice):
+    """What wrc_contact_region_field() writes of a region: one value per strip, by increasing arc length, or one
+        per cell of its strips. Each strip has axes of its own on the rail's surface: x forward along the
+        track, s along the rail's arc from its gauge side to its field side, on either side of the track.
+
+    X: cells: x of the middle, as Region.point[0] [m]
+    PRESSURE: cells: normal pressure in the middle [Pa]
+    TRACTION_X: cells: tangential traction on the wheel along x [Pa]
+    TRACTION_S: cells: the same along s [Pa]
+    SLIP_X: cells: sliding velocity of the wheel over the rail / rolling speed along x [-]
+    SLIP_S: cells: the same along s [-]
+    POWER_DENSITY: cells: frictional power per area [W/m^2]
+    FATIGUE_INDEX: cells: local surface fatigue index, as FieldId.FATIGUE_INDEX [-]
+    STRIP_S: strips: arc length of the middle, from the gauge end of the rail's profile [m]
+    STRIP_WIDTH: strips: width along the arc [m]
+    STRIP_CENTRE: strips: x of the middle, as Region.point[0] [m]
+    STRIP_HALF: strips: half length [m]
+    STRIP_PEAK: strips: peak pressure, damping included [Pa]
+    STRIP_POWER: strips: frictional power per unit width [W/m]
+    STRIP_FRICTION: strips: coefficient of friction the law gave [-]
+    STRIP_Y: strips: the middle in the coordinates of the rail's profile, as Region.y_rail [m]
+    STRIP_Z: strips: the same, as Region.z_rail [m]
+    STRIP_ANGLE: strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side [rad]
+    """
+
+    X = 0
+    PRESSURE = 1
+    TRACTION_X = 2
+    TRACTION_S = 3
+    SLIP_X = 4
+    SLIP_S = 5
+    POWER_DENSITY = 6
+    FATIGUE_INDEX = 7
+    STRIP_S = 8
+    STRIP_WIDTH = 9
+    STRIP_CENTRE = 10
+    STRIP_HALF = 11
+    STRIP_PEAK = 12
+    STRIP_POWER = 13
+    STRIP_FRICTION = 14
+    STRIP_Y = 15
+    STRIP_Z = 16
+    STRIP_ANGLE = 17
+
+
 class WrenchInput(s.Choice):
     """What a wrench depends on: the columns of WrenchSensitivities.
 
@@ -1841,6 +1886,8 @@ class Region(s.Struct):
       peak_pressure [Pa]:
       power [W]: frictional power
       creepage: means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail
+      strips: strips it is made of: columns of wrc_contact_region_field()
+      cells: cells along each of them: its rows
     """
 
     _c_name_ = 'wrc_region'
@@ -1860,6 +1907,8 @@ class Region(s.Struct):
     peak_pressure: float
     power: float
     creepage: np.ndarray = s.Array('creepage', 152, (3,), c.c_double)  # type: ignore[assignment]
+    strips: int
+    cells: int
     _units_ = {'point': 'm', 'y_wheel': 'm', 'z_wheel': 'm', 'y_rail': 'm', 'z_rail': 'm', 'angle': 'rad', 'normal_force': 'N', 'force': 'N', 'moment': 'N m', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
@@ -1878,8 +1927,10 @@ class Region(s.Struct):
         ('peak_pressure', c.c_double),
         ('power', c.c_double),
         ('_creepage', c.c_double * 3),
+        ('strips', c.c_int32),
+        ('cells', c.c_int32),
     ]
-assert c.sizeof(Region) == 176
+assert c.sizeof(Region) == 184
 
 
 class WrenchSensitivities(s.Struct):
@@ -2627,6 +2678,9 @@ _wrc_region_init = _l.function(FUNCTIONS, 'wrc_region_init', c.c_int32, [c.POINT
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
 _wrc_contact_wrench_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_wrench_sensitivities', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchSensitivities)])
 _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
+_wrc_contact_region_ellipse = _l.function(FUNCTIONS, 'wrc_contact_region_ellipse', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Ellipse)])
+_wrc_contact_region_damage = _l.function(FUNCTIONS, 'wrc_contact_region_damage', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Damage)])
+_wrc_contact_region_field = _l.function(FUNCTIONS, 'wrc_contact_region_field', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, s.Numbers(c.c_double), c.c_uint64])
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_wrench_flat = _l.function(FUNCTIONS, 'wrc_contact_wrench_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
 _wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.POINTER(Stresses)])
@@ -2964,6 +3018,45 @@ class ContactCalls(_l.Handle):
                 raise self._error(status)
         return out
 
+    def region_ellipse(self, index: int, *, out: Optional[Ellipse] = None) -> Ellipse:
+        """The equivalent double ellipse of a region of the last Contact.wrench(), its strips laid flat along the
+            rail's arc: as Contact.regularise() with the strips' extent, the joint where they are longest. The
+            results stay as they are. Theory manual, section 3.
+
+        index: as for Contact.region()
+        out: with the arc length of its joint as y (RegionField.STRIP_S) and the sum of the strips' loads as
+            normal_force; None: a new one
+
+        C status: Status.OK; Status.FLAG_TABLE_RANGE (|psi| cut to 0.95); Status.ERROR_NULL, _SEQUENCE (no
+            Contact.wrench), _RANGE (no such region).
+        """
+        if out is None:
+            out = Ellipse._new()
+        with self._lock:
+            status = self._status = _wrc_contact_region_ellipse(self._handle, index, out)
+            if status < 0:
+                raise self._error(status)
+        return out
+
+    def region_damage(self, index: int, *, out: Optional[Damage] = None) -> Damage:
+        """Wear and fatigue numbers of a region of the last Contact.wrench(), as Contact.damage() gives them of a
+            patch. Forces are the sums of the strips' own along x and s, the load that of the strips' loads,
+            creepages the region's means; near standstill what is made of cells is of the way the wheel rolls.
+            The results stay as they are.
+
+        index: as for Contact.region()
+        out: the numbers; None: a new one
+
+        C status: Status.OK; Status.ERROR_NULL, _SEQUENCE (no Contact.wrench), _RANGE (no such region).
+        """
+        if out is None:
+            out = Damage._new()
+        with self._lock:
+            status = self._status = _wrc_contact_region_damage(self._handle, index, out)
+            if status < 0:
+                raise self._error(status)
+        return out
+
     def temperature(self, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
         """Temperatures in the contact from the frictional power of the last Contact.tangential or Contact.step,
             and the field TEMPERATURE_RISE: flash temperatures of points that pass through the contact (Ertz
@@ -3151,6 +3244,7 @@ __all__ = [
     'Axes',
     'WheelPrescribed',
     'WheelStart',
+    'RegionField',
     'WrenchInput',
     'Adhesion',
     'Collocation',

@@ -188,6 +188,29 @@ inline constexpr Enumerator wrc_wheel_start_values[] = {
 inline constexpr Enumeration wrc_wheel_start{wrc_wheel_start_values, 2,
     "see enum wrc_wheel_start: WRC_START_FROM_LAST (0), _ANEW (1)"};
 
+inline constexpr Enumerator wrc_region_field_values[] = {
+    {"WRC_REGION_X", WRC_REGION_X},
+    {"WRC_REGION_PRESSURE", WRC_REGION_PRESSURE},
+    {"WRC_REGION_TRACTION_X", WRC_REGION_TRACTION_X},
+    {"WRC_REGION_TRACTION_S", WRC_REGION_TRACTION_S},
+    {"WRC_REGION_SLIP_X", WRC_REGION_SLIP_X},
+    {"WRC_REGION_SLIP_S", WRC_REGION_SLIP_S},
+    {"WRC_REGION_POWER_DENSITY", WRC_REGION_POWER_DENSITY},
+    {"WRC_REGION_FATIGUE_INDEX", WRC_REGION_FATIGUE_INDEX},
+    {"WRC_REGION_STRIP_S", WRC_REGION_STRIP_S},
+    {"WRC_REGION_STRIP_WIDTH", WRC_REGION_STRIP_WIDTH},
+    {"WRC_REGION_STRIP_CENTRE", WRC_REGION_STRIP_CENTRE},
+    {"WRC_REGION_STRIP_HALF", WRC_REGION_STRIP_HALF},
+    {"WRC_REGION_STRIP_PEAK", WRC_REGION_STRIP_PEAK},
+    {"WRC_REGION_STRIP_POWER", WRC_REGION_STRIP_POWER},
+    {"WRC_REGION_STRIP_FRICTION", WRC_REGION_STRIP_FRICTION},
+    {"WRC_REGION_STRIP_Y", WRC_REGION_STRIP_Y},
+    {"WRC_REGION_STRIP_Z", WRC_REGION_STRIP_Z},
+    {"WRC_REGION_STRIP_ANGLE", WRC_REGION_STRIP_ANGLE},
+};
+inline constexpr Enumeration wrc_region_field{wrc_region_field_values, 18,
+    "see enum wrc_region_field: WRC_REGION_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_S (3), _SLIP_X (4), _SLIP_S (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_S (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _STRIP_FRICTION (14), _STRIP_Y (15), _STRIP_Z (16), _STRIP_ANGLE (17)"};
+
 inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_Y", WRC_BY_Y},
     {"WRC_BY_Z", WRC_BY_Z},
@@ -1233,9 +1256,11 @@ struct Description<wrc_region> {
       {.name = "peak_pressure", .offset = offsetof(wrc_region, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "power", .offset = offsetof(wrc_region, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
       {.name = "creepage", .offset = offsetof(wrc_region, creepage), .type = Type::real, .elements = 3, .rule = Rule::none},
+      {.name = "strips", .offset = offsetof(wrc_region, strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "cells", .offset = offsetof(wrc_region, cells), .type = Type::int32, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_region) == 176, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_region) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench_sensitivities> {

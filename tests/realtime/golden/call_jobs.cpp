@@ -194,6 +194,34 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// What is asked of their regions.
+void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(7);
+  for (int i = 0; i < 24; ++i) {
+    const wrc_wheel_input input = wheel_on_rail(i, numbers);
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    wrc_wrench wrench = wrc_wrench_default();
+    hash.add(wrc_contact_wrench(contact, &input, &wrench));
+    for (int32_t k = 0; k < wrench.regions; ++k) {
+      wrc_region region = wrc_region_default();
+      wrc_ellipse ellipse = wrc_ellipse_default();
+      wrc_damage damage{};
+      hash.add(wrc_contact_region(contact, k, &region));
+      hash.add(wrc_contact_region_ellipse(contact, k, &ellipse));
+      hash.add(wrc_contact_region_damage(contact, k, &damage));
+      for (double number : {ellipse.a, ellipse.b, ellipse.psi, ellipse.y, ellipse.normal_force})
+        hash.add(number);
+      hash_damage(damage, hash);
+      std::vector<double> values(static_cast<std::size_t>(region.strips) *
+                                 static_cast<std::size_t>(region.cells));
+      for (int32_t field = 0; field <= WRC_REGION_STRIP_ANGLE; ++field) {
+        hash.add(wrc_contact_region_field(contact, k, field, values.data(), values.size()));
+        for (double value : values) hash.add(value);
+      }
+    }
+  }
+}
+
 /// Their derivatives.
 void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -245,6 +273,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"refused input", model, {}, run_refused});
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
+  plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 }
 

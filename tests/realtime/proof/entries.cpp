@@ -215,6 +215,18 @@ int32_t wheel_region(Wheel& wheel) {
   return wheel_status(wheel, status == WRC_ERROR_RANGE ? WRC_OK : status);  // apart: there is none
 }
 
+int32_t wheel_region_results(Wheel& wheel) {
+  static double values[256 * 32];
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_damage damage{};
+  const auto of = [](int32_t status) { return status == WRC_ERROR_RANGE ? WRC_OK : status; };
+  int32_t status = of(wrc_contact_region_ellipse(wheel.contact, 0, &ellipse));
+  if (status >= 0) status = of(wrc_contact_region_damage(wheel.contact, 0, &damage));
+  for (int32_t field = 0; status >= 0 && field <= WRC_REGION_STRIP_ANGLE; ++field)
+    status = of(wrc_contact_region_field(wheel.contact, 0, field, values, 256 * 32));
+  return wheel_status(wheel, status);
+}
+
 /// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
 /// failure it returns is that one was taken.
 int32_t refused_input(Wheel& wheel) {
@@ -314,6 +326,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench_flat", wheel_step_flat},
       {"wrc_contact_wrench_sensitivities", wheel_sensitivities},
       {"wrc_contact_region", wheel_region},
+      {"wrc_contact_region_ellipse, _damage, _field", wheel_region_results},
       {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
       {"wrc_contact_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
