@@ -855,6 +855,33 @@ WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint6
  * contact */
 WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
+/** Length of a portable state: that of a saved state and 64 bytes.
+ * @param model the model
+ * @param[out] bytes size; zero on failure
+ * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
+WRC_API int32_t wrc_contact_portable_size(const wrc_model* model, uint64_t* bytes);
+
+/** wrc_contact_save() for another process or another machine: for files, checkpoints, a simulation that is moved. It begins
+ * with the eight letters wrcstate, says its version, its byte order (that of the machine that wrote it: low byte first
+ * on x86-64 and aarch64) and a fingerprint of the configuration with its profiles, and has a checksum.
+ * @param contact the contact
+ * @param[out] buffer the state; no alignment needed
+ * @param bytes of buffer, at least what wrc_contact_portable_size() says
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
+WRC_API int32_t wrc_contact_save_portable(const wrc_contact* contact, void* buffer, uint64_t bytes);
+
+/** Puts a portable state into a contact of an equal configuration: one with the same numbers, profiles and force table,
+ * and of the same side. instruction_set may differ, and the process, and the machine if its byte order is the same. What follows
+ * has the bits it would have had where the state was saved. Of the last status the sentence is lost, but for what
+ * wrc_status_text() says. A call that fails changes nothing but the sentence.
+ * @param contact the contact
+ * @param buffer from wrc_contact_save_portable()
+ * @param bytes of buffer
+ * @return WRC_OK; WRC_ERROR_NULL, _FILE (no such state, cut short, or changed since it was written), _UNSUPPORTED (of
+ * another version of the library, or another byte order), _SEQUENCE (of another configuration or side). @rt hard
+ * @thread contact */
+WRC_API int32_t wrc_contact_restore_portable(wrc_contact* contact, const void* buffer, uint64_t bytes);
+
 /** The sentence behind the status of the last stage or step on this contact, for example
  *   "input.load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach
  *   instead"

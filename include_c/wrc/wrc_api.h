@@ -127,6 +127,9 @@ struct wrc_api {
   int32_t (*contact_region_ellipse)(const wrc_contact*, int32_t, wrc_ellipse*); /**< wrc_contact_region_ellipse() */
   int32_t (*contact_region_damage)(wrc_contact*, int32_t, wrc_damage*); /**< wrc_contact_region_damage() */
   int32_t (*contact_region_field)(wrc_contact*, int32_t, int32_t, double*, uint64_t); /**< wrc_contact_region_field() */
+  int32_t (*contact_portable_size)(const wrc_model*, uint64_t*); /**< wrc_contact_portable_size() */
+  int32_t (*contact_save_portable)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save_portable() */
+  int32_t (*contact_restore_portable)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore_portable() */
 };
 
 #endif /* WRC_API_H */

@@ -1,7 +1,11 @@
 #include "abi/model_options.hpp"
 
+#include <type_traits>
+#include <utility>
+
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
+#include "base/checksum.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
 #include "tangential/force_table/force_table_file.hpp"
@@ -171,6 +175,32 @@ Fault read_table(const char* file, ModelOptions& options) {
   return read_force_table_axes(file, options.force_table_axes);
 }
 
+/// Of all numbers of a configuration but the instruction set, which results do not depend on, and the size of
+/// the caller's struct. What pointers point to is left to the model, which has it as it is used.
+template <std::size_t... i>
+std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<i...>) {
+  Checksum sum;
+  const auto* const bytes = reinterpret_cast<const char*>(&config);
+  const auto add = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
+    constexpr const Member& member = Description<wrc_config>::members[k];
+    if (member.offset == offsetof(wrc_config, struct_size) ||
+        member.offset == offsetof(wrc_config, instruction_set))
+      return;
+    for (std::int32_t element = 0; element < member.elements; ++element) {
+      const auto at = static_cast<std::size_t>(element);
+      if constexpr (member.type == Type::real)
+        sum.add(detail::load<double>(bytes, member.offset + at * sizeof(double)));
+      else if constexpr (member.type == Type::uint64)
+        sum.add(detail::load<std::uint64_t>(bytes, member.offset + at * sizeof(std::uint64_t)));
+      else if constexpr (member.type != Type::pointer)
+        sum.add(
+            std::uint64_t{detail::load<std::uint32_t>(bytes, member.offset + at * sizeof(std::uint32_t))});
+    }
+  };
+  (add(std::integral_constant<std::size_t, i>{}), ...);
+  return sum.value();
+}
+
 }  // namespace
 
 static_assert(member<wrc_config>("grid.max_patches").high == patch_capacity);
@@ -182,6 +212,8 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
 
   fault = read_methods(config, options);
   if (fault.failed()) return fault;
+  options.numbers =
+      checksum_of_numbers(config, std::make_index_sequence<std::size(Description<wrc_config>::members)>());
 
   fault = first_of({check_unread(config, options), check_no_points(config.wheel, "config.wheel"),
                     check_no_points(config.rail, "config.rail")});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "base/checksum.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
 #include "geometry/profile_points.hpp"
@@ -174,6 +175,26 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, Mo
                             surface, model.surface);
 }
 
+/// Of the numbers of the configuration, of the profiles as they were placed and of the force table: what the
+/// results of a contact depend on, whatever process or instruction set it is in.
+std::uint64_t fingerprint(const Model& model) {
+  Checksum sum;
+  sum.add(model.options.numbers);
+  if (model.has_geometry) {
+    const Bodies& right = model.bodies[0];
+    for (const Profile* profile : {&right.wheel.profile, &right.rail.profile}) {
+      sum.add(static_cast<std::uint64_t>(profile->count));
+      for (std::int32_t i = 0; i < profile->count; ++i) {
+        sum.add(profile->y[i]);
+        sum.add(profile->z[i]);
+      }
+    }
+  }
+  if (const std::size_t floats = force_table_size(model.force_table.axes); model.force_table.coefficients)
+    sum.add(model.force_table.coefficients, floats * sizeof(float));
+  return sum.value();
+}
+
 }  // namespace
 
 std::size_t model_bytes(const ModelOptions& options) {
@@ -217,6 +238,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     const Fault fault = take_bodies(options, arrays, surface, *model);
     if (fault.failed()) return fault;
   }
+  model->configuration = fingerprint(*model);
   made = model;
   return {};
 }

@@ -50,6 +50,7 @@ struct ModelOptions {
   Material material;
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
+  std::uint64_t numbers = 0;    ///< checksum of all numbers of the configuration that results depend on
   double shear_yield = 0.0;     ///< k [Pa]
   Effusivities effusivities;
   TrackDimensions track;
@@ -79,6 +80,7 @@ struct Model {
   ForceTable force_table;                      ///< with Option::force_table
   const SurfaceModel* surface = nullptr;       ///< with profiles and NormalMethod::half_space
   ArrayLayout layout;                          ///< of every contact of this model
+  std::uint64_t configuration = 0;             ///< equal in models that give equal results
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

@@ -63,6 +63,12 @@ class model_calls {
 #ifdef WRC_EXCEPTIONS
   std::uint64_t contact_state_size() const { return detail::value_or_throw(try_contact_state_size()); }
 #endif
+  /** wrc_contact_portable_size() */
+  status contact_portable_size(std::uint64_t& bytes) const noexcept { return wrc_contact_portable_size(handle_, &bytes); }
+  expected<std::uint64_t> try_contact_portable_size() const noexcept { return detail::attempt<std::uint64_t>(std::uint64_t(), [&](std::uint64_t& found_) { return this->contact_portable_size(found_); }); }
+#ifdef WRC_EXCEPTIONS
+  std::uint64_t contact_portable_size() const { return detail::value_or_throw(try_contact_portable_size()); }
+#endif
   /** wrc_profile_contact_functions() */
   status profile_contact_functions(const wrc_contact_functions_problem& problem, wrc_contact_functions& functions, span<char> text) const noexcept { return wrc_profile_contact_functions(handle_, &problem, &functions, text.data(), text.size()); }
 
@@ -77,6 +83,10 @@ class contact_calls {
   status save(span<std::byte> buffer) const noexcept { return wrc_contact_save(handle_, buffer.data(), buffer.size()); }
   /** wrc_contact_restore() */
   status restore(span<const std::byte> buffer) noexcept { return wrc_contact_restore(handle_, buffer.data(), buffer.size()); }
+  /** wrc_contact_save_portable() */
+  status save_portable(span<std::byte> buffer) const noexcept { return wrc_contact_save_portable(handle_, buffer.data(), buffer.size()); }
+  /** wrc_contact_restore_portable() */
+  status restore_portable(span<const std::byte> buffer) noexcept { return wrc_contact_restore_portable(handle_, buffer.data(), buffer.size()); }
   /** wrc_contact_last_error() */
   status last_error(span<char> buffer) const noexcept { return wrc_contact_last_error(handle_, buffer.data(), buffer.size()); }
   /** wrc_contact_geometry() */

@@ -130,6 +130,12 @@ int32_t save_and_restore(Wheel& wheel) {
   return saved < 0 ? saved : wheel.restore();
 }
 
+int32_t portable_state(Wheel& wheel) {
+  static char state[1 << 22];
+  const int32_t saved = wrc_contact_save_portable(wheel.contact, state, sizeof state);
+  return saved < 0 ? saved : wrc_contact_restore_portable(wheel.contact, state, sizeof state);
+}
+
 /// A contact in the wheel's spare memory.
 int32_t contact_init(Wheel& wheel) {
   wrc_contact* another = nullptr;
@@ -267,8 +273,9 @@ int32_t model_profile(Wheel& wheel) {
 
 int32_t contact_sizes(Wheel& wheel) {
   std::uint64_t bytes = 0, alignment = 0;
-  return std::min(wrc_contact_size(wheel.model, &bytes, &alignment),
-                  wrc_contact_state_size(wheel.model, &bytes));
+  return std::min({wrc_contact_size(wheel.model, &bytes, &alignment),
+                   wrc_contact_state_size(wheel.model, &bytes),
+                   wrc_contact_portable_size(wheel.model, &bytes)});
 }
 
 int32_t plain_numbers(Wheel&) {
@@ -318,6 +325,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_patch", contact_patch},
       {"wrc_contact_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
+      {"wrc_contact_save_portable, _restore_portable", portable_state},
       {"wrc_contact_init", contact_init},
       {"wrc_contact_normal, gap by elements", normal_of_elements},
       {"wrc_contact_regularise, strips", regularise_strips},
@@ -330,7 +338,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
       {"wrc_contact_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
-      {"wrc_contact_size, _state_size", contact_sizes},
+      {"wrc_contact_size, _state_size, _portable_size", contact_sizes},
       {"wrc_linear_coefficients, ...", plain_numbers},
       {"defaults, names, versions", defaults_and_names},
   };

@@ -1,0 +1,166 @@
+/// The state of a contact for another process: a header that says what it is, then the bytes of
+/// wrc_contact_save() without addresses.
+#include <bit>
+#include <cstddef>
+#include <cstring>
+
+#include "abi/handles.hpp"
+#include "abi/structs.hpp"
+#include "base/checksum.hpp"
+
+namespace wrc::abi {
+namespace {
+
+/// All numbers as this machine has them; `byte_order` tells which way that is.
+struct PortableHeader {
+  char mark[8];                 ///< "wrcstate"
+  std::uint32_t byte_order;     ///< 0x01020304
+  std::uint32_t format;         ///< of this header and of what follows
+  std::uint32_t version;        ///< of the library: wrc_version()
+  std::uint32_t side;           ///< enum wrc_side
+  std::uint64_t bytes;          ///< header included
+  std::uint64_t configuration;  ///< fingerprint of what the model was made of
+  std::uint64_t layout;         ///< of the state: where its arrays lie
+  std::uint64_t reserved;       ///< 0
+  std::uint64_t checksum;       ///< of the header before, and of the state
+};
+static_assert(sizeof(PortableHeader) == 64);
+
+constexpr char portable_mark[8] = {'w', 'r', 'c', 's', 't', 'a', 't', 'e'};
+constexpr std::uint32_t native_order = 0x01020304, other_order = 0x04030201, portable_format = 1;
+static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
+
+std::uint64_t layout_of(const Model& model) {
+  Checksum sum;
+  sum.add(std::uint64_t{sizeof(Contact)});
+  for (const std::size_t offset : model.layout.offset) sum.add(std::uint64_t{offset});
+  return sum.value();
+}
+
+std::uint64_t checksum_of(const PortableHeader& header, const void* state, std::size_t bytes) {
+  Checksum sum;
+  sum.add(&header, offsetof(PortableHeader, checksum));
+  sum.add(state, bytes);
+  return sum.value();
+}
+
+/// Addresses of this process stand in the first member, the model, and in the sentence's parts; the rest are
+/// numbers.
+static_assert(offsetof(Contact, model) == 0 && offsetof(Contact, last) == sizeof(void*));
+constexpr std::size_t addressed = sizeof(void*) + sizeof(Fault);
+
+/// The beginning of a state without addresses: of the last fault its status and number of an element.
+void without_addresses(const Contact& contact, unsigned char (&bytes)[addressed]) {
+  std::memset(bytes, 0, sizeof bytes);
+  const Fault last{.status = contact.last.status, .index = contact.last.index};
+  std::memcpy(bytes + sizeof(void*), &last, sizeof last);
+}
+
+Fault damaged(const char* cause) { return {.status = WRC_ERROR_FILE, .field = "buffer", .cause = cause}; }
+
+/// Is this a state of that contact's configuration, whole?
+Fault check_header(const Contact& contact, const PortableHeader& header, std::uint64_t bytes) {
+  const Model& model = *contact.model;
+  if (std::memcmp(header.mark, portable_mark, sizeof portable_mark) != 0)
+    return damaged("it does not begin as wrc_contact_save_portable has it");
+  if (header.byte_order == other_order)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "buffer",
+            .cause = "it was written on a machine of the other byte order"};
+  if (header.byte_order != native_order || header.bytes < sizeof header)
+    return damaged("its header has changed since it was written");
+  if (header.format != portable_format || header.version != wrc_version())
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "version that wrote the state",
+            .value = static_cast<double>(header.version),
+            .unit = "",
+            .low = static_cast<double>(wrc_version()),
+            .high = static_cast<double>(wrc_version()),
+            .cause = "as wrc_version() counts: states pass between libraries of one version"};
+  if (bytes < header.bytes)
+    return {.status = WRC_ERROR_FILE,
+            .field = "bytes",
+            .value = static_cast<double>(bytes),
+            .unit = "",
+            .low = static_cast<double>(header.bytes),
+            .high = static_cast<double>(header.bytes),
+            .cause = "the end is missing"};
+  if (header.configuration != model.configuration || header.layout != layout_of(model) ||
+      header.bytes != sizeof header + state_bytes(model))
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "buffer",
+            .cause = "it is of a contact whose configuration or profiles are others"};
+  if (header.side != static_cast<std::uint32_t>(contact.side))
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "buffer",
+            .cause = "it holds the state of a contact of the other side"};
+  return {};
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
+namespace abi = wrc::abi;
+
+extern "C" {
+
+int32_t wrc_contact_portable_size(const wrc_model* model, uint64_t* bytes) {
+  if (bytes == nullptr) return WRC_ERROR_NULL;
+  *bytes = 0;
+  if (!abi::valid(model)) return WRC_ERROR_NULL;
+  *bytes = sizeof(abi::PortableHeader) + wrc::state_bytes(*model->model);
+  return WRC_OK;
+}
+
+int32_t wrc_contact_save_portable(const wrc_contact* handle, void* buffer, uint64_t bytes) {
+  if (!abi::valid(handle) || buffer == nullptr) return WRC_ERROR_NULL;
+  const wrc::Contact& contact = *handle->contact;
+  const std::size_t state = wrc::state_bytes(*contact.model);
+  if (bytes < sizeof(abi::PortableHeader) + state) return WRC_ERROR_BUFFER;
+  auto* const begin = static_cast<unsigned char*>(buffer) + sizeof(abi::PortableHeader);
+  std::memcpy(begin, handle->contact, state);
+  unsigned char first[abi::addressed];
+  abi::without_addresses(contact, first);
+  std::memcpy(begin, first, sizeof first);
+  abi::PortableHeader header{};
+  std::memcpy(header.mark, abi::portable_mark, sizeof header.mark);
+  header.byte_order = abi::native_order;
+  header.format = abi::portable_format;
+  header.version = wrc_version();
+  header.side = static_cast<std::uint32_t>(contact.side);
+  header.bytes = sizeof header + state;
+  header.configuration = contact.model->configuration;
+  header.layout = abi::layout_of(*contact.model);
+  header.checksum = abi::checksum_of(header, begin, state);
+  std::memcpy(buffer, &header, sizeof header);
+  return WRC_OK;
+}
+
+int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, uint64_t bytes) {
+  if (!abi::valid(handle)) return WRC_ERROR_NULL;
+  wrc::Contact& contact = *handle->contact;
+  abi::PortableHeader header{};
+  wrc::Fault fault;
+  if (buffer == nullptr) {
+    fault = {.status = WRC_ERROR_NULL, .field = "buffer"};
+  } else if (bytes < sizeof header) {
+    fault = abi::damaged("it is too short for a header: the end is missing");
+  } else {
+    std::memcpy(&header, buffer, sizeof header);
+    fault = abi::check_header(contact, header, bytes);
+  }
+  const std::size_t state = wrc::state_bytes(*contact.model);
+  const auto* const begin = static_cast<const unsigned char*>(buffer) + sizeof header;
+  if (!fault.failed() && header.checksum != abi::checksum_of(header, begin, state))
+    fault = abi::damaged("bytes of it have changed since it was written");
+  if (fault.failed()) {
+    contact.last = fault;
+    return fault.status;
+  }
+  const wrc::Model* const model = contact.model;
+  std::memcpy(handle->contact, begin, state);
+  contact.model = model;
+  return WRC_OK;
+}
+
+}  // extern "C"
