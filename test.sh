@@ -48,7 +48,8 @@ mingw_suite() {
   elif all; then
     suite mingw
   else
-    suite mingw '^(abi.*|golden_hash|example_.*|dll_symbols|package_zip)$' abi_tests golden_hash first_step exact_check load_at_run_time
+    suite mingw '^(abi.*|golden_hash|example_.*|dll_symbols|package_zip|fmi_importer)$' abi_tests golden_hash first_step exact_check load_at_run_time \
+      fmi_importer wrc_fmu
   fi
 }
 
@@ -75,6 +76,7 @@ main_job() { if all; then ./run.sh; else WRC_BUILD=build/release ./run.sh; fi; }
 mkdir -p build
 bindings/python/tests/environment.sh install
 tests/hosts/exudyn.sh install
+tests/fmi/fmpy.sh install
 part release suite release
 if [ "${1:-}" != quick ]; then
   part clang clang_suite

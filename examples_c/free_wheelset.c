@@ -1,6 +1,7 @@
 /* free_wheelset.c - a wheelset on its own runs along a straight track, off centre at first.
  *
- *   free_wheelset [METRES]      16 m; prints its lateral motion and the length of its waves
+ *   free_wheelset [METRES [cold]]     16 m; prints its lateral motion and the length of its waves; cold: every call
+ *                                     starts anew, as in the FMU wrc_wheelset, and has its results
  *
  * What a multibody code does with wrc: in every evaluation, one call per wheel with the wheelset's pose and
  * velocities, and the two wrenches added up about the middle of the axle. Forward speed is held; lateral,
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   config.wheelset.wheel_radius = radius;
-  config.normal.warm_start = 1;
+  config.normal.warm_start = argc < 3;
   wrc_model* model = NULL;
   wrc_contact* contact[2] = {NULL, NULL};
   int32_t status = wrc_model_create(&config, NULL, &model);

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Packages of a built library, the same bytes from the same build whoever makes them, wherever.
 
-    packages/make.py BUILD OUT            Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-doc, and a .tar.gz
+    packages/make.py BUILD OUT            Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, wrc-doc, and a .tar.gz
     packages/make.py BUILD OUT --windows  the .zip of a mingw build
+                       --mingw BUILD      of the Debian packages and the .tar.gz: the FMUs are for Windows, too, by this build
 
 Times in the packages are SOURCE_DATE_EPOCH, or that of the last commit. Each holds a list of its files and of the code of
 others that is in it (SPDX 2.3), the notices on that code and the licence. Needs cmake, strip and, for .deb, dpkg-deb."""
@@ -112,12 +113,13 @@ def tidy(folder, when):
         os.utime(each, (when, when), follow_symlinks=False)
 
 
-def tree(build, folder, windows):
+def tree(build, folder, windows, when):
     """The installed tree, its library without names that only a linker of static libraries wants."""
     run("cmake", "--install", build, "--prefix", folder)
     for library in (folder / "bin/wrc.dll", folder / f"lib/libwrc.so.{VERSION}"):
         if library.exists():
-            run("x86_64-w64-mingw32-strip" if windows else "strip", "--strip-unneeded", library)
+            run("x86_64-w64-mingw32-strip" if windows else "strip", "--strip-unneeded", library,
+                env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})  # of which a DLL bears a stamp
     return folder
 
 
@@ -126,6 +128,24 @@ def papers(folder, name, holds, when):
     put(ROOT / "LICENSE", folder / "LICENSE")
     put(ROOT / "docs/third_party.md", folder / "third_party.md")
     return lambda root: (folder / f"{name}.spdx.json").write_text(bill(root, name, holds, when))
+
+
+def fmus(folder, build, mingw, scratch, out, holds, when):
+    """The FMUs of the installed tree with Windows' library, where there is one, and the bill of materials; in `out`, too."""
+    if not list(folder.glob("*.fmu")):
+        return
+    sys.path.insert(0, str(ROOT / "bindings/fmi"))
+    import make_fmu
+    make_fmu.build(argparse.Namespace(out=folder, linux=build / "bindings/fmi/wrc_fmu.so",
+                                      windows=mingw and mingw / "bindings/fmi/wrc_fmu.dll"))
+    os.environ["SOURCE_DATE_EPOCH"] = str(when)
+    for file in sorted(folder.glob("*.fmu")):
+        unpacked = scratch / file.stem
+        with zipfile.ZipFile(file) as packed:
+            packed.extractall(unpacked)
+        (unpacked / "documentation" / f"{file.stem}.spdx.json").write_text(bill(unpacked, file.stem, holds, when))
+        make_fmu.write(file, {str(each.relative_to(unpacked)): each.read_bytes() for each in files_of(unpacked)})
+        put(file, out / file.name)
 
 
 def debian(made, scratch, out, holds, when):
@@ -142,15 +162,20 @@ def debian(made, scratch, out, holds, when):
                           files=["include", "lib/libwrc.so", "lib/cmake", "lib/pkgconfig", fortran]),
         data: dict(architecture="all", section="science", tells="The force table, for WRC_TANGENTIAL_FORCE_TABLE.",
                    files=["share/wrc/force_table.bin"]),
+        "wrc-fmu": dict(architecture=architecture, section="science", depends="python3",
+                        tells="FMUs (FMI 2.0, 3.0) of a wheel and of a wheelset, and the program that puts profiles into them.",
+                        files=["share/wrc/fmu"]),
         documents: dict(architecture="all", section="doc", tells="Manuals and examples.", files=["share/doc/wrc/docs"],
                         examples=True),
     }
     for name, package in packages.items():
+        if not all((made / file).exists() for file in package["files"]):
+            continue  # FMUs that were not built
         root = scratch / name
         for file in package["files"]:
             put(made / file, root / usr / file)
         place = root / usr / "share/doc" / name
-        write_bill = papers(place, name, holds if name == library else [], when)
+        write_bill = papers(place, name, holds if name in (library, "wrc-fmu") else [], when)
         (place / "copyright").write_text(copyright())
         with gzip.GzipFile(place / "changelog.gz", "wb", 9, mtime=0) as changelog:
             changelog.write((ROOT / "CHANGELOG.md").read_bytes())
@@ -159,7 +184,7 @@ def debian(made, scratch, out, holds, when):
         write_bill(root)
         control(root, name, package, library)
         tidy(root, when)
-        run("dpkg-deb", "--root-owner-group", "-Zxz", "--build", root, out / f"{name}_{VERSION}-1_{package['architecture']}.deb",
+        run("dpkg-deb", "--root-owner-group", "-Zxz", "-z3", "--build", root, out / f"{name}_{VERSION}-1_{package['architecture']}.deb",
             env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})
 
 
@@ -197,7 +222,7 @@ def archive(folder, file, when):
     """A .tar.gz or .zip of one folder."""
     every = sorted([folder, *folder.rglob("*")], key=str)
     if file.name.endswith(".zip"):
-        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as packed:
             for each in every:
                 if each.is_file():
                     info = zipfile.ZipInfo(str(each.relative_to(folder.parent)), time.gmtime(when)[:6])
@@ -213,7 +238,7 @@ def archive(folder, file, when):
             info.mtime = when
             with open(each, "rb") if info.isreg() else io.BytesIO() as data:
                 packed.addfile(info, data if info.isreg() else None)
-    with open(file, "wb") as bare, gzip.GzipFile("", "wb", 9, bare, mtime=0) as packed:
+    with open(file, "wb") as bare, gzip.GzipFile("", "wb", 6, bare, mtime=0) as packed:
         packed.write(held.getvalue())
 
 
@@ -221,6 +246,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("build", type=pathlib.Path)
     arguments.add_argument("out", type=pathlib.Path)
+    arguments.add_argument("--mingw", type=pathlib.Path)
     arguments.add_argument("--windows", action="store_true")
     asked = arguments.parse_args()
     build, out, when = asked.build.resolve(), asked.out.resolve(), epoch()
@@ -230,7 +256,8 @@ def main():
     system = "windows-x86_64" if asked.windows else f"linux-{os.uname().machine}"
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
-        made = tree(build, scratch / f"wrc-{VERSION}-{system}", asked.windows)
+        made = tree(build, scratch / f"wrc-{VERSION}-{system}", asked.windows, when)
+        fmus(made / "share/wrc/fmu", build, asked.mingw, scratch, out, holds, when)
         if not asked.windows and shutil.which("dpkg-deb"):
             debian(made, scratch, out, holds, when)
         put_examples(made / "examples")

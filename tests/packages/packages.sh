@@ -44,7 +44,7 @@ case $way in
     needed=$(readelf -d "$scratch/c" | sed -n 's/.*NEEDED.*\[\(libwrc.*\)\]/\1/p')
     [ "$needed" = libwrc.so.0.2 ] || { echo "the program asks for $needed"; exit 1; }
     # the runtime package alone carries the program
-    "${as[@]}" --purge libwrc-dev wrc-doc wrc-data >>"$scratch/said" 2>&1
+    "${as[@]}" --purge libwrc-dev wrc-doc wrc-data wrc-fmu >>"$scratch/said" 2>&1
     LD_LIBRARY_PATH=$root/usr/lib runs "$scratch/c"
     "${as[@]}" --purge libwrc0.2 >>"$scratch/said" 2>&1
     left=$(find "$root" -not -path '*/var*' -not -type d)

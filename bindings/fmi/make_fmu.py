@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""FMUs of wrc: puts them together, or puts your profiles into one.
+
+    make_fmu.py build OUT [--linux wrc_fmu.so] [--windows wrc_fmu.dll]
+        wrc_wheel and wrc_wheelset, for FMI 2.0 and 3.0: OUT/wrc_wheel_fmi2.fmu and so on
+    make_fmu.py profiles FROM.fmu TO.fmu [--wheel FILE] [--rail FILE]
+        the same FMU with these points (y and z in mm in each line) as resources and chosen by default
+
+Times in the files are SOURCE_DATE_EPOCH, or 1980: the same parts make the same bytes."""
+import argparse
+import os
+import pathlib
+import re
+import time
+import zipfile
+from xml.sax.saxutils import quoteattr
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+MODELS = {
+    "wrc_wheel": ("wheel.def", "ModelExchange", "One wheel on its rail: pose and velocities in, wrench on the wheel out. wrc_wheel.h of "
+                  "the C library has frames and signs."),
+    "wrc_wheelset": ("wheelset.def", "CoSimulation", "A wheelset with its mass on straight rails at constant forward speed. wrc_wheel.h of "
+                     "the C library has frames and signs."),
+}
+UNITS = {"1": "", "m": 'm="1"', "rad": 'rad="1"', "s": 's="1"', "kg": 'kg="1"', "kg.m2": 'kg="1" m="2"', "m/s": 'm="1" s="-1"',
+         "rad/s": 'rad="1" s="-1"', "s/m": 's="1" m="-1"', "m2": 'm="2"', "N": 'kg="1" m="1" s="-2"', "N.m": 'kg="1" m="2" s="-2"',
+         "Pa": 'kg="1" m="-1" s="-2"', "W": 'kg="1" m="2" s="-3"'}
+FIRST_INTEGER, TIME = 1000, 999
+ROW = re.compile(r'^(REAL|INTEGER)\((\w+), (?:"([^"]*)", )?(\w+), (\w+), ([^,]+), "(.*)"\)$')
+
+
+def lines_of(name):
+    for line in (HERE / name).read_text().splitlines():
+        included = re.fullmatch(r'#include "(.*)"', line)
+        if included:
+            yield from lines_of(included[1])
+        else:
+            yield line
+
+
+class Variable:
+    def __init__(self, found, number):
+        self.kind, self.name, self.unit, self.causality, self.variability, self.start, self.text = found.groups()
+        self.number = number
+        self.given = self.causality in ("input", "parameter")  # has a start value
+
+
+def variables(name):
+    """(token, variables)"""
+    found, counts, token = [], {"REAL": 0, "INTEGER": FIRST_INTEGER}, None
+    for line in lines_of(name):
+        row = ROW.match(line)
+        if row:
+            found.append(Variable(row, counts[row[1]]))
+            counts[row[1]] += 1
+        elif line.startswith("TOKEN"):
+            token = line.split('"')[1]
+        elif line.startswith(("REAL", "INTEGER")):
+            raise SystemExit(f"{name}: not understood: {line}")
+    return token, found
+
+
+def version():
+    return re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+
+
+def units(version):
+    return "".join(f'    <Unit name="{name}"><BaseUnit {base}/></Unit>\n' for name, base in UNITS.items())
+
+
+def describe(model, fmi):
+    """modelDescription.xml"""
+    file, kind, text = MODELS[model]
+    token, every = variables(file)
+    outputs = [each for each in every if each.causality == "output"]
+    inputs = [each for each in every if each.causality == "input"]
+    step = '  <DefaultExperiment startTime="0" stopTime="1" stepSize="1e-3"/>\n'
+    three = fmi == 3
+    derivatives = ""
+    if model == "wrc_wheel":
+        derivatives = 'providesDirectionalDerivatives="true" providesAdjointDerivatives="true"' if three else 'providesDirectionalDerivative="true"'
+    state = "State" if three else "state"
+    more = {"ModelExchange": 'needsCompletedIntegratorStep="false"' if three else 'completedIntegratorStepNotNeeded="true"',
+            "CoSimulation": 'canHandleVariableCommunicationStepSize="true"'}[kind]
+    if not three:
+        more += ' canNotUseMemoryManagementFunctions="true"'
+    head = (f'<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="{fmi}.0" modelName="{model}" '
+            f'{"instantiationToken" if three else "guid"}={quoteattr(token)} description={quoteattr(text)} version="{version()}" '
+            f'license="Apache-2.0" generationTool="wrc {version()}" variableNamingConvention="flat"'
+            + ("" if three else ' numberOfEventIndicators="0"') + ">\n"
+            f'  <{kind} modelIdentifier="{model}" canGetAndSetFMU{state}="true" canSerializeFMU{state}="true" {derivatives} {more}/>\n'
+            f"  <UnitDefinitions>\n{units(fmi)}  </UnitDefinitions>\n" + step)
+    return head + (structure3 if three else structure2)(every, inputs, outputs) + "</fmiModelDescription>\n"
+
+
+def structure2(every, inputs, outputs):
+    rows, place = [], {each: i + 1 for i, each in enumerate(every)}
+    for each in every:
+        kind = "Real" if each.kind == "REAL" else "Integer"
+        start = f' start="{each.start}"' if each.given else ""
+        unit = f' unit="{each.unit}"' if each.unit else ""
+        initial = ' initial="exact"' if each.causality == "parameter" else ""
+        rows.append(f'    <ScalarVariable name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
+                    f'variability="{each.variability}"{initial} description={quoteattr(each.text)}><{kind}{unit}{start}/></ScalarVariable>\n')
+    depend = " ".join(str(place[each]) for each in inputs)
+    unknown = "".join(f'      <Unknown index="{place[each]}" dependencies="{depend}"/>\n' for each in outputs)
+    first = "".join(f'      <Unknown index="{place[each]}"/>\n' for each in outputs)
+    return (f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n    <Outputs>\n{unknown}    </Outputs>\n"
+            f"    <InitialUnknowns>\n{first}    </InitialUnknowns>\n  </ModelStructure>\n")
+
+
+def structure3(every, inputs, outputs):
+    rows = [f'    <Float64 name="time" valueReference="{TIME}" causality="independent" variability="continuous" unit="s"/>\n']
+    for each in every:
+        kind = "Float64" if each.kind == "REAL" else "Int32"
+        start = f' start="{each.start}"' if each.given else ""
+        unit = f' unit="{each.unit}"' if each.unit else ""
+        rows.append(f'    <{kind} name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
+                    f'variability="{each.variability}"{unit}{start} description={quoteattr(each.text)}/>\n')
+    depend = " ".join(str(each.number) for each in inputs)
+    out = "".join(f'    <Output valueReference="{each.number}" dependencies="{depend}"/>\n' for each in outputs)
+    first = "".join(f'    <InitialUnknown valueReference="{each.number}"/>\n' for each in outputs)
+    return f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n{out}{first}  </ModelStructure>\n"
+
+
+def write(path, files):
+    """A .fmu of {name: bytes}."""
+    when = time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", 315532800)))[:6]
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as packed:
+        for name in sorted(files, key=lambda name: (name != "modelDescription.xml", name)):
+            info = zipfile.ZipInfo(name, when)
+            info.compress_type, info.external_attr = zipfile.ZIP_DEFLATED, 0o100755 << 16 if "binaries" in name else 0o100644 << 16
+            packed.writestr(info, files[name])
+
+
+def build(asked):
+    binaries = {name: path.read_bytes() for name, path in (("linux", asked.linux), ("windows", asked.windows)) if path}
+    folder = {(2, "linux"): ("linux64", "so"), (2, "windows"): ("win64", "dll"), (3, "linux"): ("x86_64-linux", "so"),
+              (3, "windows"): ("x86_64-windows", "dll")}
+    asked.out.mkdir(parents=True, exist_ok=True)
+    papers = {"license.txt": (ROOT / "LICENSE").read_bytes(), "third_party.md": (ROOT / "docs/third_party.md").read_bytes(),
+              "README.md": (HERE / "README.md").read_bytes()}
+    for model in MODELS:
+        for fmi in (2, 3):
+            files = {"modelDescription.xml": describe(model, fmi).encode(),
+                     "resources/README.txt": b"wheel.txt, rail.txt: points of your profiles, y and z in mm in each line "
+                                             b"(make_fmu.py profiles).\n"}
+            for system, data in binaries.items():
+                place, ending = folder[fmi, system]
+                files[f"binaries/{place}/{model}.{ending}"] = data
+            files |= {f"documentation/{'licenses/' if name != 'README.md' else ''}{name}": data for name, data in papers.items()}
+            write(asked.out / f"{model}_fmi{fmi}.fmu", files)
+
+
+def with_profiles(asked):
+    with zipfile.ZipFile(asked.base) as packed:
+        files = {name: packed.read(name) for name in packed.namelist() if not name.endswith("/")}
+    text = files["modelDescription.xml"].decode()
+    for body, path in (("wheel", asked.wheel), ("rail", asked.rail)):
+        if path:
+            files[f"resources/{body}.txt"] = path.read_bytes()
+            text, changed = re.subn(rf'(name="{body}_profile" .*?start=")\d', r"\g<1>1", text)
+            assert changed == 1
+    files["modelDescription.xml"] = text.encode()
+    write(asked.out, files)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    ways = arguments.add_subparsers(required=True)
+    way = ways.add_parser("build")
+    way.add_argument("out", type=pathlib.Path)
+    way.add_argument("--linux", type=pathlib.Path)
+    way.add_argument("--windows", type=pathlib.Path)
+    way.set_defaults(work=build)
+    way = ways.add_parser("profiles")
+    way.add_argument("base", type=pathlib.Path)
+    way.add_argument("out", type=pathlib.Path)
+    way.add_argument("--wheel", type=pathlib.Path)
+    way.add_argument("--rail", type=pathlib.Path)
+    way.set_defaults(work=with_profiles)
+    asked = arguments.parse_args()
+    asked.work(asked)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,541 @@
+#include "model.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------------------------------------ variables
+ */
+
+enum causality { input, output, parameter, local };
+enum variability { continuous, discrete, tunable, fixed };
+typedef struct variable {
+  enum causality causality;
+  enum variability variability;
+  double start;
+} variable;
+
+#define TOKEN(text)
+#define REAL(name, unit, causality, variability, start, description) {causality, variability, start},
+#define INTEGER(name, causality, variability, start, description)
+static const variable wheel_reals[] = {
+#include "wheel.def"
+};
+static const variable wheelset_reals[] = {
+#include "wheelset.def"
+};
+#undef REAL
+#undef INTEGER
+#define REAL(name, unit, causality, variability, start, description)
+#define INTEGER(name, causality, variability, start, description) {causality, variability, start},
+static const variable wheel_integers[] = {
+#include "wheel.def"
+};
+static const variable wheelset_integers[] = {
+#include "wheelset.def"
+};
+#undef INTEGER
+#undef TOKEN
+#define INTEGER(name, causality, variability, start, description)
+#define TOKEN(text) text
+static const char wheel_token[] =
+#include "wheel.def"
+    ;
+static const char wheelset_token[] =
+#include "wheelset.def"
+    ;
+
+/* The parameters of bodies.def, wherever they stand in the variables of a kind. */
+#define OF_KIND(of, name) ((of)->now.real[(of)->kind == WHEEL ? WHEEL_##name : SET_##name])
+#define INTEGER_OF_KIND(of, name) ((of)->now.integer[(of)->kind == WHEEL ? WHEEL_##name : SET_##name])
+
+static const variable* reals(const instance* of) { return of->kind == WHEEL ? wheel_reals : wheelset_reals; }
+static const variable* integers(const instance* of) {
+  return of->kind == WHEEL ? wheel_integers : wheelset_integers;
+}
+static uint32_t real_count(const instance* of) { return of->kind == WHEEL ? WHEEL_REALS : SET_REALS; }
+static uint32_t integer_count(const instance* of) {
+  return of->kind == WHEEL ? WHEEL_INTEGERS : SET_INTEGERS;
+}
+
+static outcome wrong(instance* of, int severity, const char* sentence) {
+  if (of->say) of->say(of, severity, sentence);
+  return (outcome)severity;
+}
+
+/* ------------------------------------------------------------------------------------------------- profiles
+ */
+
+static FILE* open_points(const instance* of, const char* name, char* path, size_t size) {
+  snprintf(path, size, "%s/%s", of->resources, name);
+  return fopen(path, "r");
+}
+
+/* Is there such a file? Then it is the default: make_fmu.py writes so into the description. */
+static int has_points(const instance* of, const char* name) {
+  char path[2048];
+  FILE* file = open_points(of, name, path, sizeof path);
+  if (file) fclose(file);
+  return file != NULL;
+}
+
+/* Points of a file: y and z in mm in each line, # begins a comment. Written to *y and *z, in metres, to be
+ * freed. */
+static int read_points(instance* of, const char* name, double** y, double** z, uint32_t* count) {
+  enum { most = 20000 };
+  char path[2048], line[512], sentence[2600];
+  FILE* file = open_points(of, name, path, sizeof path);
+  if (!file) {
+    snprintf(sentence, sizeof sentence,
+             "%s cannot be read: put the profile's points there, or choose a built-in profile", path);
+    return wrong(of, WRONG, sentence), 0;
+  }
+  const char point = *localeconv()->decimal_point; /* of the host: strtod follows it */
+  *y = malloc(most * sizeof **y);
+  *z = malloc(most * sizeof **z);
+  *count = 0;
+  int good = *y && *z;
+  for (unsigned number = 1; good && fgets(line, sizeof line, file); ++number) {
+    line[strcspn(line, "#\r\n")] = 0;
+    if (line[strspn(line, " \t")] == 0) continue;
+    for (char* each = line; *each; ++each)
+      if (*each == '.') *each = point;
+    char *behind_y, *behind_z;
+    const double value = strtod(line, &behind_y), height = strtod(behind_y, &behind_z);
+    good =
+        behind_y != line && behind_z != behind_y && behind_z[strspn(behind_z, " \t")] == 0 && *count < most;
+    if (good) {
+      (*y)[*count] = 1e-3 * value;
+      (*z)[(*count)++] = 1e-3 * height;
+    } else {
+      snprintf(sentence, sizeof sentence,
+               "%s, line %u: two numbers, y and z in mm, are asked for, in %d lines at most", path, number,
+               most);
+      wrong(of, WRONG, sentence);
+    }
+  }
+  fclose(file);
+  return good;
+}
+
+static int read_profile(instance* of, wrc_profile* profile, int32_t kind, double smoothing, const char* file,
+                        double** y, double** z) {
+  profile->kind = kind;
+  if (kind != WRC_PROFILE_POINTS) return 1;
+  profile->smoothing = smoothing;
+  if (!read_points(of, file, y, z, &profile->count)) return 0;
+  profile->y = *y;
+  profile->z = *z;
+  return 1;
+}
+
+/* ---------------------------------------------------------------------------------------------- instance */
+
+/* The path of a file URI, %20 and the like decoded; a path as it is. To be freed. */
+static char* folder_of(const char* location) {
+  const char* from = location ? location : "";
+  const int uri = strncmp(from, "file:", 5) == 0;
+  if (uri) {
+    from += 5;
+    if (strncmp(from, "//", 2) == 0) from = from + 2 + strcspn(from + 2, "/"); /* file://host/path */
+    if (from[0] == '/' && from[1] && from[2] == ':') ++from;                   /* /C:/path */
+  }
+  char* made = malloc(strlen(from) + 1);
+  if (!made) return NULL;
+  char* to = made;
+  for (; *from; ++from) {
+    char digits[3] = {0, 0, 0};
+    char* end = digits;
+    if (uri && *from == '%' && from[1] && from[2]) {
+      digits[0] = from[1];
+      digits[1] = from[2];
+    }
+    const long code = strtol(digits, &end, 16);
+    if (end == digits + 2) from += 2;
+    *to++ = end == digits + 2 ? (char)code : *from;
+  }
+  while (to > made && (to[-1] == '/' || to[-1] == '\\')) --to;
+  *to = 0;
+  return made;
+}
+
+/* Both contacts, then what they are made of. */
+static void drop_model(instance* of) {
+  for (int side = 0; side < 2; ++side) {
+    wrc_contact_destroy(of->contact[side]);
+    of->contact[side] = NULL;
+  }
+  wrc_model_destroy(of->model);
+  of->model = NULL;
+}
+
+void model_reset(instance* of) {
+  drop_model(of);
+  memset(&of->now, 0, sizeof of->now);
+  for (uint32_t i = 0; i < real_count(of); ++i) of->now.real[i] = reals(of)[i].start;
+  for (uint32_t i = 0; i < integer_count(of); ++i) of->now.integer[i] = (int32_t)integers(of)[i].start;
+  if (has_points(of, "wheel.txt")) INTEGER_OF_KIND(of, wheel_profile) = WRC_PROFILE_POINTS;
+  if (has_points(of, "rail.txt")) INTEGER_OF_KIND(of, rail_profile) = WRC_PROFILE_POINTS;
+  of->slopes_known = 0;
+}
+
+instance* model_new(const char* token, const char* resources) {
+  const int wheel = token && strcmp(token, wheel_token) == 0,
+            set = token && strcmp(token, wheelset_token) == 0;
+  instance* of = wheel || set ? calloc(1, sizeof *of) : NULL;
+  if (!of) return NULL;
+  of->kind = wheel ? WHEEL : WHEELSET;
+  of->resources = folder_of(resources);
+  if (!of->resources) {
+    free(of);
+    return NULL;
+  }
+  model_reset(of);
+  return of;
+}
+
+void model_free(instance* of) {
+  if (!of) return;
+  drop_model(of);
+  free(of->resources);
+  free(of);
+}
+
+/* What a call on a contact ended with, told to the host if it failed. A number out of range is an
+ * integrator's attempt as often as a mistake: the step may be tried again. */
+static outcome answer(instance* of, const wrc_contact* contact, int32_t status) {
+  int32_t* kept = &INTEGER_OF_KIND(of, status);
+  if (*kept >= 0 && (status < 0 || status > *kept)) *kept = status;
+  if (status >= 0) return FINE;
+  char sentence[512] = "";
+  wrc_contact_last_error(contact, sentence, sizeof sentence);
+  const int outside = status == WRC_ERROR_RANGE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_LOAD;
+  return wrong(of, outside ? DISCARDED : WRONG, *sentence ? sentence : wrc_status_text(status));
+}
+
+static double standing(instance* of, outcome* how) {
+  wrc_wheel_input given = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  const double speed = of->now.real[SET_speed];
+  given.wheel.angular_axes = WRC_AXES_BODY;
+  given.wheel.velocity[0] = speed;
+  given.wheel.angular_velocity[1] = -speed / OF_KIND(of, wheel_radius);
+  given.friction.coefficient = OF_KIND(of, friction);
+  given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  given.vertical_load = 0.5 * of->now.real[SET_load];
+  *how = answer(of, of->contact[WRC_SIDE_RIGHT],
+                wrc_contact_wrench(of->contact[WRC_SIDE_RIGHT], &given, &wrench));
+  return wrench.z;
+}
+
+outcome model_start(instance* of) {
+  drop_model(of);
+  wrc_config config = wrc_config_default();
+  config.wheelset.wheel_radius = OF_KIND(of, wheel_radius);
+  config.wheelset.flange_back_distance = OF_KIND(of, flange_back_distance);
+  config.track.gauge = OF_KIND(of, gauge);
+  config.track.rail_inclination = OF_KIND(of, rail_inclination);
+  config.material.shear_modulus = OF_KIND(of, shear_modulus);
+  config.material.poisson = OF_KIND(of, poisson);
+  double* points[4] = {NULL, NULL, NULL, NULL};
+  outcome how = WRONG;
+  if (read_profile(of, &config.wheel, INTEGER_OF_KIND(of, wheel_profile), OF_KIND(of, wheel_smoothing),
+                   "wheel.txt", &points[0], &points[1]) &&
+      read_profile(of, &config.rail, INTEGER_OF_KIND(of, rail_profile), OF_KIND(of, rail_smoothing),
+                   "rail.txt", &points[2], &points[3])) {
+    char sentence[512] = "no memory";
+    int32_t status = wrc_model_create(&config, NULL, &of->model);
+    if (status < 0) wrc_config_check(&config, sentence, sizeof sentence);
+    const int first = of->kind == WHEEL ? of->now.integer[WHEEL_side] : WRC_SIDE_RIGHT;
+    const int last = of->kind == WHEEL ? first : WRC_SIDE_LEFT;
+    if (status >= 0 && (first < WRC_SIDE_RIGHT || first > WRC_SIDE_LEFT)) {
+      status = WRC_ERROR_UNSUPPORTED;
+      snprintf(sentence, sizeof sentence, "side = %d: 0 is the right wheel, 1 the left one", first);
+    }
+    for (int side = first; side <= last && status >= 0; ++side)
+      status = wrc_contact_create(of->model, side, NULL, &of->contact[side]);
+    how = status < 0 ? wrong(of, WRONG, sentence) : FINE;
+  }
+  for (int i = 0; i < 4; ++i) free(points[i]);
+  of->input = wrc_wheel_input_default();
+  of->now.solved = 0;
+  INTEGER_OF_KIND(of, status) = 0;
+  if (how == FINE && of->kind == WHEELSET) {
+    double* now = of->now.real;
+    now[SET_y] = now[SET_start_y];
+    now[SET_yaw] = now[SET_start_yaw];
+    now[SET_pitch_rate] = -now[SET_speed] / now[SET_wheel_radius];
+    now[SET_z] = standing(of, &how);
+  }
+  return how;
+}
+
+/* ------------------------------------------------------------------------------------------------- wrenches
+ */
+
+static wrc_contact* of_wheel(instance* of) { return of->contact[of->now.integer[WHEEL_side]]; }
+
+/* What the sixteen inputs, friction and damping are to the library. */
+static void give_wheel(instance* of) {
+  const double* from = of->now.real;
+  wrc_wheel_state* wheel = &of->input.wheel;
+  wrc_rail_state* rail = &of->input.rail;
+  wheel->reference = of->now.integer[WHEEL_reference];
+  wheel->y = from[WHEEL_y];
+  wheel->z = from[WHEEL_z];
+  wheel->roll = from[WHEEL_roll];
+  wheel->yaw = from[WHEEL_yaw];
+  for (int i = 0; i < 3; ++i) {
+    wheel->velocity[i] = from[WHEEL_vx + i];
+    wheel->angular_velocity[i] = from[WHEEL_wx + i];
+  }
+  rail->y = from[WHEEL_rail_y];
+  rail->z = from[WHEEL_rail_z];
+  rail->roll = from[WHEEL_rail_roll];
+  rail->y_velocity = from[WHEEL_rail_y_velocity];
+  rail->z_velocity = from[WHEEL_rail_z_velocity];
+  rail->roll_velocity = from[WHEEL_rail_roll_velocity];
+  of->input.friction.coefficient = from[WHEEL_friction];
+  of->input.damping = from[WHEEL_damping];
+}
+
+static void take_wheel(instance* of, const wrc_wrench* wrench) {
+  double* to = of->now.real;
+  for (int i = 0; i < 3; ++i) {
+    to[WHEEL_fx + i] = wrench->force[i];
+    to[WHEEL_mx + i] = wrench->moment[i];
+  }
+  to[WHEEL_normal_force] = wrench->normal_force;
+  to[WHEEL_area] = wrench->area;
+  to[WHEEL_peak_pressure] = wrench->peak_pressure;
+  to[WHEEL_power] = wrench->power;
+  of->now.integer[WHEEL_regions] = wrench->regions;
+  of->now.solved = 1;
+}
+
+/* Forces and moments of both rails on the wheelset as it stands, added to what is in `force` and `moment`. */
+static outcome wheelset_forces(instance* of, double force[3], double moment[3]) {
+  double* now = of->now.real;
+  wrc_wheel_state* wheel = &of->input.wheel;
+  wrc_wrench wrench = wrc_wrench_default();
+  wheel->angular_axes = WRC_AXES_BODY;
+  wheel->y = now[SET_y];
+  wheel->z = now[SET_z];
+  wheel->roll = now[SET_roll];
+  wheel->yaw = now[SET_yaw];
+  wheel->velocity[0] = now[SET_speed];
+  wheel->velocity[1] = now[SET_y_rate];
+  wheel->velocity[2] = now[SET_z_rate];
+  wheel->angular_velocity[0] = now[SET_roll_rate];
+  wheel->angular_velocity[1] = now[SET_pitch_rate] - now[SET_roll_rate] * sin(now[SET_yaw]);
+  wheel->angular_velocity[2] = now[SET_yaw_rate];
+  of->input.friction.coefficient = now[SET_friction];
+  of->input.damping = now[SET_damping];
+  of->now.integer[SET_status] = 0;
+  now[SET_power] = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    const double* rail = now + (side == WRC_SIDE_RIGHT ? SET_right_rail_y : SET_left_rail_y);
+    of->input.rail.y = rail[0];
+    of->input.rail.z = rail[1];
+    of->input.rail.y_velocity = rail[2];
+    of->input.rail.z_velocity = rail[3];
+    const outcome how =
+        answer(of, of->contact[side], wrc_contact_wrench(of->contact[side], &of->input, &wrench));
+    if (how != FINE) return how;
+    for (int i = 0; i < 3; ++i) {
+      force[i] += wrench.force[i];
+      moment[i] += wrench.moment[i];
+    }
+    double* shown = now + (side == WRC_SIDE_RIGHT ? SET_right_fy : SET_left_fy);
+    shown[0] = wrench.force[1];
+    shown[1] = wrench.force[2];
+    now[SET_power] += wrench.power;
+  }
+  return FINE;
+}
+
+/* Brings the outputs up to date. */
+static outcome solve(instance* of) {
+  if (!of->model && of->initialising) { /* outputs may be asked for before initialisation ends */
+    const outcome made = model_start(of);
+    if (made != FINE) return made;
+  }
+  if (of->now.solved || !of->model) return FINE;
+  outcome how;
+  if (of->kind == WHEEL) {
+    wrc_wrench wrench = wrc_wrench_default();
+    give_wheel(of);
+    of->now.integer[WHEEL_status] = 0;
+    how = answer(of, of_wheel(of), wrc_contact_wrench(of_wheel(of), &of->input, &wrench));
+    if (how == FINE) take_wheel(of, &wrench);
+  } else {
+    double force[3] = {0.0, 0.0, 0.0}, moment[3] = {0.0, 0.0, 0.0};
+    how = wheelset_forces(of, force, moment);
+    of->now.solved = how == FINE;
+  }
+  return how;
+}
+
+/* Rows of the wrench, columns of the inputs. */
+outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns, size_t unknown_count,
+                          const uint32_t* knowns, size_t known_count, const double* seed, double* result) {
+  if (of->kind != WHEEL || !of->model)
+    return wrong(of, WRONG, "no derivatives: of an initialised wheel alone");
+  for (size_t i = 0; i < unknown_count; ++i)
+    if (unknowns[i] < WHEEL_fx || unknowns[i] > WHEEL_mz)
+      return wrong(of, WRONG, "derivatives are of fx .. mz");
+  for (size_t j = 0; j < known_count; ++j)
+    if (knowns[j] > WHEEL_rail_roll_velocity) return wrong(of, WRONG, "derivatives are by the inputs");
+  if (!of->slopes_known) {
+    wrc_wrench wrench = wrc_wrench_default();
+    give_wheel(of);
+    of->now.integer[WHEEL_status] = 0;
+    const outcome how = answer(
+        of, of_wheel(of), wrc_contact_wrench_sensitivities(of_wheel(of), &of->input, &wrench, &of->slopes));
+    if (how != FINE) return how;
+    take_wheel(of, &wrench);
+    of->slopes_known = 1;
+  }
+  const size_t results = transposed ? known_count : unknown_count;
+  for (size_t i = 0; i < results; ++i) result[i] = 0.0;
+  for (size_t i = 0; i < unknown_count; ++i)
+    for (size_t j = 0; j < known_count; ++j) {
+      const double slope = of->slopes.wrench[unknowns[i] - WHEEL_fx][knowns[j]];
+      if (transposed)
+        result[j] += slope * seed[i];
+      else
+        result[i] += slope * seed[j];
+    }
+  return FINE;
+}
+
+/* ----------------------------------------------------------------------------------------------------- steps
+ */
+
+/* Semi-implicit Euler, as in examples_c/free_wheelset.c. */
+outcome model_step(instance* of, double from, double length) {
+  if (of->kind != WHEELSET || !of->model)
+    return wrong(of, WRONG, "no step: of an initialised wheelset alone");
+  if (!(length > 0.0)) return wrong(of, WRONG, "a step's length must be positive");
+  double* now = of->now.real;
+  const double wished = length / now[SET_step], nearest = floor(wished + 0.5);
+  if (!(wished > 0.0) || wished > 1e9)
+    return wrong(of, WRONG, "step must be positive and not far below the host's");
+  const int whole = nearest >= 1.0 && fabs(wished - nearest) <= 1e-9 * nearest;
+  const double count = whole ? nearest : ceil(wished);
+  const double step = whole ? now[SET_step] : length / count;
+  const double mass = now[SET_mass], across = now[SET_inertia_across],
+               about_axle = now[SET_inertia_about_axle];
+  for (double n = 0.0; n < count; n += 1.0) {
+    double force[3] = {0.0, now[SET_force_y], now[SET_load] + now[SET_force_z]};
+    double moment[3] = {now[SET_moment_x], now[SET_moment_y], now[SET_moment_z]};
+    const outcome how = wheelset_forces(of, force, moment);
+    if (how != FINE) return how;
+    const double pitch_rate = now[SET_pitch_rate];
+    now[SET_y_rate] += step * force[1] / mass;
+    now[SET_z_rate] += step * force[2] / mass;
+    now[SET_roll_rate] += step * (moment[0] + about_axle * pitch_rate * now[SET_yaw_rate]) / across;
+    now[SET_yaw_rate] += step * (moment[2] - about_axle * pitch_rate * now[SET_roll_rate]) / across;
+    now[SET_pitch_rate] += step * moment[1] / about_axle;
+    now[SET_y] += step * now[SET_y_rate];
+    now[SET_z] += step * now[SET_z_rate];
+    now[SET_roll] += step * now[SET_roll_rate];
+    now[SET_yaw] += step * now[SET_yaw_rate];
+  }
+  of->now.time = from + length;
+  of->now.solved = 0;
+  return FINE;
+}
+
+/* ------------------------------------------------------------------------------------------------- variables
+ */
+
+outcome model_get_real(instance* of, const uint32_t* numbers, size_t count, double* values) {
+  for (size_t i = 0; i < count; ++i) {
+    if (numbers[i] == TIME) {
+      values[i] = of->now.time;
+      continue;
+    }
+    if (numbers[i] >= real_count(of)) return wrong(of, WRONG, "no such real variable");
+    const enum causality causality = reals(of)[numbers[i]].causality;
+    if (causality == output || causality == local) {
+      const outcome how = solve(of);
+      if (how != FINE) return how;
+    }
+    values[i] = of->now.real[numbers[i]];
+  }
+  return FINE;
+}
+
+/* A fixed parameter is what models are made of. */
+static outcome change_fixed(instance* of, const variable* which) {
+  if (which->variability != fixed) return FINE;
+  if (of->model && !of->initialising) return wrong(of, WRONG, "a fixed parameter cannot be changed any more");
+  drop_model(of);
+  return FINE;
+}
+
+outcome model_set_real(instance* of, const uint32_t* numbers, size_t count, const double* values) {
+  for (size_t i = 0; i < count; ++i) {
+    if (numbers[i] >= real_count(of)) return wrong(of, WRONG, "no such real variable");
+    double* to = &of->now.real[numbers[i]];
+    if (memcmp(to, &values[i], sizeof *to) == 0) continue;
+    if (change_fixed(of, &reals(of)[numbers[i]]) != FINE) return WRONG;
+    *to = values[i];
+    of->now.solved = of->slopes_known = 0;
+  }
+  return FINE;
+}
+
+outcome model_get_integer(instance* of, const uint32_t* numbers, size_t count, int32_t* values) {
+  const outcome how = solve(of);
+  if (how != FINE) return how;
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t number = numbers[i] - FIRST_INTEGER;
+    if (number >= integer_count(of)) return wrong(of, WRONG, "no such integer variable");
+    values[i] = of->now.integer[number];
+  }
+  return FINE;
+}
+
+outcome model_set_integer(instance* of, const uint32_t* numbers, size_t count, const int32_t* values) {
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t number = numbers[i] - FIRST_INTEGER;
+    if (number >= integer_count(of)) return wrong(of, WRONG, "no such integer variable");
+    if (of->now.integer[number] == values[i]) continue;
+    if (change_fixed(of, &integers(of)[number]) != FINE) return WRONG;
+    of->now.integer[number] = values[i];
+    of->now.solved = of->slopes_known = 0;
+  }
+  return FINE;
+}
+
+/* ----------------------------------------------------------------------------------------------------- state
+ */
+
+void model_save(const instance* of, saved* into) {
+  memset(into, 0, sizeof *into);
+  strncpy(into->mark, of->kind == WHEEL ? wheel_token : wheelset_token, sizeof into->mark - 1);
+  into->now = of->now;
+}
+
+outcome model_restore(instance* of, const saved* from) {
+  saved own;
+  model_save(of, &own);
+  if (memcmp(own.mark, from->mark, sizeof own.mark) != 0)
+    return wrong(of, WRONG, "not a state of this FMU in this version");
+  /* another instance's parameters may be others */
+  int same = of->model != NULL;
+  for (uint32_t i = 0; i < real_count(of); ++i)
+    if (reals(of)[i].variability == fixed) same &= of->now.real[i] == from->now.real[i];
+  for (uint32_t i = 0; i < integer_count(of); ++i)
+    if (integers(of)[i].variability == fixed) same &= of->now.integer[i] == from->now.integer[i];
+  of->now = from->now;
+  of->slopes_known = 0;
+  if (same) return FINE;
+  const outcome how = model_start(of);
+  of->now = from->now;
+  return how;
+}
