@@ -9,7 +9,7 @@
 inline double& wrench_input(wrc_wheel_input& input, std::int32_t column) {
   wrc_wheel_state& wheel = input.wheel;
   wrc_rail_state& rail = input.rail;
-  double* const numbers[WRC_WRENCH_INPUTS - 1] = {&wheel.y,
+  double* const numbers[WRC_BY_VERTICAL_LOAD] = {&wheel.y,
                                                   &wheel.z,
                                                   &wheel.roll,
                                                   &wheel.yaw,

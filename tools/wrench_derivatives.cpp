@@ -24,7 +24,7 @@
 
 namespace {
 
-constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
+constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD;
 constexpr const char* row_names[rows] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 constexpr const char* column_names[columns] = {
     "y",  "z",  "roll",   "yaw",    "vx",        "vy",      "vz",      "wx",

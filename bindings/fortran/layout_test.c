@@ -14,6 +14,10 @@ extern const size_t layout_wrc_config_wheelset[];
 const size_t layout_wrc_config_wheelset[] = {sizeof(wrc_config_wheelset), offsetof(wrc_config_wheelset, wheel_radius), offsetof(wrc_config_wheelset, flange_back_distance)};
 extern const size_t layout_wrc_config_track[];
 const size_t layout_wrc_config_track[] = {sizeof(wrc_config_track), offsetof(wrc_config_track, placement), offsetof(wrc_config_track, reserved), offsetof(wrc_config_track, gauge), offsetof(wrc_config_track, gauge_depth), offsetof(wrc_config_track, rail_inclination), offsetof(wrc_config_track, rail_origin)};
+extern const size_t layout_wrc_rail_section[];
+const size_t layout_wrc_rail_section[] = {sizeof(wrc_rail_section), offsetof(wrc_rail_section, distance), offsetof(wrc_rail_section, y), offsetof(wrc_rail_section, z), offsetof(wrc_rail_section, face), offsetof(wrc_rail_section, marks), offsetof(wrc_rail_section, mark), offsetof(wrc_rail_section, profile)};
+extern const size_t layout_wrc_config_roundness[];
+const size_t layout_wrc_config_roundness[] = {sizeof(wrc_config_roundness), offsetof(wrc_config_roundness, angles), offsetof(wrc_config_roundness, rows), offsetof(wrc_config_roundness, angle), offsetof(wrc_config_roundness, y), offsetof(wrc_config_roundness, deviation)};
 extern const size_t layout_wrc_config_grid[];
 const size_t layout_wrc_config_grid[] = {sizeof(wrc_config_grid), offsetof(wrc_config_grid, strips), offsetof(wrc_config_grid, cells), offsetof(wrc_config_grid, gap_rows), offsetof(wrc_config_grid, max_patches), offsetof(wrc_config_grid, gap_limit)};
 extern const size_t layout_wrc_config_normal[];
@@ -21,7 +25,7 @@ const size_t layout_wrc_config_normal[] = {sizeof(wrc_config_normal), offsetof(w
 extern const size_t layout_wrc_config_tangential[];
 const size_t layout_wrc_config_tangential[] = {sizeof(wrc_config_tangential), offsetof(wrc_config_tangential, method), offsetof(wrc_config_tangential, patch_model), offsetof(wrc_config_tangential, bound), offsetof(wrc_config_tangential, flexibility), offsetof(wrc_config_tangential, regularisation), offsetof(wrc_config_tangential, reserved), offsetof(wrc_config_tangential, force_table)};
 extern const size_t layout_wrc_config[];
-const size_t layout_wrc_config[] = {sizeof(wrc_config), offsetof(wrc_config, struct_size), offsetof(wrc_config, instruction_set), offsetof(wrc_config, wheel), offsetof(wrc_config, rail), offsetof(wrc_config, material), offsetof(wrc_config, wheel_heat), offsetof(wrc_config, rail_heat), offsetof(wrc_config, wheelset), offsetof(wrc_config, track), offsetof(wrc_config, grid), offsetof(wrc_config, normal), offsetof(wrc_config, tangential)};
+const size_t layout_wrc_config[] = {sizeof(wrc_config), offsetof(wrc_config, struct_size), offsetof(wrc_config, instruction_set), offsetof(wrc_config, wheel), offsetof(wrc_config, rail), offsetof(wrc_config, material), offsetof(wrc_config, wheel_heat), offsetof(wrc_config, rail_heat), offsetof(wrc_config, wheelset), offsetof(wrc_config, track), offsetof(wrc_config, grid), offsetof(wrc_config, normal), offsetof(wrc_config, tangential), offsetof(wrc_config, rail_sections), offsetof(wrc_config, reserved), offsetof(wrc_config, rail_section), offsetof(wrc_config, roundness)};
 extern const size_t layout_wrc_pose[];
 const size_t layout_wrc_pose[] = {sizeof(wrc_pose), offsetof(wrc_pose, lateral), offsetof(wrc_pose, roll), offsetof(wrc_pose, yaw)};
 extern const size_t layout_wrc_contact_point[];
@@ -71,7 +75,7 @@ const size_t layout_wrc_wheel_state[] = {sizeof(wrc_wheel_state), offsetof(wrc_w
 extern const size_t layout_wrc_rail_state[];
 const size_t layout_wrc_rail_state[] = {sizeof(wrc_rail_state), offsetof(wrc_rail_state, y), offsetof(wrc_rail_state, z), offsetof(wrc_rail_state, roll), offsetof(wrc_rail_state, y_velocity), offsetof(wrc_rail_state, z_velocity), offsetof(wrc_rail_state, roll_velocity)};
 extern const size_t layout_wrc_wheel_input[];
-const size_t layout_wrc_wheel_input[] = {sizeof(wrc_wheel_input), offsetof(wrc_wheel_input, struct_size), offsetof(wrc_wheel_input, prescribed), offsetof(wrc_wheel_input, start), offsetof(wrc_wheel_input, reserved), offsetof(wrc_wheel_input, wheel), offsetof(wrc_wheel_input, rail), offsetof(wrc_wheel_input, friction), offsetof(wrc_wheel_input, vertical_load), offsetof(wrc_wheel_input, damping)};
+const size_t layout_wrc_wheel_input[] = {sizeof(wrc_wheel_input), offsetof(wrc_wheel_input, struct_size), offsetof(wrc_wheel_input, prescribed), offsetof(wrc_wheel_input, start), offsetof(wrc_wheel_input, reserved), offsetof(wrc_wheel_input, wheel), offsetof(wrc_wheel_input, rail), offsetof(wrc_wheel_input, friction), offsetof(wrc_wheel_input, vertical_load), offsetof(wrc_wheel_input, damping), offsetof(wrc_wheel_input, distance), offsetof(wrc_wheel_input, angle)};
 extern const size_t layout_wrc_wrench[];
 const size_t layout_wrc_wrench[] = {sizeof(wrc_wrench), offsetof(wrc_wrench, struct_size), offsetof(wrc_wrench, regions), offsetof(wrc_wrench, iterations), offsetof(wrc_wrench, reserved), offsetof(wrc_wrench, force), offsetof(wrc_wrench, moment), offsetof(wrc_wrench, rail_force), offsetof(wrc_wrench, rail_moment), offsetof(wrc_wrench, z), offsetof(wrc_wrench, normal_force), offsetof(wrc_wrench, area), offsetof(wrc_wrench, peak_pressure), offsetof(wrc_wrench, power), offsetof(wrc_wrench, steepest_angle)};
 extern const size_t layout_wrc_region[];

@@ -7,10 +7,12 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_heat_properties(4)
   integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(3)
   integer(c_size_t), bind(C) :: layout_wrc_config_track(7)
+  integer(c_size_t), bind(C) :: layout_wrc_rail_section(8)
+  integer(c_size_t), bind(C) :: layout_wrc_config_roundness(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config(13)
+  integer(c_size_t), bind(C) :: layout_wrc_config(17)
   integer(c_size_t), bind(C) :: layout_wrc_pose(4)
   integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
   integer(c_size_t), bind(C) :: layout_wrc_gap(10)
@@ -35,7 +37,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(4)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(10)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(12)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(18)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
@@ -68,6 +70,8 @@ program layout_test
   call test_wrc_heat_properties()
   call test_wrc_config_wheelset()
   call test_wrc_config_track()
+  call test_wrc_rail_section()
+  call test_wrc_config_roundness()
   call test_wrc_config_grid()
   call test_wrc_config_normal()
   call test_wrc_config_tangential()
@@ -118,7 +122,7 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 55, ' types compared'
+  print '(i0,a)', 57, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -180,6 +184,38 @@ contains
       distance(c_loc(a), c_loc(a%rail_inclination)), layout_wrc_config_track(6))
     call same('wrc_config_track', 'rail_origin', &
       distance(c_loc(a), c_loc(a%rail_origin)), layout_wrc_config_track(7))
+  end subroutine
+  subroutine test_wrc_rail_section()
+    type(wrc_rail_section), target :: a
+    call same('wrc_rail_section', 'size', c_sizeof(a), layout_wrc_rail_section(1))
+    call same('wrc_rail_section', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_rail_section(2))
+    call same('wrc_rail_section', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_section(3))
+    call same('wrc_rail_section', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_section(4))
+    call same('wrc_rail_section', 'face', &
+      distance(c_loc(a), c_loc(a%face)), layout_wrc_rail_section(5))
+    call same('wrc_rail_section', 'marks', &
+      distance(c_loc(a), c_loc(a%marks)), layout_wrc_rail_section(6))
+    call same('wrc_rail_section', 'mark', &
+      distance(c_loc(a), c_loc(a%mark)), layout_wrc_rail_section(7))
+    call same('wrc_rail_section', 'profile', &
+      distance(c_loc(a), c_loc(a%profile)), layout_wrc_rail_section(8))
+  end subroutine
+  subroutine test_wrc_config_roundness()
+    type(wrc_config_roundness), target :: a
+    call same('wrc_config_roundness', 'size', c_sizeof(a), layout_wrc_config_roundness(1))
+    call same('wrc_config_roundness', 'angles', &
+      distance(c_loc(a), c_loc(a%angles)), layout_wrc_config_roundness(2))
+    call same('wrc_config_roundness', 'rows', &
+      distance(c_loc(a), c_loc(a%rows)), layout_wrc_config_roundness(3))
+    call same('wrc_config_roundness', 'angle', &
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_config_roundness(4))
+    call same('wrc_config_roundness', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_config_roundness(5))
+    call same('wrc_config_roundness', 'deviation', &
+      distance(c_loc(a), c_loc(a%deviation)), layout_wrc_config_roundness(6))
   end subroutine
   subroutine test_wrc_config_grid()
     type(wrc_config_grid), target :: a
@@ -255,6 +291,14 @@ contains
       distance(c_loc(a), c_loc(a%normal)), layout_wrc_config(12))
     call same('wrc_config', 'tangential', &
       distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(13))
+    call same('wrc_config', 'rail_sections', &
+      distance(c_loc(a), c_loc(a%rail_sections)), layout_wrc_config(14))
+    call same('wrc_config', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config(15))
+    call same('wrc_config', 'rail_section', &
+      distance(c_loc(a), c_loc(a%rail_section)), layout_wrc_config(16))
+    call same('wrc_config', 'roundness', &
+      distance(c_loc(a), c_loc(a%roundness)), layout_wrc_config(17))
   end subroutine
   subroutine test_wrc_pose()
     type(wrc_pose), target :: a
@@ -751,6 +795,10 @@ contains
       distance(c_loc(a), c_loc(a%vertical_load)), layout_wrc_wheel_input(9))
     call same('wrc_wheel_input', 'damping', &
       distance(c_loc(a), c_loc(a%damping)), layout_wrc_wheel_input(10))
+    call same('wrc_wheel_input', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_wheel_input(11))
+    call same('wrc_wheel_input', 'angle', &
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_wheel_input(12))
   end subroutine
   subroutine test_wrc_wrench()
     type(wrc_wrench), target :: a

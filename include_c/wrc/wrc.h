@@ -275,6 +275,42 @@ typedef struct wrc_config_track {
                                 rail? */
 } wrc_config_track;
 
+/** One cross section of a rail that changes along the track; wrc_contact_wrench() alone reads them. Between two sections the
+ * rail is blended, twice continuously differentiable by the distance, point by point of equal length along both outlines:
+ * from end to end, or from mark to mark where marks are given. So outlines that are paired should end at the same places of
+ * the rail. A face is a surface of its own - stock rail, blade, wing rail, nose -, with sections of its own, and is there
+ * from the first of them to the last: one that begins or ends should do so where the wheel does not touch it. The rail
+ * itself reaches from the first section of all to the last. Theory manual, section 9. */
+typedef struct wrc_rail_section {
+  double distance;      /**< along the track, -1e7..1e7 m; of a face increasing, by 1 mm or more [0]. Did you pass mm? */
+  double y;             /**< where the profile's origin lies, from that of config.rail: towards the field side, -0.5..0.5 m
+                             [0]. Did you pass mm? */
+  double z;             /**< the same downwards, -0.5..0.5 m [0]. Did you pass mm? */
+  int32_t face;         /**< which surface it is of, 0..3: sections of one face stand side by side, faces counted from 0 on,
+                             best from the gauge side to the field side, as regions are listed [0] */
+  uint32_t marks;       /**< 0..64, the same for all sections of a face [0] */
+  const double* mark;   /**< `marks` of them, y on this profile, -0.5..0.5 m with `marks`: of points that belong together
+                             with those of equal number on the face's other sections; increasing, 1 mm or more from each
+                             other and from the ends [required]. Did you pass mm? */
+  wrc_profile profile;  /**< its outline, from its own origin, canted as config.rail by config.track.rail_inclination; not
+                             WRC_PROFILE_UIC60_BENCHMARK beside another */
+} wrc_rail_section;
+
+/** A wheel that is not round: a flat, a polygon, a measurement. wrc_contact_wrench() alone reads it. A periodic cubic spline
+ * goes through each row. Theory manual, section 9. */
+typedef struct wrc_config_roundness {
+  uint32_t angles;         /**< places round the wheel in each row, the first again at the end, 0 or 9..20000; 0: it is round
+                                [0] */
+  uint32_t rows;           /**< places across the tread, 1..16 with `angles`, 0 else [0] */
+  const double* angle;     /**< `angles` of them, 0..6.2831854 rad with `angles`, increasing, from 0 to 2 pi; 0 is the lowest
+                                point at wrc_wheel_input.angle 0, and angles grow from there towards +x [required]. Did you
+                                pass degrees? */
+  const double* y;         /**< `rows` of them: where on the wheel's profile the rows are, increasing, -0.5..0.5 m; between
+                                them is blended; NULL: of one row [NULL] */
+  const double* deviation; /**< rows * angles of them, row by row, -0.005..0.005 m with `angles`: what the radius has more
+                                than that of the profile; in each row the last as the first [required] */
+} wrc_config_roundness;
+
 /** How finely contacts are divided. */
 typedef struct wrc_config_grid {
   int32_t strips;      /**< strips across the patch, 4..512 [60]. Too large: more strips cost time in proportion */
@@ -331,6 +367,11 @@ typedef struct wrc_config {
   wrc_config_grid grid;             /**< strips, cells, rows of the gap */
   wrc_config_normal normal;         /**< method and options of the normal problem */
   wrc_config_tangential tangential; /**< method and options of the tangential problem */
+  uint32_t rail_sections;           /**< of a rail that changes along the track, 0..1000; 0: it is config.rail everywhere [0] */
+  uint32_t reserved;                /**< 0 */
+  const wrc_rail_section* rail_section; /**< `rail_sections` of them with `rail_sections`; config.rail is beside them what
+                                             the rail's place follows from and what the stages see [required] */
+  wrc_config_roundness roundness;   /**< of the wheel */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is

@@ -141,6 +141,11 @@ typedef struct wrc_wheel_input {
                               own overlap grows, 0..10 s/m with WRC_PRESCRIBE_HEIGHT, 0 else [0]. Negative: damping takes
                               energy out. Too large: it is not a viscous constant: that over 3/2 of the force it was
                               found at. Else: a prescribed load is the whole load */
+  double distance;       /**< of the reference point along the track, for a rail with config.rail_sections, -1e7..1e7 m;
+                              0 else [0]. Did you pass mm? */
+  double angle;          /**< of the wheel about its axle, for one with config.roundness, -1e9..1e9 rad; 0 else: right-hand
+                              rule about y, so that its rate is the angular velocity about the axle and it falls rolling
+                              forwards [0]. Did you pass degrees? */
 } wrc_wheel_input;
 
 /** What passes between a wheel and its rail. All zero, but for z, where they do not touch. Numbers are continuous functions of
@@ -230,17 +235,19 @@ enum wrc_wrench_input {
   WRC_BY_RAIL_Y_VELOCITY = 13,    /**< rail.y_velocity [m/s] */
   WRC_BY_RAIL_Z_VELOCITY = 14,    /**< rail.z_velocity [m/s] */
   WRC_BY_RAIL_ROLL_VELOCITY = 15, /**< rail.roll_velocity [rad/s] */
-  WRC_BY_VERTICAL_LOAD = 16       /**< vertical_load [N], where it is prescribed */
+  WRC_BY_VERTICAL_LOAD = 16,      /**< vertical_load [N], where it is prescribed */
+  WRC_BY_DISTANCE = 17,           /**< distance [m]; but for what strips grow wider or narrower along the track */
+  WRC_BY_ANGLE = 18               /**< angle [rad] */
 };
 
-#define WRC_WRENCH_INPUTS 17 /**< columns of wrc_wrench_sensitivities */
+#define WRC_WRENCH_INPUTS 19 /**< columns of wrc_wrench_sensitivities */
 
 /** Derivatives of the wrench on the wheel about its reference point, at the pose and motion given. What is prescribed is
  * held: with WRC_PRESCRIBE_VERTICAL_LOAD the height follows all other inputs, and the column of z is zero; otherwise that
  * of the load. */
 typedef struct wrc_wrench_sensitivities {
-  double wrench[6][17]; /**< rows force x, y, z [N], moment x, y, z [N m], track axes; columns enum wrc_wrench_input */
-  double z[17];         /**< of wrc_wrench.z; columns the same */
+  double wrench[6][19]; /**< rows force x, y, z [N], moment x, y, z [N m], track axes; columns enum wrc_wrench_input */
+  double z[19];         /**< of wrc_wrench.z; columns the same */
 } wrc_wrench_sensitivities;
 
 /** @name Defaults
@@ -275,7 +282,7 @@ WRC_DEFAULT_SIZED(wrc_region)
  * none or several carry the load, or that the force falls on the way to the one returned.
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm:
  * where the height is given, continued with the stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
- * end of a profile; what lies beyond carries nothing), _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
+ * end of a profile; what lies beyond carries nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
  * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
  * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);
  * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without

@@ -1,5 +1,6 @@
 #include "abi/model_options.hpp"
 
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -164,6 +165,158 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   return {};
 }
 
+/// The k-th of the caller's sections, which has been checked.
+RailSectionSource read_section(const void* given, std::int32_t k) {
+  const wrc_rail_section& theirs = static_cast<const wrc_rail_section*>(given)[k];
+  RailSectionSource ours;
+  ours.section = {.distance = theirs.distance,
+                  .y = theirs.y,
+                  .z = theirs.z,
+                  .face = theirs.face,
+                  .marks = static_cast<std::int32_t>(theirs.marks),
+                  .mark = theirs.mark,
+                  .profile = {}};
+  (void)read_profile(theirs.profile, "config.rail_section.profile", ours.profile);
+  return ours;
+}
+
+Fault check_section(const wrc_config& config, std::int32_t k) {
+  constexpr const char* name = "config.rail_section";
+  wrc_rail_section ours;
+  Fault fault = read(config.rail_section + k, name, ours);
+  ProfileSource source;
+  if (!fault.failed()) fault = check_no_points(ours.profile, "config.rail_section.profile");
+  if (!fault.failed()) fault = read_profile(ours.profile, "config.rail_section.profile", source);
+  if (!fault.failed() && !is_rail(source.kind))
+    fault = {.status = WRC_ERROR_PROFILE,
+             .field = "config.rail_section.profile",
+             .cause = "this is a wheel profile"};
+  if (!fault.failed() && source.kind == ProfileSource::Kind::rail_uic60_benchmark &&
+      config.track.rail_inclination != 0.0)
+    fault = unsupported("config.track.rail_inclination", config.track.rail_inclination,
+                        "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
+  if (!fault.failed() && k > 0) {
+    const wrc_rail_section& before = config.rail_section[k - 1];
+    constexpr double nearest = 1e-3;
+    if (ours.face == before.face && !(ours.distance >= before.distance + nearest))
+      fault = {.status = WRC_ERROR_RANGE,
+               .of = name,
+               .field = "distance",
+               .value = ours.distance,
+               .unit = "m",
+               .low = before.distance + nearest,
+               .high = member<wrc_rail_section>("distance").high,
+               .cause = "the sections of a face stand in order, 1 mm or more from each other"};
+    else if (ours.face == before.face && ours.marks != before.marks)
+      fault = {.status = WRC_ERROR_PROFILE,
+               .of = name,
+               .field = "marks",
+               .value = static_cast<double>(ours.marks),
+               .unit = "",
+               .cause = "all sections of a face have as many: marks of equal number belong together"};
+    else if (ours.face != before.face && ours.face != before.face + 1)
+      fault = {.status = WRC_ERROR_RANGE,
+               .of = name,
+               .field = "face",
+               .value = static_cast<double>(ours.face),
+               .unit = "",
+               .low = static_cast<double>(before.face),
+               .high = static_cast<double>(before.face) + 1.0,
+               .cause = "all sections of a face stand side by side, and faces in order"};
+  } else if (!fault.failed() && ours.face != 0) {
+    fault = {.status = WRC_ERROR_RANGE,
+             .of = name,
+             .field = "face",
+             .value = static_cast<double>(ours.face),
+             .unit = "",
+             .cause = "faces count from 0"};
+  }
+  if (fault.failed()) fault.index = k;
+  return fault;
+}
+
+Fault read_sections(const wrc_config& config, ModelOptions& options) {
+  const auto count = static_cast<std::int32_t>(config.rail_sections);
+  for (std::int32_t k = 0; k < count; ++k) {
+    const Fault fault = check_section(config, k);
+    if (fault.failed()) return fault;
+  }
+  options.sections = {count, config.rail_section, read_section};
+  return {};
+}
+
+Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
+  if (theirs.angles == 0) return {};
+  const std::uint32_t angles = theirs.angles;
+  constexpr double turn = 6.283185307179586, tolerance = 1e-6;
+  const auto refuse_angle = [&](std::uint32_t i, double low, double high, const char* cause) {
+    return Fault{.status = WRC_ERROR_RANGE,
+                 .index = static_cast<std::int32_t>(i),
+                 .field = "config.roundness.angle",
+                 .value = theirs.angle[i],
+                 .unit = "rad",
+                 .low = low,
+                 .high = high,
+                 .cause = cause};
+  };
+  if (!(std::abs(theirs.angle[0]) <= tolerance))
+    return refuse_angle(0, 0.0, tolerance, "angles begin with 0");
+  if (!(std::abs(theirs.angle[angles - 1] - turn) <= tolerance))
+    return refuse_angle(angles - 1, turn - tolerance, turn + tolerance,
+                        "angles end with 2 pi, where the wheel closes");
+  for (std::uint32_t i = 1; i < angles; ++i)
+    if (!(theirs.angle[i] >= theirs.angle[i - 1] + 1e-5))
+      return refuse_angle(i, theirs.angle[i - 1] + 1e-5, turn, "angles increase, by 1e-5 rad or more");
+  const std::uint32_t rows = theirs.rows;
+  if (rows > 1 && theirs.y == nullptr)
+    return {.status = WRC_ERROR_NULL,
+            .field = "config.roundness.y",
+            .cause = "where more than one row is given, so is where they are"};
+  for (std::uint32_t r = 1; r < rows; ++r)
+    if (!(theirs.y[r] >= theirs.y[r - 1] + 1e-4))
+      return {.status = WRC_ERROR_RANGE,
+              .index = static_cast<std::int32_t>(r),
+              .field = "config.roundness.y",
+              .value = theirs.y[r],
+              .unit = "m",
+              .low = theirs.y[r - 1] + 1e-4,
+              .high = 0.5,
+              .cause = "rows increase, by 0.1 mm or more"};
+  constexpr double most = 0.005;
+  const Fault fault =
+      check_all(theirs.deviation, static_cast<std::size_t>(rows) * angles, "config.roundness.deviation", "m",
+                -most, most, "did you pass mm?", "did you pass mm?");
+  if (fault.failed()) return fault;
+  for (std::uint32_t r = 0; r < rows; ++r) {
+    const double* const row = theirs.deviation + static_cast<std::size_t>(r) * angles;
+    if (!(std::abs(row[angles - 1] - row[0]) <= tolerance))
+      return {.status = WRC_ERROR_RANGE,
+              .index = static_cast<std::int32_t>((r + 1) * angles - 1),
+              .field = "config.roundness.deviation",
+              .value = row[angles - 1],
+              .unit = "m",
+              .low = row[0] - tolerance,
+              .high = row[0] + tolerance,
+              .cause = "the radius does not close: the last of a row is the first"};
+  }
+  table = {static_cast<std::int32_t>(angles), static_cast<std::int32_t>(rows), theirs.angle, theirs.y,
+           theirs.deviation};
+  return {};
+}
+
+/// What changes along the track or round the wheel is read by contact on the surface alone.
+Fault read_varying(const wrc_config& config, ModelOptions& options) {
+  if (config.rail_sections == 0 && config.roundness.angles == 0) return {};
+  constexpr const char* reader =
+      "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
+      "WRC_NORMAL_STRIP_HALFSPACE";
+  if (!has_profiles(config) || !options.normal_method->half_space)
+    return config.rail_sections > 0
+               ? unsupported("config.rail_sections", static_cast<double>(config.rail_sections), reader)
+               : unsupported("config.roundness.angles", static_cast<double>(config.roundness.angles), reader);
+  return first_of({read_sections(config, options), read_roundness(config.roundness, options.radius)});
+}
+
 /// The header of the force table tells how much memory the model needs.
 Fault read_table(const char* file, ModelOptions& options) {
   if (file == nullptr) {
@@ -241,6 +394,8 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
     fault = read_table(config.tangential.force_table, options);
     if (fault.failed()) return fault;
   }
+  fault = read_varying(config, options);
+  if (fault.failed()) return fault;
   if (!has_profiles(config)) return {};  // the host hands over gaps
   fault = read_profile(config.wheel, "config.wheel", options.wheel);
   if (fault.failed()) return fault;

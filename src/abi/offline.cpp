@@ -418,6 +418,11 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
                 "zones and slope_reduction as they are by default"};
   }
   const SurfaceModel& surface = *model.surface;
+  if (varies(surface)) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config",
+            .cause = "the exact solution has no rail_section and no roundness"};
+  }
   const double radius = model.options.wheelset.nominal_radius;
   const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),
                                            .rail = section_of(surface.rail_curve, 0.0),
@@ -452,7 +457,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
     const SineCosine turned = sine_cosine(row.angle);
     along += row.normal_force * solver.cell_s * turned.cosine;
     across += row.normal_force * solver.cell_s * turned.sine;
-    result.steepest_angle = std::max(result.steepest_angle, std::abs(row.angle));
+    wrench.steepest_angle = std::max(wrench.steepest_angle, std::abs(row.angle));
   }
   wrench.normal_force += std::sqrt(along * along + across * across);
   const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn

@@ -150,6 +150,8 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   hosted.start_anew = ours.start == WRC_START_ANEW;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
+  hosted.distance = flush_subnormals(ours.distance);
+  hosted.angle = flush_subnormals(ours.angle);
   return {};
 }
 
@@ -169,7 +171,7 @@ wrc_wrench wrench_of(const HostedWrench& hosted) {
   ours.area = wrench.area;
   ours.peak_pressure = wrench.peak_pressure;
   ours.power = wrench.power;
-  ours.steepest_angle = hosted.steepest_angle;
+  ours.steepest_angle = wrench.steepest_angle;
   return ours;
 }
 

@@ -112,8 +112,10 @@ struct HostedWheel {
   double vertical_load = 0.0;  ///< [N]
   bool start_anew = false;     ///< not from the last solution
   bool frictionless = true;
-  Friction friction;     ///< zones over the rail's y, those of the caller
-  double damping = 0.0;  ///< [s/m]
+  Friction friction;      ///< zones over the rail's y, those of the caller
+  double damping = 0.0;   ///< [s/m]
+  double distance = 0.0;  ///< of the reference point along the track [m]
+  double angle = 0.0;     ///< about the axle [rad]
 };
 
 /// Where the point of a region lies on both bodies, in the coordinates of their profiles [m].
@@ -125,7 +127,6 @@ struct RegionPlace {
 struct HostedWrench {
   Wrench wrench;  ///< about the reference point; height: displacement z of that point
   double rail_moment[3] = {};
-  double steepest_angle = 0.0;  ///< of a strip in contact [rad]
   RegionPlace place[most_surface_regions];
 };
 
@@ -144,6 +145,8 @@ enum HostedInput : std::int32_t {
   by_rail_velocity_z,
   by_rail_velocity_roll,
   by_load,
+  by_distance,
+  by_angle,
   hosted_inputs
 };
 
@@ -295,7 +298,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& resu
 /// Takes derivatives by what the rail sees to those by what the host gives (wheel_slopes.cpp). The height in
 /// `placed.problem` is that of the solution.
 void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
-               const SeenWrench& found, HostedSlopes& slopes);
+               const SeenWrench& found, const SeenWrench& by_track, HostedSlopes& slopes);
 
 /// A wheel on a rail, from the pose to the wrench in one; the stages above are not touched (wheel.cpp).
 /// `slopes`: nullptr, not wanted.

@@ -101,8 +101,30 @@ bool has_surface(const ModelOptions& options) {
   return options.wheel.kind != ProfileSource::Kind::none && options.normal_method->half_space;
 }
 
+RailSectionSource section(const ModelOptions& options, std::int32_t k) {
+  return options.sections.read(options.sections.given, k);
+}
+
+/// Memory for the sections' profiles, with what is needed to load them; a multiple of what doubles are
+/// aligned to.
+std::size_t section_bytes(const ModelOptions& options) {
+  std::size_t profiles = 0, scratch = 0;
+  for (std::int32_t k = 0; k < options.sections.count; ++k) {
+    const ProfileSource source = section(options, k).profile;
+    profiles += doubles(source);
+    scratch = std::max(scratch, scratch_size(source));
+  }
+  return static_cast<std::size_t>(options.sections.count) * sizeof(RailSection) +
+         sizeof(double) * (profiles + scratch);
+}
+
 std::size_t surface_bytes(const ModelOptions& options) {
-  return has_surface(options) ? surface_model_bytes(node_count(options.wheel), node_count(options.rail)) : 0;
+  if (!has_surface(options)) return 0;
+  std::int32_t longest = 0;
+  for (std::int32_t k = 0; k < options.sections.count; ++k)
+    longest = std::max(longest, node_count(section(options, k).profile));
+  return surface_model_bytes(node_count(options.wheel), node_count(options.rail), options.sections.count,
+                             longest, options.radius);
 }
 
 /// Sizes of what contacts carry for the methods and the surface.
@@ -113,7 +135,8 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
     sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
-  sizes.surface_workspace_bytes = surface_workspace_bytes(node_count(options.wheel), options.sizes.cells);
+  sizes.surface_workspace_bytes = surface_workspace_bytes(
+      node_count(options.wheel), options.sizes.cells, options.sections.count > 0 || options.radius.rows > 0);
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.
@@ -145,8 +168,30 @@ Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, 
   return fault;
 }
 
+/// The sections with their profiles, into memory of section_bytes().
+Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sections) {
+  const std::int32_t count = options.sections.count;
+  sections = static_cast<RailSection*>(memory);
+  auto* arrays = reinterpret_cast<double*>(sections + count);
+  double* scratch = arrays;
+  for (std::int32_t k = 0; k < count; ++k) scratch += doubles(section(options, k).profile);
+  for (std::int32_t k = 0; k < count; ++k) {
+    const RailSectionSource source = section(options, k);
+    RailSection& taken = *new (sections + k) RailSection(source.section);
+    double deviation = 0.0;
+    Fault fault = load_profile(source.profile, ProfileBody::rail, scratch,
+                               cut(arrays, node_count(source.profile)), taken.profile, deviation);
+    if (!fault.failed()) continue;
+    if (fault.field == nullptr) fault.field = "config.rail_section.profile";
+    fault.index = k;
+    return fault;
+  }
+  return {};
+}
+
 /// Both bodies on both sides, and the surface if the model has one, from `arrays` on.
-Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, Model& model) {
+Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, void* section_memory,
+                  Model& model) {
   Profile wheel, rail;
   Fault fault = take_body(options.wheel, ProfileBody::wheel, arrays, wheel, model.wheel_deviation,
                           [&](const Profile& profile, Side side, const ProfileMemory& memory) {
@@ -161,12 +206,18 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, Mo
                     });
   if (fault.failed()) return fault;
   if (!has_surface(options)) return {};
+  RailSection* sections = nullptr;
+  fault = take_sections(options, section_memory, sections);
+  if (fault.failed()) return fault;
   return make_surface_model({.wheel = wheel,
                              .rail = rail,
                              .rail_inclination = options.track.rail_inclination,
                              .rail_origin_y = model.bodies[0].rail.origin_y,
                              .rail_origin_z = model.bodies[0].rail.origin_z,
                              .nominal_radius = options.wheelset.nominal_radius,
+                             .sections = options.sections.count,
+                             .section = sections,
+                             .radius = options.radius,
                              .material = options.material,
                              .influence = model.influence,
                              .kernels = model.kernels,
@@ -201,7 +252,8 @@ std::size_t model_bytes(const ModelOptions& options) {
   // Besides the placed profiles, room for those given and for scratch while they are read.
   const std::size_t profiles = doubles(options.wheel) + doubles(options.rail);
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
-  return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + table_bytes(options) +
+  return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
+         table_bytes(options) +
          sizeof(double) * (march_grid_size(options.sizes.cells) + 3 * profiles + scratch);
 }
 
@@ -210,6 +262,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options = options;
   model->options.wheel = {};
   model->options.rail = {};
+  model->options.sections = {};
+  model->options.radius = {};
   model->options.force_table = nullptr;
   take_sizes(options, model->options.sizes);
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
@@ -225,6 +279,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   behind += influence_bytes(options);
   void* const surface = behind;
   behind += surface_bytes(options);
+  void* const sections = behind;
+  behind += section_bytes(options);
   if (table_bytes(options) > 0) {
     const Fault fault = take_force_table(options, behind, model->force_table);
     if (fault.failed()) return fault;
@@ -235,7 +291,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
-    const Fault fault = take_bodies(options, arrays, surface, *model);
+    const Fault fault = take_bodies(options, arrays, surface, sections, *model);
     if (fault.failed()) return fault;
   }
   model->configuration = fingerprint(*model);

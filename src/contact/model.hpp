@@ -35,6 +35,19 @@ struct ProfileSource {
   double smoothing = 0.0;     ///< wavelength below which waves of the points are damped; 0: kept [m]
 };
 
+/// A cross section of a rail that changes along the track, as the caller has it (surface/varying_rail.hpp).
+struct RailSectionSource {
+  RailSection section;  ///< all but its profile
+  ProfileSource profile;
+};
+
+/// The caller's sections, which are read one by one while the model is made.
+struct RailSectionSources {
+  std::int32_t count = 0;
+  const void* given = nullptr;
+  RailSectionSource (*read)(const void* given, std::int32_t k) = nullptr;
+};
+
 struct ModelOptions {
   const NormalMethod* normal_method = nullptr;  ///< a row of methods.hpp
   SecondCriterion regularisation = SecondCriterion::width;
@@ -56,6 +69,8 @@ struct ModelOptions {
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
+  RailSectionSources sections;
+  RadiusTable radius;
   const char* force_table = nullptr;  ///< file, for the methods that read it
   ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table
 };

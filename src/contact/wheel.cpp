@@ -74,17 +74,6 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
           .z_rail = cosine * z - sine * y};
 }
 
-/// Largest angle of a rail's strip in contact, the rail's roll included [rad].
-double steepest(const SurfaceModel& surface, const Wrench& wrench, double roll) {
-  double largest = 0.0;
-  for (std::int32_t i = 0; i < wrench.regions; ++i) {
-    const SurfaceRegion& region = wrench.region[i];
-    for (std::int32_t j = region.first; j < region.first + region.count; ++j)
-      largest = std::max(largest, std::abs(strip_angle(surface, j) + roll));
-  }
-  return largest;
-}
-
 }  // namespace
 
 Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed) {
@@ -98,6 +87,17 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
                        "WRC_NORMAL_STRIP_HALFSPACE"
                      : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
   }
+  const SurfaceModel& surface = *model.surface;
+  const auto not_read = [](const char* field, double value, const char* unit, const char* cause) {
+    return Fault{
+        .status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = cause};
+  };
+  if (hosted.distance != 0.0 && surface.varying.faces == 0)
+    return not_read("input.distance", hosted.distance, "m",
+                    "the rail is the same everywhere: give config.rail_section, or leave it 0");
+  if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
+    return not_read("input.angle", hosted.angle, "rad",
+                    "the wheel is round: give config.roundness, or leave it 0");
   placed = {};
   placed.left = contact.side == Side::left;
   const double outward = placed.left ? -1.0 : 1.0;
@@ -126,6 +126,8 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.damping = hosted.damping;
+  if (surface.varying.faces > 0) problem.distance = hosted.distance + placed.arm[0];
+  problem.angle = hosted.angle;
   if (placed.left) mirror_body(problem);
   return {};
 }
@@ -162,9 +164,10 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   HostedWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
-  SeenWrench found;
+  SeenWrench found, by_track;
   fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state,
-                              array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr);
+                              array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr,
+                              slopes ? &by_track : nullptr);
   const bool touching = wrench.regions > 0 || fault.status == WRC_FLAG_CLIMBING;
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
@@ -176,10 +179,9 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
             .cause = "at no height does the rail carry this: is the wheel beside it?"};
   }
   problem.wheel.position[2] = wrench.height;
-  result.steepest_angle = steepest(*model.surface, wrench, problem.rail.roll);
   for (std::int32_t i = 0; i < wrench.regions; ++i)
     result.place[i] = place_of(model, problem, wrench.region[i].point);
-  if (slopes) hand_back(model, hosted, placed, found, *slopes);
+  if (slopes) hand_back(model, hosted, placed, found, by_track, *slopes);
   hand_back(model, placed, result);
   if (!hosted.load_prescribed) wrench.height = hosted.z;
   contact.wheel_solved = 1;

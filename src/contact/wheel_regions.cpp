@@ -34,23 +34,21 @@ struct StripOnRail {
   double s, width, half_length, peak, load;  ///< [m], [m], [m], [Pa], [N]
 };
 
-StripOnRail strip_at(const SurfaceModel& surface, const KeptStrips& kept, std::int32_t k) {
-  const auto j = static_cast<std::int32_t>(kept.strip[k]);
-  const double l = kept.half_length[k], peak = kept.factor * kept.peak[k], width = surface.rail.width[j];
-  return {surface.rail.s[j], width, l, peak, 0.5 * pi * width * l * peak};
+StripOnRail strip_at(const KeptStrips& kept, std::int32_t k) {
+  const double l = kept.half_length[k], peak = kept.factor * kept.peak[k], width = kept.width[k];
+  return {kept.place[k], width, l, peak, 0.5 * pi * width * l * peak};
 }
 
 /// Where the strips are longest [m]: the vertex of the parabola through the squared half lengths of the
 /// longest and of its neighbours, as half lengths of an ellipse have it.
-double place_of_longest(const SurfaceModel& surface, const KeptStrips& kept, const Run& run) {
+double place_of_longest(const KeptStrips& kept, const Run& run) {
   std::int32_t longest = run.first;
   for (std::int32_t k = run.first; k < run.first + run.count; ++k)
     if (kept.half_length[k] > kept.half_length[longest]) longest = k;
-  const double here = strip_at(surface, kept, longest).s;
+  const double here = strip_at(kept, longest).s;
   if (longest == run.first || longest == run.first + run.count - 1) return here;
   const auto square = [&](std::int32_t k) { return kept.half_length[k] * kept.half_length[k]; };
-  const double left = strip_at(surface, kept, longest - 1).s - here,
-               right = strip_at(surface, kept, longest + 1).s - here;
+  const double left = strip_at(kept, longest - 1).s - here, right = strip_at(kept, longest + 1).s - here;
   const double to_left = (square(longest - 1) - square(longest)) / left,
                to_right = (square(longest + 1) - square(longest)) / right;
   const double bent = (to_right - to_left) / (right - left);  // half the second derivative
@@ -83,7 +81,7 @@ void assess(Contact& contact, const Run& run, AssessedCells& assessed) {
   const KeptFields cells = fields_of(contact, run);
   double width[most_overlapping_strips], half_length[most_overlapping_strips], peak[most_overlapping_strips];
   for (std::int32_t k = 0; k < run.count; ++k) {
-    const StripOnRail strip = strip_at(*model.surface, kept, run.first + k);
+    const StripOnRail strip = strip_at(kept, run.first + k);
     width[k] = strip.width;
     half_length[k] = strip.half_length;
     peak[k] = strip.peak;
@@ -120,7 +118,7 @@ Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& 
   StripTotals extent;
   double front = 0.0, rear = 0.0;
   for (std::int32_t k = run.first; k < run.first + run.count; ++k) {
-    const StripOnRail strip = strip_at(*model.surface, kept, k);
+    const StripOnRail strip = strip_at(kept, k);
     const double leading = kept.centre[k] + strip.half_length, trailing = kept.centre[k] - strip.half_length;
     front = k == run.first ? leading : std::max(front, leading);
     rear = k == run.first ? trailing : std::min(rear, trailing);
@@ -132,7 +130,7 @@ Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& 
   }
   extent.length = front - rear;
   ellipse.normal_force = extent.normal_force;
-  ellipse.joint = run.count > 0 ? place_of_longest(*model.surface, kept, run) : 0.0;
+  ellipse.joint = run.count > 0 ? place_of_longest(kept, run) : 0.0;
   return regularise(extent, ellipse.joint, model.options.regularisation, ellipse.sdec);
 }
 
@@ -146,7 +144,7 @@ void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage) 
   TangentialForces forces;
   double load = 0.0, peak = 0.0;
   for (std::int32_t k = 0; k < run.count; ++k) {
-    const StripOnRail strip = strip_at(surface, kept, run.first + k);
+    const StripOnRail strip = strip_at(kept, run.first + k);
     forces.fx += kept.factor * kept.fx[run.first + k];
     forces.fy += kept.factor * kept.fy[run.first + k];
     load += strip.load;
@@ -185,7 +183,6 @@ void region_field(Contact& contact, std::int32_t index, RegionField field, doubl
     for (std::int32_t i = 0; i < grid.cells; ++i)
       for (std::int32_t k = 0; k < run.count; ++k) values[i * run.count + k] = value(i, run.first + k);
   };
-  const auto number = [&](std::int32_t k) { return static_cast<std::int32_t>(kept.strip[k]); };
   const double way = kept.backwards > 0.0 ? -1.0 : 1.0;
   switch (field) {
     case RegionField::x:
@@ -197,9 +194,9 @@ void region_field(Contact& contact, std::int32_t index, RegionField field, doubl
         return kept.factor * kept.peak[k] * grid.middles.pressure[i];
       });
     case RegionField::strip_s:
-      return of_strips([&](std::int32_t k) { return surface.rail.s[number(k)]; });
+      return of_strips([&](std::int32_t k) { return kept.place[k]; });
     case RegionField::strip_width:
-      return of_strips([&](std::int32_t k) { return surface.rail.width[number(k)]; });
+      return of_strips([&](std::int32_t k) { return kept.width[k]; });
     case RegionField::strip_centre:
       return of_strips([&](std::int32_t k) { return kept.x + kept.centre[k]; });
     case RegionField::strip_half:

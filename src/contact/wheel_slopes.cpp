@@ -96,10 +96,38 @@ void see(const SurfaceModel& surface, const Moving& m, const Number& cosine, con
   for (int i = 0; i < 3; ++i) seen[seen_turning + i] = turned[i];
 }
 
+/// Adds the columns of what changes along the track and round the wheel; turning moves the wheel along it.
+void add_track(const Moving& m, double cosine, double sine, bool left, const SeenWrench& found,
+               HostedSlopes& slopes) {
+  const std::size_t columns[] = {by_distance, by_angle};
+  for (std::size_t c = 0; c < 2; ++c) {
+    double part[2][3];  // of force, moment
+    for (int i = 0; i < 3; ++i) {
+      part[0][i] = found.force[i].d[c];
+      part[1][i] = found.moment[i].d[c];
+    }
+    for (auto& v : part) {
+      const double y = v[1], z = v[2];
+      v[1] = cosine * y - sine * z;
+      v[2] = sine * y + cosine * z;
+    }
+    if (left)
+      for (double* const n : {&part[0][1], &part[1][0], &part[1][2]}) *n = -*n;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      slopes.wrench[i][columns[c]] = part[0][i];
+      slopes.wrench[3 + i][columns[c]] =
+          part[1][i] + m.arm[j].value * part[0][k] - m.arm[k].value * part[0][j];
+    }
+  }
+  for (auto& row : slopes.wrench)
+    for (std::size_t k = 0; k < by_load; ++k) row[k] += row[by_distance] * m.arm[0].d[k];
+}
+
 }  // namespace
 
 void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
-               const SeenWrench& found, HostedSlopes& slopes) {
+               const SeenWrench& found, const SeenWrench& by_track, HostedSlopes& slopes) {
   const Moving m = moving(hosted, placed);
   const SineCosine roll = sine_cosine(m.rail_roll.value);
   const Number cosine = m.rail_roll.chain(roll.cosine, -roll.sine);
@@ -127,13 +155,14 @@ void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel&
   slopes = {};
   for (std::size_t row = 0; row < 6; ++row)
     for (std::size_t k = 0; k < by_load; ++k) slopes.wrench[row][k] = wrench[row / 3][row % 3].d[k];
+  add_track(m, cosine.value, sine.value, placed.left, by_track, slopes);
   slopes.z[by_z] = 1.0;
   if (!placed.problem.load_prescribed) return;
   // The height follows: the vertical force stays what the load is.
   constexpr std::size_t vertical = 2;
   const double stiffness = -slopes.wrench[vertical][by_z];
   const double per_stiffness = stiffness != 0.0 ? 1.0 / stiffness : 0.0;
-  for (std::size_t k = 0; k < by_load; ++k) slopes.z[k] = slopes.wrench[vertical][k] * per_stiffness;
+  for (std::size_t k = 0; k < hosted_inputs; ++k) slopes.z[k] = slopes.wrench[vertical][k] * per_stiffness;
   slopes.z[by_z] = 0.0;
   slopes.z[by_load] = per_stiffness;
   for (auto& row : slopes.wrench) {

@@ -23,25 +23,28 @@ void cross_rays(const RailStrips& rail, std::int32_t knots, const OverlapScratch
   const auto along = [&](std::int32_t j, double y, double z) {
     return (y - rail.y[j]) * rail.ty[j] + (z - rail.z[j]) * rail.tz[j];
   };
-  std::int32_t last = -1;  // strips up to this one have their rays behind the knot
-  for (std::int32_t k = 0; k < knots; ++k) {
-    const double y = scratch.y[k], z = scratch.z[k];
-    const bool seen = k > 0 && scratch.seen[k] > 0.0 && scratch.seen[k - 1] > 0.0;
-    const auto cross = [&](std::int32_t j) {
-      if (!seen) return;
-      const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
-      const double from = along(j, y_before, z_before), to = along(j, y, z);
-      const double t = from == to ? 0.5 : smaller(larger(from / (from - to), 0.0), 1.0);
-      const double py = y_before + t * (y - y_before) - rail.y[j],
-                   pz = z_before + t * (z - z_before) - rail.z[j];
-      const double overlap = pz * rail.ty[j] - py * rail.tz[j];
-      if (overlap <= scratch.overlap[j]) return;
-      scratch.overlap[j] = overlap;
-      scratch.piece[j] = k - 1;
-      scratch.part[j] = t;
-    };
-    while (last + 1 < rail.count && along(last + 1, y, z) > 0.0) cross(++last);
-    while (last >= 0 && along(last, y, z) <= 0.0) cross(last--);
+  for (std::int32_t r = 0; r < rail.ranges; ++r) {
+    const std::int32_t first = rail.range[r].first, end = first + rail.range[r].count;
+    std::int32_t last = first - 1;  // strips up to this one have their rays behind the knot
+    for (std::int32_t k = 0; k < knots; ++k) {
+      const double y = scratch.y[k], z = scratch.z[k];
+      const bool seen = k > 0 && scratch.seen[k] > 0.0 && scratch.seen[k - 1] > 0.0;
+      const auto cross = [&](std::int32_t j) {
+        if (!seen) return;
+        const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
+        const double from = along(j, y_before, z_before), to = along(j, y, z);
+        const double t = from == to ? 0.5 : smaller(larger(from / (from - to), 0.0), 1.0);
+        const double py = y_before + t * (y - y_before) - rail.y[j],
+                     pz = z_before + t * (z - z_before) - rail.z[j];
+        const double overlap = pz * rail.ty[j] - py * rail.tz[j];
+        if (overlap <= scratch.overlap[j]) return;
+        scratch.overlap[j] = overlap;
+        scratch.piece[j] = k - 1;
+        scratch.part[j] = t;
+      };
+      while (last + 1 < end && along(last + 1, y, z) > 0.0) cross(++last);
+      while (last >= first && along(last, y, z) <= 0.0) cross(last--);
+    }
   }
 }
 

@@ -51,6 +51,7 @@ struct Overlaps {
   double* curvature = nullptr;          ///< kappa [1/m]
   double *ny = nullptr, *nz = nullptr;  ///< mean normal, into the rail, rail axes
   double *wy = nullptr, *wz = nullptr;  ///< the wheel's point, from its reference point, rail axes [m]
+  double* lean = nullptr;  ///< how much the rail falls along its normal per distance; nullptr: nowhere [-]
 };
 
 /// Scratch of a search.

@@ -50,14 +50,15 @@ RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose) {
   return moving;
 }
 
-OverlapSlopes overlap_slopes(const RailStrips& rail, const WheelCurve& wheel,
+OverlapSlopes overlap_slopes(const StripPlace& place, const WheelCurve& wheel,
                              const RelativePoseOf<PlaceDual>& pose,
                              const OutlineAttitudeOf<PlaceDual>& attitude, const OverlapScratch& scratch,
                              std::int32_t j) {
   const Curve& curve = wheel.curve;
   const std::int32_t k = scratch.piece[j];
-  const double along_y = rail.ty[j], along_z = rail.tz[j], length = curve.s[k + 1] - curve.s[k];
-  const Number rail_y = rail.y[j] - pose.y, rail_z = rail.z[j] - pose.z;
+  const double length = curve.s[k + 1] - curve.s[k];
+  const Number &along_y = place.ty, &along_z = place.tz;
+  const Number rail_y = place.y - pose.y, rail_z = place.z - pose.z;
   const auto& R = pose.rotation;
 
   // Where the ray ends, from what it would miss by there: the outline's derivative is carried in a number of
@@ -76,7 +77,7 @@ OverlapSlopes overlap_slopes(const RailStrips& rail, const WheelCurve& wheel,
     const auto advance = [&](int i) {
       return R[i][0].value * tx + R[i][1].value * p.dy.value + R[i][2].value * tz;
     };
-    const double slope = advance(1) * along_y + advance(2) * along_z;
+    const double slope = advance(1) * along_y.value + advance(2) * along_z.value;
     for (std::size_t d = 0; d < place_inputs; ++d) u.d[d] = -miss.d[d] / slope;
   }
 
@@ -100,6 +101,7 @@ OverlapSlopes overlap_slopes(const RailStrips& rail, const WheelCurve& wheel,
   s.nz = 0.5 * (wheel_nz + along_y) / half;
   s.wy = o.y;
   s.wz = o.z;
+  s.y_wheel = p.y;
   return s;
 }
 

@@ -16,10 +16,17 @@ using PlaceDual = Dual<place_inputs>;
 /// Overlaps of one strip, with derivatives.
 struct OverlapSlopes {
   PlaceDual depth, centre, curvature, ny, nz, wy, wz;
+  PlaceDual lean;     ///< 0 where the rail is the same everywhere (along_track.hpp)
+  PlaceDual y_wheel;  ///< on the wheel's profile [m]
+};
+
+/// A strip's middle and tangent, which move with a rail that is not the same everywhere.
+struct StripPlace {
+  PlaceDual y, z, ty, tz;
 };
 
 /// Of candidate i of the last find_overlaps() with the same pose, whose scratch is as that left it.
-OverlapSlopes overlap_slopes(const RailStrips& rail, const WheelCurve& wheel,
+OverlapSlopes overlap_slopes(const StripPlace& place, const WheelCurve& wheel,
                              const RelativePoseOf<PlaceDual>& pose,
                              const OutlineAttitudeOf<PlaceDual>& attitude, const OverlapScratch& scratch,
                              std::int32_t strip);

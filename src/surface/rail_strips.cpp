@@ -20,8 +20,9 @@ void tangent_at(const Curve& rail, double s, double& ty, double& tz) {
   tz = p.dz * inverse;
 }
 
-/// Width wanted at a length [m].
-double width_at(const Curve& rail, const StripWidths& widths, double s) {
+}  // namespace
+
+double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
   double ay, az, by, bz;
   tangent_at(rail, s - looked_over, ay, az);
   tangent_at(rail, s + looked_over, by, bz);
@@ -31,8 +32,6 @@ double width_at(const Curve& rail, const StripWidths& widths, double s) {
   return widths.narrowest + t * (widths.widest - widths.narrowest);
 }
 
-}  // namespace
-
 std::int64_t rail_strip_doubles(std::int32_t strips) { return 6 * static_cast<std::int64_t>(strips); }
 
 Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
@@ -41,37 +40,16 @@ Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, 
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
                 *const ty = z + most, *const tz = ty + most;
   const double begin = rail.s[0], end = rail.s[rail.pieces];
-  // The widths wanted, added up along the curve: so many strips as that gives, all scaled alike to end where
-  // it ends.
-  const auto count_from = [&](double scale) {
-    double at = begin;
-    std::int32_t n = 0;
-    while (at < end && n <= most) {
-      const double w = scale * width_at(rail, widths, at);
-      at += scale * width_at(rail, widths, at + 0.5 * w);
-      ++n;
-    }
-    return n;
-  };
-  double scale = 1.0;
-  while (count_from(scale) > most - 1) scale *= 1.1;
-  double at = begin;
-  std::int32_t n = 0;
-  while (at < end && n < most) {
-    const double guess = scale * width_at(rail, widths, at);
-    double w = scale * width_at(rail, widths, at + 0.5 * guess);
-    if (at + 1.5 * w > end) w = end - at;
-    width[n] = w;
-    s[n] = at + 0.5 * w;
-    const std::int32_t k = piece_of(rail, s[n]);
-    const CurvePoint p = evaluate(rail, k, s[n] - rail.s[k]);
-    y[n] = p.y;
-    z[n] = p.z;
-    tangent_at(rail, s[n], ty[n], tz[n]);
-    at += w;
-    ++n;
+  const std::int32_t n = cut_length(
+      begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, s, width);
+  for (std::int32_t j = 0; j < n; ++j) {
+    const std::int32_t k = piece_of(rail, s[j]);
+    const CurvePoint p = evaluate(rail, k, s[j] - rail.s[k]);
+    y[j] = p.y;
+    z[j] = p.z;
+    tangent_at(rail, s[j], ty[j], tz[j]);
   }
-  strips = {n, s, width, y, z, ty, tz};
+  strips = {n, s, width, y, z, ty, tz, 1, {{0, n}}};
   return {};
 }
 

@@ -8,8 +8,17 @@
 
 namespace wrc {
 
-/// Strips by increasing arc length, touching each other. Rail axes: origin of the rail's profile, y to the
-/// field side, z down.
+/// A rail has at most so many faces that are cut on their own (varying_rail.hpp), and so many marks that pair
+/// its sections.
+inline constexpr std::int32_t most_rail_faces = 4, most_rail_marks = 64;
+
+/// Strips side by side.
+struct StripRange {
+  std::int32_t first, count;
+};
+
+/// Strips by increasing arc length, touching each other within a range; a strip of no range is not there.
+/// Rail axes: origin of the rail's profile, y to the field side, z down.
 struct RailStrips {
   std::int32_t count = 0;
   const double* s = nullptr;                ///< arc length at the middle [m]
@@ -18,6 +27,8 @@ struct RailStrips {
   const double *ty = nullptr,
                *tz = nullptr;  ///< unit tangent, by increasing arc length; the normal into the rail is
                                ///< (-tz, ty)
+  std::int32_t ranges = 0;
+  StripRange range[most_rail_faces];
 };
 
 /// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is
@@ -26,6 +37,41 @@ struct StripWidths {
   double narrowest = 0.25e-3, widest = 0.5e-3;
   double sharp = 0.020, flat = 0.060;  ///< radii of curvature up to and from which they hold [m]
 };
+
+/// Width wanted at a length of a curve [m].
+double wanted_width(const Curve& rail, const StripWidths& widths, double s);
+
+/// Divides a length into strips of the widths `wanted(at)`, all scaled alike to end where it ends and to be
+/// at most `most`: their middles and widths; returns how many.
+template <class Wanted>
+std::int32_t cut_length(double begin, double end, const Wanted& wanted, std::int32_t most, double* s,
+                        double* width) {
+  // The widths wanted, added up: so many strips as that gives.
+  const auto count_from = [&](double scale) {
+    double at = begin;
+    std::int32_t n = 0;
+    while (at < end && n <= most) {
+      const double w = scale * wanted(at);
+      at += scale * wanted(at + 0.5 * w);
+      ++n;
+    }
+    return n;
+  };
+  double scale = 1.0;
+  while (count_from(scale) > most - 1) scale *= 1.1;
+  double at = begin;
+  std::int32_t n = 0;
+  while (at < end && n < most) {
+    const double guess = scale * wanted(at);
+    double w = scale * wanted(at + 0.5 * guess);
+    if (at + 1.5 * w > end) w = end - at;
+    width[n] = w;
+    s[n] = at + 0.5 * w;
+    at += w;
+    ++n;
+  }
+  return n;
+}
 
 /// Doubles of memory for so many strips.
 std::int64_t rail_strip_doubles(std::int32_t strips);

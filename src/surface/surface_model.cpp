@@ -14,11 +14,14 @@ constexpr std::size_t whole_lines(std::size_t bytes) { return (bytes + 63) / 64 
 
 }  // namespace
 
-std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes) {
+std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
+                                std::int32_t section_nodes, const RadiusTable& radius) {
   const auto doubles = static_cast<std::size_t>(
       curve_doubles(wheel_nodes) + curve_doubles(rail_nodes) +
       wheel_knot_doubles(most_curve_pieces(wheel_nodes)) + rail_strip_doubles(most_strips_of_a_rail) +
-      2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)));
+      2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)) +
+      (sections > 0 ? varying_rail_doubles(sections, section_nodes, most_strips_of_a_rail) : 0) +
+      out_of_round_doubles(radius));
   return whole_lines(sizeof(SurfaceModel)) + sizeof(double) * doubles;
 }
 
@@ -33,6 +36,8 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   double* const strips = knots + wheel_knot_doubles(most_curve_pieces(bodies.wheel.count));
   double* const y = strips + rail_strip_doubles(most_strips_of_a_rail);
   double* const z = y + std::max(bodies.wheel.count, bodies.rail.count);
+  double* const reach = z + std::max(bodies.wheel.count, bodies.rail.count);
+  double* const sections = reach + out_of_round_doubles(bodies.radius);
 
   for (std::int32_t i = 0; i < bodies.wheel.count; ++i) z[i] = bodies.nominal_radius + bodies.wheel.z[i];
   Fault fault = make_curve(bodies.wheel.count, bodies.wheel.y, z, wheel, model->wheel.curve);
@@ -48,7 +53,15 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   if (fault.failed()) return fault;
   fault = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, strips, model->rail);
   if (fault.failed()) return fault;
+  if (bodies.sections > 0) {
+    fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, most_strips_of_a_rail,
+                              sections, model->varying);
+    if (fault.failed()) return fault;
+  }
+  if (bodies.radius.rows > 0)
+    make_out_of_round(bodies.radius, bodies.nominal_radius, reach, model->out_of_round);
   model->rail_origin_y = bodies.rail_origin_y;
+  model->wheel_radius = bodies.nominal_radius;
   model->rail_origin_z = bodies.rail_origin_z;
   model->material = bodies.material;
   model->influence = bodies.influence;
@@ -59,15 +72,15 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   return {};
 }
 
-double friction_at_rest(const SurfaceModel& model, const FrictionLaw& law, std::int32_t j) {
+double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int32_t j) {
   if (law.zones.count == 0) return law.coefficient;
-  const double half = 0.5 * model.rail.width[j] * magnitude(model.rail.ty[j]) + 1e-9;
-  return mean_friction(law.zones, model.rail.y[j] - half, model.rail.y[j] + half);
+  const double half = 0.5 * rail.width[j] * magnitude(rail.ty[j]) + 1e-9;
+  return mean_friction(law.zones, rail.y[j] - half, rail.y[j] + half);
 }
 
-double strip_angle(const SurfaceModel& model, std::int32_t strip) {
+double strip_angle(const RailStrips& rail, std::int32_t strip) {
   // the half angle's tangent: right for faces beyond the vertical too
-  const double ty = model.rail.ty[strip], tz = model.rail.tz[strip];
+  const double ty = rail.ty[strip], tz = rail.tz[strip];
   return 2.0 * arctangent(tz / (1.0 + ty + 1e-300));
 }
 

@@ -9,10 +9,12 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
+#include "surface/out_of_round.hpp"
 #include "surface/overlap.hpp"
 #include "surface/rail_strips.hpp"
 #include "surface/surface_normal.hpp"
 #include "surface/surface_rolling.hpp"
+#include "surface/varying_rail.hpp"
 #include "surface/wheel_on_rail.hpp"
 #include "surface/wrench_slopes.hpp"
 #include "tangential/march/march_grid.hpp"
@@ -26,6 +28,9 @@ struct SurfaceBodies {
   double rail_inclination = 0.0;                    ///< tangent of the cant about that origin
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< of the right-hand rail, track axes [m]
   double nominal_radius = 0.0;                      ///< of the wheel at its profile's origin [m]
+  std::int32_t sections = 0;                        ///< 0: the rail is the same everywhere
+  const RailSection* section = nullptr;
+  RadiusTable radius;  ///< without rows: the wheel is round
   Material material;
   // These outlive the model:
   const InfluenceTables* influence = nullptr;
@@ -38,7 +43,10 @@ struct SurfaceModel {
   Curve rail_curve;
   RailStrips rail;
   WheelCurve wheel;
+  VaryingRail varying;
+  OutOfRound out_of_round;
   double rail_origin_y = 0.0, rail_origin_z = 0.0;
+  double wheel_radius = 0.0;  ///< nominal [m]
   Material material;
   const InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
@@ -59,11 +67,12 @@ struct KeptStrips {
   double slope_reduction = 1.0;  ///< of a layer between the bodies
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
   double x = 0.0;       ///< of the wheel's reference point, from that of the host [m]
-  double strip[most_overlapping_strips] = {};        ///< of the rail
-  double half_length[most_overlapping_strips] = {};  ///< [m]
-  double peak[most_overlapping_strips] = {};         ///< without the factor [Pa]
-  double centre[most_overlapping_strips] = {};       ///< x from the wheel's reference point [m]
-  double curvature[most_overlapping_strips] = {};    ///< [1/m]
+  double strip[most_overlapping_strips] = {};                                       ///< of the rail
+  double place[most_overlapping_strips] = {}, width[most_overlapping_strips] = {};  ///< by arc length [m]
+  double half_length[most_overlapping_strips] = {};                                 ///< [m]
+  double peak[most_overlapping_strips] = {};       ///< without the factor [Pa]
+  double centre[most_overlapping_strips] = {};     ///< x from the wheel's reference point [m]
+  double curvature[most_overlapping_strips] = {};  ///< [1/m]
   double slip_x[most_overlapping_strips] = {}, slip_y[most_overlapping_strips] = {};  ///< [-]
   double spin[most_overlapping_strips] = {};                                          ///< [1/m]
   double friction[most_overlapping_strips] = {};                                      ///< [-]
@@ -86,20 +95,28 @@ struct SurfaceState {
   KeptStrips kept;
 };
 
-std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes);
+/// `sections`, `section_nodes`: how many, and nodes of the longest.
+std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
+                                std::int32_t section_nodes, const RadiusTable& radius);
 std::int64_t surface_state_bytes();
 /// Of a solve, and of fields over cells.
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells);
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells, bool varying);
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
 
+/// Is there anything that changes along the track or round the wheel?
+inline bool varies(const SurfaceModel& model) {
+  return model.varying.faces > 0 || model.out_of_round.rows > 0;
+}
+
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
 /// `slopes`, if given: the wrench with its derivatives; at the border where the overlap is deeper than what
-/// is solved.
+/// is solved. `by_track`: those by distance and angle in place of its first two (wrench_slopes.hpp).
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr) noexcept;
+                          void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr,
+                          SeenWrench* by_track = nullptr) noexcept;
 
 /// Tractions and slips over the cells of `count` kept strips from `first` on, which are one region or
 /// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, of the way it
@@ -108,9 +125,9 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
                      std::int32_t count, void* workspace) noexcept;
 
 /// The law's coefficient over a strip's width on the rail, at rest.
-double friction_at_rest(const SurfaceModel& model, const FrictionLaw& law, std::int32_t strip);
+double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int32_t strip);
 
 /// Angle of a strip about x, from track z to its normal, with the rail undisplaced [rad].
-double strip_angle(const SurfaceModel& model, std::int32_t strip);
+double strip_angle(const RailStrips& rail, std::int32_t strip);
 
 }  // namespace wrc

@@ -6,6 +6,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
+#include "surface/along_track.hpp"
 #include "surface/normal_slopes.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wheel_work.hpp"
@@ -24,7 +25,7 @@ constexpr std::int32_t most_load_steps = 30;
 constexpr double deepest_overlap = 2e-3;
 
 /// Cuts the workspace; returns the bytes it takes.
-std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, Work& w) {
+std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, bool varying, Work& w) {
   auto* const begin = static_cast<double*>(memory);
   double* at = begin;
   const auto doubles = [&at](std::int64_t n) {
@@ -59,6 +60,10 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, Wo
   for (double** a : {&w.fields.traction_x, &w.fields.traction_y, &w.fields.slip_x, &w.fields.slip_y})
     *a = doubles(static_cast<std::int64_t>(most) * cells);
   w.loaded = 0;
+  if (varying) {
+    o.lean = doubles(most);
+    w.rail_strips = doubles(rail_strip_doubles(most_strips_of_a_rail));
+  }
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
 }
 
@@ -95,6 +100,49 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   return s;
 }
 
+/// What a rail that changes along the track and a wheel that is not round add to the overlaps; those within
+/// the margin are kept.
+void follow_track(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin,
+                  Work& w) {
+  Overlaps& o = w.overlaps;
+  const Curve& profile = model.wheel.curve;
+  std::int32_t kept = 0;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const std::int32_t j = o.strip[i];
+    StripOverlap<double> s{o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], 0.0};
+    if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, s);
+    if (model.out_of_round.rows > 0) {
+      const double y = evaluate(profile, w.scratch.piece[j], w.scratch.along[j]).y;
+      follow_wheel(model.out_of_round, seen.pose, y, in.angle, s);
+    }
+    if (!(s.depth > -margin)) continue;
+    o.strip[kept] = j;
+    o.depth[kept] = s.depth;
+    o.centre[kept] = s.centre;
+    o.curvature[kept] = s.curvature;
+    o.ny[kept] = s.ny;
+    o.nz[kept] = s.nz;
+    o.wy[kept] = s.wy;
+    o.wz[kept] = s.wz;
+    o.lean[kept] = s.lean;
+    ++kept;
+  }
+  o.count = kept;
+}
+
+/// Finds all strips with depth > -margin.
+void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, Work& w) {
+  const bool varying = varies(model);
+  // what follow_track() may add: on a slope a, a^2 / (2 kappa) with the curvature that is left
+  const double steepest = model.varying.steepest;
+  const double more =
+      varying ? smaller(steepest * steepest * model.wheel_radius / (2.0 * least_curvature_left), 2e-3) +
+                    model.out_of_round.largest
+              : 0.0;
+  find_overlaps(*model.kernels, w.rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
+  if (varying) follow_track(model, in, seen, margin, w);
+}
+
 /// Velocity of the wheel's point less the rail's, rail axes; r from the wheel's reference point.
 void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
   const auto& o = s.angular_velocity;
@@ -123,10 +171,9 @@ void into_track(const Seen& s, double (&v)[3]) {
 
 /// The law's coefficient of each strip: over its width on the rail, at the root mean square of its rigid slip
 /// times `speed` (tangential/friction/friction.hpp).
-void find_friction(const SurfaceModel& model, const FrictionLaw& law, double speed, std::int32_t count,
-                   Work& w) {
+void find_friction(const FrictionLaw& law, double speed, std::int32_t count, Work& w) {
   for (std::int32_t k = 0; k < count; ++k) {
-    const double at_rest = friction_at_rest(model, law, w.overlaps.strip[w.candidate[k]]);
+    const double at_rest = friction_at_rest(w.rail, law, w.overlaps.strip[w.candidate[k]]);
     const double turning = w.spin[k] * w.half_length[k];
     const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
     w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));
@@ -159,7 +206,7 @@ struct Loaded {
 
 /// Takes the strips that carry load from the overlaps and their pressure, with damping: into w's arrays,
 /// slips as velocities [m/s], [rad/s].
-Loaded take_loaded_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, Work& w) {
+Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, Work& w) {
   Loaded loaded;
   const Overlaps& o = w.overlaps;
   const SurfacePressure& p = w.pressure;
@@ -169,14 +216,19 @@ Loaded take_loaded_strips(const SurfaceModel& model, const WheelOnRail& in, cons
     const double l = std::sqrt(p.length_squared[i]);
     double v[3];
     sliding_at(seen, p.centre[i], o.wy[i], o.wz[i], v);
-    const double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
+    double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
+    if (o.lean) {  // along the slope, and against its normal
+      const double along = v[0] + o.lean[i] * approach_velocity;
+      approach_velocity -= o.lean[i] * v[0];
+      v[0] = along;
+    }
     const double damped = std::max(0.0, 1.0 + 1.5 * in.damping * approach_velocity);
-    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * model.rail.width[j] * l * peak;
+    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
     const std::int32_t k = loaded.count++;
     w.candidate[k] = i;
-    w.place[k] = model.rail.s[j];
-    w.width[k] = model.rail.width[j];
+    w.place[k] = w.rail.s[j];
+    w.width[k] = w.rail.width[j];
     w.half_length[k] = l;
     w.peak[k] = peak;
     w.curvature[k] = o.curvature[i];
@@ -205,7 +257,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
     w.spin[k] /= speed;
   }
   if (!(in.friction > 0.0)) return reference;
-  if (in.law) find_friction(model, *in.law, speed, loaded.count, w);
+  if (in.law) find_friction(*in.law, speed, loaded.count, w);
   const bool backwards = w.backwards;
   roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz});
   const double other = reference.other_way;
@@ -263,8 +315,13 @@ void add_strip(const Work& w, std::int32_t k, double speed, OpenRegion& open, Wr
   r.count = o.strip[i] + 1 - r.first;
   const double l = w.half_length[k], N = 0.5 * pi * w.width[k] * l * w.peak[k];
   const double ny = o.ny[i], nz = o.nz[i], x = w.pressure.centre[i];
-  const double fy = w.fy[k] * nz - N * ny, fz = -w.fy[k] * ny - N * nz;
-  add(x, o.wy[i], o.wz[i], w.fx[k], fy, fz, w.mz[k] * ny, w.mz[k] * nz, r.force, r.moment);
+  double fx = w.fx[k], fy = w.fy[k] * nz - N * ny, fz = -w.fy[k] * ny - N * nz;
+  if (o.lean) {  // tangent (1, lean n), normal (-lean, n)
+    fy += o.lean[i] * fx * ny;
+    fz += o.lean[i] * fx * nz;
+    fx += o.lean[i] * N;
+  }
+  add(x, o.wy[i], o.wz[i], fx, fy, fz, w.mz[k] * ny, w.mz[k] * nz, r.force, r.moment);
   open.normal[0] += N * ny;
   open.normal[1] += N * nz;
   open.load += N;
@@ -312,6 +369,13 @@ Fault sum_up(const WheelOnRail& in, const Seen& seen, std::int32_t count, double
   return fault;
 }
 
+/// Is a strip the first or the last of its surface?
+bool at_end(const RailStrips& rail, std::int32_t strip) {
+  for (std::int32_t r = 0; r < rail.ranges; ++r)
+    if (strip == rail.range[r].first || strip == rail.range[r].first + rail.range[r].count - 1) return true;
+  return false;
+}
+
 /// What of a solution lies beyond what is known of the bodies, or has no room.
 Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const Work& w) {
   const Overlaps& o = w.overlaps;
@@ -334,9 +398,9 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const Work& 
               .high = deepest_overlap,
               .cause = "the load is far beyond what steel carries there"};
     const std::int32_t j = o.strip[w.candidate[k]];
-    const bool rail_ends = j == 0 || j == model.rail.count - 1;
+    const bool rail_ends = at_end(w.rail, j);
     // rays beyond the wheel's end meet nothing
-    const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = model.rail.width[j];
+    const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = w.rail.width[j];
     const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
     if (rail_ends || wheel_ends)
       return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
@@ -354,15 +418,15 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   out.sweeps = sweeps_before;
   out.height = height;
   const Seen seen = w.seen = see(model, in, height);
-  if (!found) find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, w.overlaps);
+  if (!found) find(model, in, seen, 0.0, w);
   const SurfaceNormalResult normal =
-      solve_surface_normal(model.rail, w.overlaps, *model.influence, *model.kernels,
+      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
                            model.material.normal_compliance(), options, w.normal, start, w.pressure);
   out.sweeps += normal.sweeps;
   Fault fault;
   if (!normal.converged)
     fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
-  const Loaded loaded = take_loaded_strips(model, in, seen, w);
+  const Loaded loaded = take_loaded_strips(in, seen, w);
   w.loaded = 0;
   if (loaded.count == 0)
     return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
@@ -383,7 +447,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
   for (int n = 0; n < most_steps; ++n) {
     const Seen seen = see(model, in, height);
     Overlaps& o = w.overlaps;
-    find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, 0.0, w.scratch, o);
+    find(model, in, seen, 0.0, w);
     double rise = 0.0;
     for (std::int32_t i = 0; i < o.count; ++i) {
       const double down = larger(seen.cosine * o.nz[i] + seen.sine * o.ny[i], 0.1);
@@ -441,7 +505,7 @@ double first_touch(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   for (int n = 0; n < 12; ++n) {
     const Seen seen = see(model, in, height);
     const Overlaps& o = w.overlaps;
-    find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, margin, w.scratch, w.overlaps);
+    find(model, in, seen, margin, w);
     double fall = margin;
     for (std::int32_t i = 0; i < o.count; ++i) {
       const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
@@ -516,6 +580,35 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
   return fault;
 }
 
+/// The strips of the rail where the wheel is; flagged where there is no section.
+Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
+  w.rail = model.rail;
+  w.distance = in.distance;
+  const VaryingRail& varying = model.varying;
+  if (varying.faces == 0) return {};
+  w.distance = smaller(larger(in.distance, varying.begin), varying.end);
+  place_strips(varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail);
+  if (w.distance == in.distance) return {};
+  return {.status = WRC_FLAG_BEYOND_SECTIONS,
+          .field = "input.distance",
+          .value = in.distance,
+          .unit = "m",
+          .low = varying.begin,
+          .high = varying.end,
+          .cause = "the nearest section is used"};
+}
+
+/// Largest angle of a rail's strip in contact, the rail's roll included [rad].
+double steepest(const RailStrips& rail, const Wrench& wrench, double roll) {
+  double largest = 0.0;
+  for (std::int32_t i = 0; i < wrench.regions; ++i) {
+    const SurfaceRegion& region = wrench.region[i];
+    for (std::int32_t j = region.first; j < region.first + region.count; ++j)
+      largest = std::max(largest, std::abs(strip_angle(rail, j) + roll));
+  }
+  return largest;
+}
+
 /// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
 /// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
 /// `w` but for overlaps and pressures stays, these are of `height` afterwards.
@@ -523,9 +616,9 @@ bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, 
   constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of what holds the balance
   const Seen seen = see(model, in, height);
   Overlaps& o = w.overlaps;
-  find_overlaps(*model.kernels, model.rail, model.wheel, seen.pose, beyond, w.scratch, o);
+  find(model, in, seen, beyond, w);
   for (std::int32_t i = 0; i < o.count; ++i) {
-    const double friction = in.law ? friction_at_rest(model, *in.law, o.strip[i]) : in.friction;
+    const double friction = in.law ? friction_at_rest(w.rail, *in.law, o.strip[i]) : in.friction;
     const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
     const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
     if (friction * magnitude(aside) > safe * down) return true;
@@ -627,7 +720,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
   const double searched = out.height;
   if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
     // overlaps are those of the solution again: derivatives are made of them
-    find_overlaps(*model.kernels, model.rail, model.wheel, w.seen.pose, 0.0, w.scratch, w.overlaps);
+    find(model, in, w.seen, 0.0, w);
     return found;
   }
 
@@ -671,8 +764,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
     solve_at(model, in, height = way.height[0], false, w, start, {}, out);
     return climbing("none does; returned is first touch: from there on the force does not grow", {});
   }
-  const Fault fault =
-      solve_at(model, in, height = searched, false, w, start, {}, out);
+  const Fault fault = solve_at(model, in, height = searched, false, w, start, {}, out);
   return found.status == WRC_OK ? fault : found;
 }
 
@@ -693,24 +785,33 @@ void keep_strips(const WheelOnRail& in, const Work& w, KeptStrips& kept) {
   const struct {
     const double* from;
     double* to;
-  } each[] = {{w.half_length, kept.half_length}, {w.peak, kept.peak},     {w.curvature, kept.curvature},
-              {w.slip_x, kept.slip_x},           {w.slip_y, kept.slip_y}, {w.spin, kept.spin},
-              {w.friction, kept.friction},       {w.fx, kept.fx},         {w.fy, kept.fy}};
+  } each[] = {{w.place, kept.place},
+              {w.width, kept.width},
+              {w.half_length, kept.half_length},
+              {w.peak, kept.peak},
+              {w.curvature, kept.curvature},
+              {w.slip_x, kept.slip_x},
+              {w.slip_y, kept.slip_y},
+              {w.spin, kept.spin},
+              {w.friction, kept.friction},
+              {w.fx, kept.fx},
+              {w.fy, kept.fy}};
   for (const auto& [from, to] : each) std::copy_n(from, n, to);
 }
 
 }  // namespace
 
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells) {
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells, bool varying) {
   Work w;
   alignas(64) static double nothing[1];
-  return cut(nothing, most_curve_pieces(wheel_nodes), cells, w);
+  return cut(nothing, most_curve_pieces(wheel_nodes), cells, varying, w);
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& out, SeenWrench* slopes) noexcept {
+                          void* workspace, Wrench& out, SeenWrench* slopes, SeenWrench* by_track) noexcept {
   Work w;
-  cut(workspace, model.wheel.curve.pieces, model.grid->cells, w);
+  cut(workspace, model.wheel.curve.pieces, model.grid->cells, varies(model), w);
+  const Fault outside = place_rail(model, in, w);
   warm = warm && state.set > 0.0;
   SurfaceStart start{state.length_squared, state.shift, warm};
   out = {};
@@ -725,14 +826,18 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   }
   state.set = start.set ? 1.0 : 0.0;
   keep_strips(in, w, state.kept);
-  if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, *slopes));
+  if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::place, *slopes));
+  if (by_track && varies(model))
+    keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::track, *by_track));
+  out.steepest_angle = steepest(w.rail, out, in.rail.roll);
+  keep_worst(fault, outside);
   return fault;
 }
 
 KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
                      std::int32_t count, void* workspace) noexcept {
   Work w;
-  cut(workspace, model.wheel.curve.pieces, model.grid->cells, w);
+  cut(workspace, model.wheel.curve.pieces, model.grid->cells, varies(model), w);
   const struct {
     const double* from;
     double* to;
@@ -742,8 +847,8 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
   for (const auto& [from, to] : each) std::copy_n(from + first, count, to);
   for (std::int32_t k = 0; k < count; ++k) {
     const auto j = static_cast<std::int32_t>(kept.strip[first + k]);
-    w.place[k] = model.rail.s[j];
-    w.width[k] = model.rail.width[j];
+    w.place[k] = kept.place[first + k];
+    w.width[k] = kept.width[first + k];
   }
   const TangentialFields& f = w.fields;
   const std::int32_t cells = model.grid->cells;

@@ -44,6 +44,8 @@ struct WheelOnRail {
   double vertical_load = 0.0;        ///< the whole vertical force on the wheel, upwards positive [N]
   double friction = 0.3;             ///< coefficient; 0: frictionless
   const FrictionLaw* law = nullptr;  ///< in place of the coefficient: over the rail's y and the sliding speed
+  double distance = 0.0;             ///< of the wheel's reference point along the track [m]
+  double angle = 0.0;                ///< of the wheel about its axle, right-hand rule [rad]
   double slope_reduction = 1.0;      ///< of the creep curve by a layer between the bodies, 0..1
   double damping = 0.0;              ///< Hunt and Crossley [s/m]
 };
@@ -70,6 +72,7 @@ struct Wrench {
   double height = 0.0;        ///< position[2] of the wheel, as given or as found [m]
   double normal_force = 0.0;  ///< sum of the regions' resultants [N]
   double area = 0.0, peak_pressure = 0.0, power = 0.0;
+  double steepest_angle = 0.0;  ///< largest angle of a strip in contact, the rail's roll included [rad]
   std::int32_t regions = 0;
   std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
   SurfaceRegion region[most_surface_regions];

@@ -5,6 +5,7 @@
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
 #include "kernels/kernels.hpp"
+#include "surface/along_track.hpp"
 #include "surface/normal_slopes.hpp"
 #include "surface/strip_numbers.hpp"
 #include "surface/surface_model.hpp"
@@ -77,10 +78,10 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
 }
 
 /// Coefficients of the law at the strips' sliding speeds: find_friction() of wheel_on_rail.cpp.
-void find_friction(const SurfaceModel& model, const FrictionLaw& law, const Number& speed,
-                   const WheelWork& work, const LoadedStrips& s) {
+void find_friction(const FrictionLaw& law, const Number& speed, const WheelWork& work,
+                   const LoadedStrips& s) {
   for (std::int32_t k = 0; k < s.count; ++k) {
-    const double at_rest = friction_at_rest(model, law, work.overlaps.strip[work.candidate[k]]);
+    const double at_rest = friction_at_rest(work.rail, law, work.overlaps.strip[work.candidate[k]]);
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
@@ -176,7 +177,7 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   const Number per_speed = Number(1.0) / reference.divisor;
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
-  if (in.law) find_friction(model, *in.law, reference.divisor, work, s);
+  if (in.law) find_friction(*in.law, reference.divisor, work, s);
   const bool backwards = rolling_speed.value < 0.0;
   roll(model, in, backwards, w, s.fx, s.fy, s.mz);
   const Number& other = reference.other_way;
@@ -189,6 +190,46 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   }
 }
 
+RelativePoseOf<PlaceDual> resting_pose(const RelativePose& pose) {
+  RelativePoseOf<PlaceDual> resting;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) resting.rotation[i][k] = pose.rotation[i][k];
+  resting.y = pose.y;
+  resting.z = pose.z;
+  return resting;
+}
+
+/// A strip's overlap with what the track and the wheel's shape add: find() of wheel_on_rail.cpp.
+OverlapSlopes strip_overlap(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
+                            SlopesBy by, const RelativePoseOf<PlaceDual>& pose,
+                            const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t j) {
+  const RailStrips& rail = work.rail;
+  StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
+  if (!varies(model)) return overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
+  PlaceDual distance = work.distance, angle = in.angle;
+  if (by == SlopesBy::track) {
+    if (work.distance == in.distance) distance.d[track_distance] = 1.0;
+    angle.d[track_angle] = 1.0;
+  }
+  if (model.varying.faces > 0 && by == SlopesBy::track) {
+    const auto moved = strip_at(model.varying, face_of(model.varying, j), j, distance);
+    place = {moved.y, moved.z, moved.ty, moved.tz};
+  }
+  OverlapSlopes s = overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
+  StripOverlap<PlaceDual> o{s.depth, s.centre, s.curvature, s.ny, s.nz, s.wy, s.wz, 0.0};
+  if (model.varying.faces > 0) follow_rail(model.varying, j, distance, o);
+  if (model.out_of_round.rows > 0) follow_wheel(model.out_of_round, pose, s.y_wheel, angle, o);
+  s.depth = o.depth;
+  s.centre = o.centre;
+  s.curvature = o.curvature;
+  s.ny = o.ny;
+  s.nz = o.nz;
+  s.wy = o.wy;
+  s.wz = o.wz;
+  s.lean = o.lean;
+  return s;
+}
+
 }  // namespace
 
 std::int64_t wrench_slopes_doubles(std::int32_t most) {
@@ -198,7 +239,7 @@ std::int64_t wrench_slopes_doubles(std::int32_t most) {
 }
 
 Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
-                           SeenWrench& out) noexcept {
+                           SlopesBy by, SeenWrench& out) noexcept {
   out = {};
   const Seen& seen = work.seen;
   Scratch w;
@@ -207,7 +248,8 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   const SurfacePressure& p = work.pressure;
   PressedStrips& s = w.pressed;
   s.count = 0;
-  const RelativePoseOf<PlaceDual> pose = moving_pose(seen.pose);
+  const RelativePoseOf<PlaceDual> pose =
+      by == SlopesBy::place ? moving_pose(seen.pose) : resting_pose(seen.pose);
   const OutlineAttitudeOf<PlaceDual> attitude = attitude_of(pose);
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
@@ -220,19 +262,22 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
               .cause = "there is no room for the derivatives of so many"};
     }
     const std::int32_t k = s.count++, j = o.strip[i];
-    s.place[k] = model.rail.s[j];
-    s.width[k] = model.rail.width[j];
+    s.place[k] = work.rail.s[j];
+    s.width[k] = work.rail.width[j];
     s.strength[k] = p.strength[i];
     s.length_squared[k] = p.length_squared[i];
     s.centre[k] = p.centre[i];
-    s.overlap[k] = overlap_slopes(model.rail, model.wheel, pose, attitude, work.scratch, j);
+    s.overlap[k] = strip_overlap(model, in, work, by, pose, attitude, j);
   }
   differentiate_pressures(*model.influence, *model.kernels, model.material.normal_compliance(), w.normal, s);
 
   Number velocity[3], turning[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    velocity[i] = Number::input(seen.velocity[i], seen_velocity + i);
-    turning[i] = Number::input(seen.angular_velocity[i], seen_turning + i);
+    velocity[i] = seen.velocity[i];
+    turning[i] = seen.angular_velocity[i];
+    if (by == SlopesBy::track) continue;
+    velocity[i].d[seen_velocity + i] = 1.0;
+    turning[i].d[seen_turning + i] = 1.0;
   }
   LoadedStrips& loaded = w.loaded;
   loaded.count = 0;
@@ -241,10 +286,16 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     const OverlapSlopes& overlap = s.overlap[k];
     const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
-    const Number vx = velocity[0] + turning[1] * z - turning[2] * y;
+    Number vx = velocity[0] + turning[1] * z - turning[2] * y;
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
     const Number vz = velocity[2] + turning[0] * y - turning[1] * x;
-    const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * (vy * ny + vz * nz));
+    Number approach = vy * ny + vz * nz;
+    if (work.overlaps.lean) {
+      const Number lean = seen_number(overlap.lean), along = vx + lean * approach;
+      approach = approach - lean * vx;
+      vx = along;
+    }
+    const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * approach);
     const Number strength = damped * seen_number(s.changed_strength[k]);
     const Number N = (0.5 * pi * s.width[k]) * strength;
     if (!(N.value > 0.0)) continue;
@@ -272,8 +323,14 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     const OverlapSlopes& overlap = s.overlap[k];
     const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
-    const Number &N = loaded.normal[i], &fx = loaded.fx[i], &mz = loaded.mz[i];
-    const Number fy = loaded.fy[i] * nz - N * ny, fz = -(loaded.fy[i] * ny) - N * nz;
+    const Number &N = loaded.normal[i], &mz = loaded.mz[i];
+    Number fx = loaded.fx[i], fy = loaded.fy[i] * nz - N * ny, fz = -(loaded.fy[i] * ny) - N * nz;
+    if (work.overlaps.lean) {
+      const Number lean = seen_number(overlap.lean);
+      fy += lean * fx * ny;
+      fz += lean * fx * nz;
+      fx += lean * N;
+    }
     out.force[0] += fx;
     out.force[1] += fy;
     out.force[2] += fz;

@@ -32,9 +32,14 @@ struct SeenWrench {
 /// Doubles of working memory.
 std::int64_t wrench_slopes_doubles(std::int32_t most_strips);
 
+/// What a wrench is differentiated by: all SeenInput, or, of a model that varies(), the distance along the
+/// track in place of the first and the wheel's angle in place of the second, and nothing else.
+enum class SlopesBy { place, track };
+inline constexpr std::int32_t track_distance = 0, track_angle = 1;
+
 /// Differentiates what stands in `work` after a solve. WRC_FLAG_MORE_PATCHES, and no derivatives, with more
 /// strips in contact than there is room for.
 Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
-                           SeenWrench& wrench) noexcept;
+                           SlopesBy by, SeenWrench& wrench) noexcept;
 
 }  // namespace wrc

@@ -15,7 +15,7 @@ namespace {
 /// see that, most of them 1e-5 of the largest of a row. tools/wrench_derivatives prints how many see more.
 constexpr double differences_see = 1e-3;
 
-constexpr int rows = 6, columns = WRC_WRENCH_INPUTS - 1;
+constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD;
 
 /// S1002 on the benchmark UIC60 with a little of everything.
 class WheelDerivatives : public testing::TestWithParam<int32_t>, protected PlacedWheel {

@@ -229,9 +229,11 @@ inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_RAIL_Z_VELOCITY", WRC_BY_RAIL_Z_VELOCITY},
     {"WRC_BY_RAIL_ROLL_VELOCITY", WRC_BY_RAIL_ROLL_VELOCITY},
     {"WRC_BY_VERTICAL_LOAD", WRC_BY_VERTICAL_LOAD},
+    {"WRC_BY_DISTANCE", WRC_BY_DISTANCE},
+    {"WRC_BY_ANGLE", WRC_BY_ANGLE},
 };
-inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 17,
-    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_VELOCITY (15), _VERTICAL_LOAD (16)"};
+inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 19,
+    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_VELOCITY (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18)"};
 
 inline constexpr Enumerator wrc_adhesion_values[] = {
     {"WRC_ADHESION_COULOMB", WRC_ADHESION_COULOMB},
@@ -363,6 +365,51 @@ struct Description<wrc_config_track> {
 static_assert(sizeof(wrc_config_track) == 40, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_rail_section> {
+  static constexpr const char* name = "wrc_rail_section";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_rail_section defaults = [] {
+    wrc_rail_section value{};
+    value.profile = Description<wrc_profile>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "distance", .offset = offsetof(wrc_rail_section, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "y", .offset = offsetof(wrc_rail_section, y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "z", .offset = offsetof(wrc_rail_section, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "face", .offset = offsetof(wrc_rail_section, face), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 3},
+      {.name = "marks", .offset = offsetof(wrc_rail_section, marks), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "mark", .offset = offsetof(wrc_rail_section, mark), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_rail_section, marks), .state = State::not_zero, .counted_by = offsetof(wrc_rail_section, marks)},
+      {.name = "profile.kind", .offset = offsetof(wrc_rail_section, profile.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "profile.count", .offset = offsetof(wrc_rail_section, profile.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "profile.y", .offset = offsetof(wrc_rail_section, profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_rail_section, profile.count)},
+      {.name = "profile.z", .offset = offsetof(wrc_rail_section, profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_rail_section, profile.count)},
+      {.name = "profile.smoothing", .offset = offsetof(wrc_rail_section, profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_rail_section) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_roundness> {
+  static constexpr const char* name = "wrc_config_roundness";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_config_roundness defaults = [] {
+    wrc_config_roundness value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "angles", .offset = offsetof(wrc_config_roundness, angles), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
+      {.name = "rows", .offset = offsetof(wrc_config_roundness, rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angles needs it, and its default is 0", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .otherwise = "it is read with angles only: leave it 0"},
+      {.name = "angle", .offset = offsetof(wrc_config_roundness, angle), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .counted_by = offsetof(wrc_config_roundness, angles)},
+      {.name = "y", .offset = offsetof(wrc_config_roundness, y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config_roundness, rows)},
+      {.name = "deviation", .offset = offsetof(wrc_config_roundness, deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .by_caller = true},
+  };
+};
+static_assert(sizeof(wrc_config_roundness) == 32, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_config_grid> {
   static constexpr const char* name = "wrc_config_grid";
   static constexpr bool versioned = false;
@@ -449,6 +496,7 @@ struct Description<wrc_config> {
     value.grid = Description<wrc_config_grid>::defaults;
     value.normal = Description<wrc_config_normal>::defaults;
     value.tangential = Description<wrc_config_tangential>::defaults;
+    value.roundness = Description<wrc_config_roundness>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -498,9 +546,17 @@ struct Description<wrc_config> {
       {.name = "tangential.regularisation", .offset = offsetof(wrc_config, tangential.regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
       {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
+      {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "reserved", .offset = offsetof(wrc_config, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "rail_section", .offset = offsetof(wrc_config, rail_section), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_sections), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_sections)},
+      {.name = "roundness.angles", .offset = offsetof(wrc_config, roundness.angles), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
+      {.name = "roundness.rows", .offset = offsetof(wrc_config, roundness.rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angles needs it, and its default is 0", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .otherwise = "it is read with angles only: leave it 0"},
+      {.name = "roundness.angle", .offset = offsetof(wrc_config, roundness.angle), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .counted_by = offsetof(wrc_config, roundness.angles)},
+      {.name = "roundness.y", .offset = offsetof(wrc_config, roundness.y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config, roundness.rows)},
+      {.name = "roundness.deviation", .offset = offsetof(wrc_config, roundness.deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .by_caller = true},
   };
 };
-static_assert(sizeof(wrc_config) == 280, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 328, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {
@@ -1197,9 +1253,11 @@ struct Description<wrc_wheel_input> {
       {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "the height is prescribed; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
+      {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "angle", .offset = offsetof(wrc_wheel_input, angle), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 264, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_input) == 280, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {
@@ -1266,17 +1324,17 @@ template <>
 struct Description<wrc_wrench_sensitivities> {
   static constexpr const char* name = "wrc_wrench_sensitivities";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 952;
+  static constexpr std::size_t first = 1064;
   static constexpr wrc_wrench_sensitivities defaults = [] {
     wrc_wrench_sensitivities value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "wrench", .offset = offsetof(wrc_wrench_sensitivities, wrench), .type = Type::real, .elements = 102, .rule = Rule::none},
-      {.name = "z", .offset = offsetof(wrc_wrench_sensitivities, z), .type = Type::real, .elements = 17, .rule = Rule::none},
+      {.name = "wrench", .offset = offsetof(wrc_wrench_sensitivities, wrench), .type = Type::real, .elements = 114, .rule = Rule::none},
+      {.name = "z", .offset = offsetof(wrc_wrench_sensitivities, z), .type = Type::real, .elements = 19, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench_sensitivities) == 952, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wrench_sensitivities) == 1064, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peak> {

@@ -2,6 +2,7 @@
 /// as placed, plain numbers, refused input.
 #include <limits>
 
+#include "along_track.hpp"
 #include "golden/plan.hpp"
 
 namespace {
@@ -235,6 +236,30 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// Wheels with a flat on rails that change along the track, and derivatives by that.
+void run_along_track(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(8);
+  for (int i = 0; i < 30; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    input.distance = numbers.between(-0.2, 4.2);
+    input.angle = numbers.between(-0.3, 0.3);
+    const double fallen = input.distance - 1.0;
+    if (input.prescribed == WRC_PRESCRIBE_HEIGHT && fallen > 0.0)
+      input.wheel.z += fallen < 2.0 ? 0.004 * fallen : 0.008;
+    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench_sensitivities found{};
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    hash.add(i % 3 == 0 ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
+                        : wrc_contact_wrench(contact, &input, &wrench));
+    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
+      for (int k = 0; k < 3; ++k) hash.add(each[k]);
+    for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
+      hash.add(number);
+    for (const auto& row : found.wrench)
+      for (double number : row) hash.add(number);
+  }
+}
+
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
   wrc_input input = wrc_input_default();
@@ -275,6 +300,15 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
+
+  static const AlongTrackBodies bodies;
+  const std::size_t varying = plan.models.size();
+  wrc_config& along = plan.models.emplace_back(wrc_config_default());
+  along.wheel.kind = WRC_PROFILE_S1002;
+  along.rail.kind = WRC_PROFILE_60E1;
+  along.track.rail_inclination = 0.025;
+  bodies.give(along);
+  plan.jobs.push_back({"along the track", varying, {}, {}, run_along_track});
 }
 
 Plan golden_plan() {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "along_track.hpp"
+
 namespace {
 
 /// Arrays of a host, made before any measurement: a gap by elements, and strips with pressure.
@@ -205,6 +207,38 @@ int32_t wheel_sensitivities(Wheel& wheel) {
   return wheel_status(wheel, wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found));
 }
 
+/// A wheel with a flat on a rail that changes, made before any measurement.
+struct AlongTrack {
+  AlongTrackBodies bodies;
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  AlongTrack() {
+    wrc_config config = wrc_config_default();
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_60E1;
+    config.track.rail_inclination = 0.025;
+    bodies.give(config);
+    wrc_model_create(&config, nullptr, &model);
+    wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact);
+  }
+  ~AlongTrack() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+};
+const AlongTrack along_track;
+
+int32_t wheel_along_track(Wheel& wheel) {
+  wrc_wheel_input input = wheel_input(wheel);
+  input.distance = 2.0 + 300.0 * wheel.pose.lateral;
+  input.angle = 20.0 * wheel.pose.yaw;
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench_sensitivities found{};
+  const int32_t status = wrc_contact_wrench_sensitivities(along_track.contact, &input, &wrench, &found);
+  return status < 0 && status != WRC_ERROR_LOAD ? status : WRC_OK;
+}
+
 int32_t wheel_step_flat(Wheel& wheel) {
   double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
   in[1] = wheel.pose.lateral;
@@ -333,6 +367,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench, _batch", wheel_step},
       {"wrc_contact_wrench_flat", wheel_step_flat},
       {"wrc_contact_wrench_sensitivities", wheel_sensitivities},
+      {"wrc_contact_wrench_sensitivities, along the track", wheel_along_track},
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_region_ellipse, _damage, _field", wheel_region_results},
       {"wrc_contact_step refused, wrc_contact_last_error", refused_input},

@@ -1,0 +1,89 @@
+/// What a rail that changes along the track, or a wheel that is not round, does to the overlap of a strip
+/// (overlap.hpp), which is found as if neither were so: the rail as it is below the wheel's reference point.
+///
+/// Of the overlap over x, d - kappa/2 (x - W_x)^2 less what the rail's surface falls along its normal,
+/// n.(P(X + x) - P(X)), the largest is taken: depth, place and curvature are there. The normal leans by
+/// n.P' along the track. Then the wheel's reach (out_of_round.hpp) at the angle that lies there is added.
+/// Number is double, or one that carries derivatives.
+#pragma once
+
+#include "base/number.hpp"
+#include "surface/out_of_round.hpp"
+#include "surface/overlap.hpp"
+#include "surface/varying_rail.hpp"
+
+namespace wrc {
+
+/// A strip's overlap, by the names of Overlaps; lean: what the rail falls along its normal per distance.
+template <class Number>
+struct StripOverlap {
+  Number depth, centre, curvature, ny, nz, wy, wz, lean;
+};
+
+/// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
+inline constexpr double least_curvature_left = 0.2;
+
+/// Adds what the rail does. `distance`: of the wheel's reference point, as far as there are sections [m].
+template <class Number>
+void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& distance,
+                 StripOverlap<Number>& o) {
+  const RailFace& face = face_of(rail, strip);
+  const double kappa = value_of(o.curvature), middle = value_of(o.centre), ny = value_of(o.ny),
+               nz = value_of(o.nz), from = value_of(distance);
+  const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
+  constexpr int steps = 3;
+  double x = middle, stiff = kappa;
+  for (int n = 0; n < steps; ++n) {
+    const StripAlongTrack<double> s = strip_at(rail, face, strip, from + x);
+    stiff = curvature_left(ny * s.curvature_y + nz * s.curvature_z);
+    const double lean = ny * s.slope_y + nz * s.slope_z;
+    constexpr double furthest = 0.05;  // [m]: a slope of 1:9
+    x = smaller(larger(x - (kappa * (x - middle) + lean) / stiff, middle - furthest), middle + furthest);
+  }
+  const auto lean_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
+  // one more step, whose derivatives are those of the place that is sought
+  const StripAlongTrack<Number> near = strip_at(rail, face, strip, distance + Number(x));
+  const Number off = Number(x) - o.centre;
+  const Number at = Number(x) - (o.curvature * off + lean_at(near)) * Number(1.0 / stiff);
+  const StripAlongTrack<Number> here = strip_at(rail, face, strip, distance);
+  const StripAlongTrack<Number> there = strip_at(rail, face, strip, distance + at);
+  const Number from_middle = at - o.centre;
+  const Number rounded = 0.5 * o.curvature * from_middle * from_middle;
+  o.depth = o.depth - rounded - (o.ny * (there.y - here.y) + o.nz * (there.z - here.z));
+  o.wy = o.wy - o.ny * rounded;
+  o.wz = o.wz - o.nz * rounded;
+  o.lean = lean_at(there);
+  o.curvature = larger(o.curvature + (o.ny * there.curvature_y + o.nz * there.curvature_z),
+                       least_curvature_left * o.curvature);
+  o.centre = at;
+}
+
+/// Adds what the wheel does. `y`: on its profile [m]; `angle`: about its axle [rad].
+template <class Number>
+void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, const Number& y,
+                  const Number& angle, StripOverlap<Number>& o) {
+  constexpr double looked_over = 3e-3, least = 0.2, most = 10.0;
+  const auto& R = pose.rotation;
+  // the radius to the place, in the rail's axes
+  const Number along = R[0][1] * o.centre + R[1][1] * o.wy + R[2][1] * o.wz;
+  const Number ry = o.wy - along * R[1][1], rz = o.wz - along * R[2][1];
+  const Number before = R[0][0] * o.centre + R[1][0] * o.wy + R[2][0] * o.wz;  // along the body's x
+  const Number below = R[0][2] * o.centre + R[1][2] * o.wy + R[2][2] * o.wz;
+  const Number per_radius = Number(1.0) / root(before * before + below * below);
+  const Number sine = before * per_radius;
+  const Number turned = sine * (1.0 + sine * sine / 6.0) - angle;
+  const Number outwards = (ry * o.ny + rz * o.nz) * per_radius;
+  const double step = looked_over / wheel.radius;
+  const Reach<Number> here = reach_at(wheel, y, turned);
+  const Reach<Number> front = reach_at(wheel, y, turned + Number(step)),
+                      back = reach_at(wheel, y, turned - Number(step));
+  const Number bend = (front.depth - here.depth - (here.depth - back.depth)) / (step * step * wheel.radius);
+  const Number deeper = outwards * here.depth;
+  o.depth = o.depth + deeper;
+  o.wy = o.wy + o.ny * deeper;
+  o.wz = o.wz + o.nz * deeper;
+  o.centre = o.centre + R[0][0] * here.slope;
+  o.curvature = o.curvature / smaller(larger(1.0 + bend, Number(least)), Number(most));
+}
+
+}  // namespace wrc
