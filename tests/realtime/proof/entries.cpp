@@ -231,12 +231,12 @@ const AlongTrack along_track;
 
 int32_t wheel_along_track(Wheel& wheel) {
   wrc_wheel_input input = wheel_input(wheel);
-  input.distance = 2.0 + 300.0 * wheel.pose.lateral;
-  input.angle = 20.0 * wheel.pose.yaw;
+  input.distance = wheel.pose.lateral > 0.0 ? 2.5 : 1.25;  // no arithmetic that a trap would notice
+  input.angle = wheel.pose.yaw;
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
   const int32_t status = wrc_contact_wrench_sensitivities(along_track.contact, &input, &wrench, &found);
-  return status < 0 && status != WRC_ERROR_LOAD ? status : WRC_OK;
+  return status == WRC_ERROR_LOAD ? WRC_OK : status;
 }
 
 int32_t wheel_step_flat(Wheel& wheel) {
