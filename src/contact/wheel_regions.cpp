@@ -136,7 +136,6 @@ Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& 
 
 void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage) {
   const Model& model = *contact.model;
-  const SurfaceModel& surface = *model.surface;
   const KeptStrips& kept = kept_strips(contact);
   const SurfaceRegion& region = contact.wheel.wrench.region[index];
   const Run run = strips_of(kept, region);
@@ -172,7 +171,6 @@ std::int32_t region_strip_count(const Contact& contact, std::int32_t index) {
 
 void region_field(Contact& contact, std::int32_t index, RegionField field, double* values) {
   const Model& model = *contact.model;
-  const SurfaceModel& surface = *model.surface;
   const KeptStrips& kept = kept_strips(contact);
   const Run run = strips_of(kept, contact.wheel.wrench.region[index]);
   const MarchGrid& grid = model.march_grid;
@@ -206,11 +204,11 @@ void region_field(Contact& contact, std::int32_t index, RegionField field, doubl
     case RegionField::strip_friction:
       return of_strips([&](std::int32_t k) { return kept.friction[k]; });
     case RegionField::strip_y:
-      return of_strips([&](std::int32_t k) { return surface.rail.y[number(k)]; });
+      return of_strips([&](std::int32_t k) { return kept.y[k]; });
     case RegionField::strip_z:
-      return of_strips([&](std::int32_t k) { return surface.rail.z[number(k)]; });
+      return of_strips([&](std::int32_t k) { return kept.z[k]; });
     case RegionField::strip_angle:
-      return of_strips([&](std::int32_t k) { return strip_angle(surface, number(k)); });
+      return of_strips([&](std::int32_t k) { return kept.angle[k]; });
     default:
       break;
   }

@@ -69,8 +69,10 @@ struct KeptStrips {
   double x = 0.0;       ///< of the wheel's reference point, from that of the host [m]
   double strip[most_overlapping_strips] = {};                                       ///< of the rail
   double place[most_overlapping_strips] = {}, width[most_overlapping_strips] = {};  ///< by arc length [m]
-  double half_length[most_overlapping_strips] = {};                                 ///< [m]
-  double peak[most_overlapping_strips] = {};       ///< without the factor [Pa]
+  double y[most_overlapping_strips] = {}, z[most_overlapping_strips] = {};  ///< on the rail's profile [m]
+  double angle[most_overlapping_strips] = {};                               ///< strip_angle() [rad]
+  double half_length[most_overlapping_strips] = {};                         ///< [m]
+  double peak[most_overlapping_strips] = {};                                ///< without the factor [Pa]
   double centre[most_overlapping_strips] = {};     ///< x from the wheel's reference point [m]
   double curvature[most_overlapping_strips] = {};  ///< [1/m]
   double slip_x[most_overlapping_strips] = {}, slip_y[most_overlapping_strips] = {};  ///< [-]

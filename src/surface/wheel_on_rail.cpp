@@ -598,17 +598,6 @@ Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
           .cause = "the nearest section is used"};
 }
 
-/// Largest angle of a rail's strip in contact, the rail's roll included [rad].
-double steepest(const RailStrips& rail, const Wrench& wrench, double roll) {
-  double largest = 0.0;
-  for (std::int32_t i = 0; i < wrench.regions; ++i) {
-    const SurfaceRegion& region = wrench.region[i];
-    for (std::int32_t j = region.first; j < region.first + region.count; ++j)
-      largest = std::max(largest, std::abs(strip_angle(rail, j) + roll));
-  }
-  return largest;
-}
-
 /// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
 /// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
 /// `w` but for overlaps and pressures stays, these are of `height` afterwards.
@@ -779,7 +768,11 @@ void keep_strips(const WheelOnRail& in, const Work& w, KeptStrips& kept) {
   kept.factor = w.factor;
   kept.x = in.wheel.position[0];
   for (std::int32_t k = 0; k < n; ++k) {
-    kept.strip[k] = w.overlaps.strip[w.candidate[k]];
+    const std::int32_t j = w.overlaps.strip[w.candidate[k]];
+    kept.strip[k] = j;
+    kept.y[k] = w.rail.y[j];
+    kept.z[k] = w.rail.z[j];
+    kept.angle[k] = strip_angle(w.rail, j);
     kept.centre[k] = w.pressure.centre[w.candidate[k]];
   }
   const struct {
@@ -829,7 +822,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::place, *slopes));
   if (by_track && varies(model))
     keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::track, *by_track));
-  out.steepest_angle = steepest(w.rail, out, in.rail.roll);
+  for (std::int32_t k = 0; k < w.loaded; ++k)
+    out.steepest_angle = std::max(out.steepest_angle, std::abs(state.kept.angle[k] + in.rail.roll));
   keep_worst(fault, outside);
   return fault;
 }
@@ -846,7 +840,6 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
               {kept.friction, w.friction}};
   for (const auto& [from, to] : each) std::copy_n(from + first, count, to);
   for (std::int32_t k = 0; k < count; ++k) {
-    const auto j = static_cast<std::int32_t>(kept.strip[first + k]);
     w.place[k] = kept.place[first + k];
     w.width[k] = kept.width[first + k];
   }
