@@ -241,6 +241,21 @@ std::uint64_t fingerprint(const Model& model) {
       }
     }
   }
+  if (model.surface) {
+    const VaryingRail& rail = model.surface->varying;
+    for (std::int32_t f = 0; f < rail.faces; ++f) {
+      const RailFace& face = rail.face[f];
+      const std::size_t bytes = static_cast<std::size_t>(face.strips) * sizeof(double);
+      for (std::int32_t k = face.first_section; k < face.first_section + face.sections; ++k) {
+        sum.add(rail.distance[k]);
+        for (std::int32_t list = 0; list < 8; ++list)
+          sum.add(rail.outline + (static_cast<std::int64_t>(k) * 8 + list) * rail.room + face.first, bytes);
+      }
+    }
+    const OutOfRound& wheel = model.surface->out_of_round;
+    for (std::int32_t row = 0; row < wheel.rows; ++row) sum.add(wheel.y[row]);
+    sum.add(wheel.value, static_cast<std::size_t>(wheel.rows) * OutOfRound::nodes * sizeof(double));
+  }
   if (const std::size_t floats = force_table_size(model.force_table.axes); model.force_table.coefficients)
     sum.add(model.force_table.coefficients, floats * sizeof(float));
   return sum.value();

@@ -37,6 +37,7 @@ class Status(s.Choice):
     FLAG_LOAD_LEAPS = 7
     FLAG_BEYOND_GAP = 8
     FLAG_CLIMBING = 9
+    FLAG_BEYOND_SECTIONS = 10
     ERROR_NULL = -1
     ERROR_STRUCT_SIZE = -2
     ERROR_NOT_FINITE = -3
@@ -64,6 +65,7 @@ STATUS_TEXTS = {
     7: 'no approach of this normal method carries the load: it leaps past it there',
     8: 'beyond what the gap or the profiles carry: continued with the last stiffness',
     9: 'friction on a steep face lets no height carry the load, or several',
+    10: 'the rail has no section that far along the track: the nearest is used',
     -1: 'a required pointer is NULL',
     -2: 'struct_size is not that of a known version of the struct',
     -3: 'a value is NaN or infinite',
@@ -460,6 +462,8 @@ class WrenchInput(s.Choice):
     RAIL_Z_VELOCITY: rail.z_velocity [m/s]
     RAIL_ROLL_VELOCITY: rail.roll_velocity [rad/s]
     VERTICAL_LOAD: vertical_load [N], where it is prescribed
+    DISTANCE: distance [m]; but for what strips grow wider or narrower along the track
+    ANGLE: angle [rad]
     """
 
     Y = 0
@@ -479,6 +483,8 @@ class WrenchInput(s.Choice):
     RAIL_Z_VELOCITY = 14
     RAIL_ROLL_VELOCITY = 15
     VERTICAL_LOAD = 16
+    DISTANCE = 17
+    ANGLE = 18
 
 
 class Adhesion(s.Choice):
@@ -670,6 +676,88 @@ class ConfigTrack(s.Struct):
 assert c.sizeof(ConfigTrack) == 40
 
 
+class RailSection(s.Struct):
+    """One cross section of a rail that changes along the track; Contact.wrench() alone reads them. Between two
+        sections the rail is blended, twice continuously differentiable by the distance, point by point of
+        equal length along both outlines: from end to end, or from mark to mark where marks are given. So
+        outlines that are paired should end at the same places of the rail. A face is a surface of its own -
+        stock rail, blade, wing rail, nose -, with sections of its own, and is there from the first of them to
+        the last: one that begins or ends should do so where the wheel does not touch it. The rail itself
+        reaches from the first section of all to the last. Theory manual, section 9.
+
+    Members:
+      distance [m]: along the track; of a face increasing, by 1 mm or more (-1e7 .. 1e7; default 0)
+      y [m]: where the profile's origin lies, from that of config.rail: towards the field side (-0.5 .. 0.5;
+          default 0)
+      z [m]: the same downwards (-0.5 .. 0.5; default 0)
+      face: which surface it is of: sections of one face stand side by side, faces counted from 0 on, best
+          from the gauge side to the field side, as regions are listed (0 .. 3; default 0)
+      marks: the same for all sections of a face (0 .. 64; default 0)
+      mark [m]: marks of them, y on this profile: of points that belong together with those of equal number on
+          the face's other sections; increasing, 1 mm or more from each other and from the ends (-0.5 .. 0.5;
+          required)
+      profile: its outline, from its own origin, canted as config.rail by config.track.rail_inclination; not
+          ProfileKind.UIC60_BENCHMARK beside another
+    """
+
+    _c_name_ = 'wrc_rail_section'
+    __slots__ = ()
+    distance: float
+    y: float
+    z: float
+    face: int
+    marks: int = s.Count('marks')  # type: ignore[assignment]
+    mark: Optional[np.ndarray] = s.Pointer('mark', count='marks', group=('mark',))  # type: ignore[assignment]
+    profile: Profile
+    _units_ = {'distance': 'm', 'y': 'm', 'z': 'm', 'mark': 'm'}
+    _hidden_ = ()
+    _fields_ = [
+        ('distance', c.c_double),
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('face', c.c_int32),
+        ('_marks', c.c_uint32),
+        ('_mark', c.POINTER(c.c_double)),
+        ('profile', Profile),
+    ]
+assert c.sizeof(RailSection) == 72
+
+
+class ConfigRoundness(s.Struct):
+    """A wheel that is not round: a flat, a polygon, a measurement. Contact.wrench() alone reads it. A periodic
+        cubic spline goes through each row. Theory manual, section 9.
+
+    Members:
+      angles: places round the wheel in each row, the first again at the end; 0: it is round (0 or 9 .. 20000;
+          default 0)
+      rows: places across the tread (1 .. 16; default 0)
+      angle [rad]: angles of them, increasing, from 0 to 2 pi; 0 is the lowest point at WheelInput.angle 0,
+          and angles grow from there towards +x (0 .. 6.2831854; required)
+      y [m]: rows of them: where on the wheel's profile the rows are, increasing; between them is blended;
+          None: of one row (-0.5 .. 0.5; default None)
+      deviation [m]: rows * angles of them, row by row: what the radius has more than that of the profile; in
+          each row the last as the first (-0.005 .. 0.005; required)
+    """
+
+    _c_name_ = 'wrc_config_roundness'
+    __slots__ = ()
+    angles: int = s.Count('angles')  # type: ignore[assignment]
+    rows: int = s.Count('rows')  # type: ignore[assignment]
+    angle: Optional[np.ndarray] = s.Pointer('angle', count='angles', group=('angle',))  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', count='rows', group=('y',))  # type: ignore[assignment]
+    deviation: Optional[np.ndarray] = s.Pointer('deviation')  # type: ignore[assignment]
+    _units_ = {'angle': 'rad', 'y': 'm', 'deviation': 'm'}
+    _hidden_ = ()
+    _fields_ = [
+        ('_angles', c.c_uint32),
+        ('_rows', c.c_uint32),
+        ('_angle', c.POINTER(c.c_double)),
+        ('_y', c.POINTER(c.c_double)),
+        ('_deviation', c.POINTER(c.c_double)),
+    ]
+assert c.sizeof(ConfigRoundness) == 32
+
+
 class ConfigGrid(s.Struct):
     """How finely contacts are divided.
 
@@ -792,6 +880,11 @@ class Config(s.Struct):
       grid: strips, cells, rows of the gap
       normal: method and options of the normal problem
       tangential: method and options of the tangential problem
+      rail_sections: of a rail that changes along the track; 0: it is config.rail everywhere (0 .. 1000;
+          default 0)
+      rail_section: rail_sections of them with rail_sections; config.rail is beside them what the rail's place
+          follows from and what the stages see (required)
+      roundness: of the wheel
     """
 
     _c_name_ = 'wrc_config'
@@ -808,8 +901,12 @@ class Config(s.Struct):
     grid: ConfigGrid
     normal: ConfigNormal
     tangential: ConfigTangential
+    rail_sections: int = s.Count('rail_sections')  # type: ignore[assignment]
+    reserved: int
+    rail_section: Optional[RailSection] = s.Reference('rail_section')  # type: ignore[assignment]
+    roundness: ConfigRoundness
     _units_ = {}
-    _hidden_ = ('struct_size',)
+    _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_instruction_set', c.c_int32),
@@ -823,8 +920,12 @@ class Config(s.Struct):
         ('grid', ConfigGrid),
         ('normal', ConfigNormal),
         ('tangential', ConfigTangential),
+        ('_rail_sections', c.c_uint32),
+        ('reserved', c.c_uint32),
+        ('_rail_section', c.POINTER(RailSection)),
+        ('roundness', ConfigRoundness),
     ]
-assert c.sizeof(Config) == 280
+assert c.sizeof(Config) == 328
 
 
 class Pose(s.Struct):
@@ -1780,6 +1881,11 @@ class WheelInput(s.Struct):
           .. 1e6; default 0)
       damping [s/m]: of Hunt and Crossley as in Load, strip by strip, with the velocity at which the strip's
           own overlap grows (0 .. 10; default 0)
+      distance [m]: of the reference point along the track, for a rail with config.rail_sections; 0 else (-1e7
+          .. 1e7; default 0)
+      angle [rad]: of the wheel about its axle, for one with config.roundness; 0 else: right-hand rule about
+          y, so that its rate is the angular velocity about the axle and it falls rolling forwards (-1e9 ..
+          1e9; default 0)
     """
 
     _c_name_ = 'wrc_wheel_input'
@@ -1793,7 +1899,9 @@ class WheelInput(s.Struct):
     friction: Friction
     vertical_load: float
     damping: float
-    _units_ = {'vertical_load': 'N', 'damping': 's/m'}
+    distance: float
+    angle: float
+    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
@@ -1805,8 +1913,10 @@ class WheelInput(s.Struct):
         ('friction', Friction),
         ('vertical_load', c.c_double),
         ('damping', c.c_double),
+        ('distance', c.c_double),
+        ('angle', c.c_double),
     ]
-assert c.sizeof(WheelInput) == 264
+assert c.sizeof(WheelInput) == 280
 
 
 class Wrench(s.Struct):
@@ -1945,15 +2055,15 @@ class WrenchSensitivities(s.Struct):
 
     _c_name_ = 'wrc_wrench_sensitivities'
     __slots__ = ()
-    wrench: np.ndarray = s.Array('wrench', 0, (6, 17), c.c_double)  # type: ignore[assignment]
-    z: np.ndarray = s.Array('z', 816, (17,), c.c_double)  # type: ignore[assignment]
+    wrench: np.ndarray = s.Array('wrench', 0, (6, 19), c.c_double)  # type: ignore[assignment]
+    z: np.ndarray = s.Array('z', 912, (19,), c.c_double)  # type: ignore[assignment]
     _units_ = {}
     _hidden_ = ()
     _fields_ = [
-        ('_wrench', (c.c_double * 17) * 6),
-        ('_z', c.c_double * 17),
+        ('_wrench', (c.c_double * 19) * 6),
+        ('_z', c.c_double * 19),
     ]
-assert c.sizeof(WrenchSensitivities) == 952
+assert c.sizeof(WrenchSensitivities) == 1064
 
 
 class StressPeak(s.Struct):
@@ -2966,12 +3076,12 @@ class ContactCalls(_l.Handle):
         C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _CLIMBING (above),
             _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the stiffness and the
             directions there), _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries
-            nothing), _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as Contact.creepages()),
-            _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is whole;
-            or, says the sentence, more strips overlap than there is room for: those on the field side carry
-            nothing); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
-            profiles or of other methods, or friction zones in a contact frame), _LOAD (the load cannot be
-            carried at this pose).
+            nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
+            Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
+            the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
+            the field side carry nothing); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED
+            (a model without profiles or of other methods, or friction zones in a contact frame), _LOAD (the
+            load cannot be carried at this pose).
         """
         if out is None:
             out = Wrench._new()
@@ -3174,6 +3284,8 @@ STRUCTS = {
     'wrc_heat_properties': HeatProperties,
     'wrc_config_wheelset': ConfigWheelset,
     'wrc_config_track': ConfigTrack,
+    'wrc_rail_section': RailSection,
+    'wrc_config_roundness': ConfigRoundness,
     'wrc_config_grid': ConfigGrid,
     'wrc_config_normal': ConfigNormal,
     'wrc_config_tangential': ConfigTangential,
@@ -3258,6 +3370,8 @@ __all__ = [
     'HeatProperties',
     'ConfigWheelset',
     'ConfigTrack',
+    'RailSection',
+    'ConfigRoundness',
     'ConfigGrid',
     'ConfigNormal',
     'ConfigTangential',
