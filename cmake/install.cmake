@@ -18,7 +18,7 @@ list(JOIN WRC_PC_RUN_TIME " " WRC_PC_RUN_TIME)
 configure_file(cmake/wrc.pc.in wrc.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/wrc.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES data/force_table.bin DESTINATION ${CMAKE_INSTALL_DATADIR}/wrc)
-install(FILES bindings/fortran/wrc.f90 bindings/fortran/wrc_interface.inc bindings/fortran/wrc_initialisers.inc
-              bindings/fortran/wrc_status.inc DESTINATION ${CMAKE_INSTALL_DATADIR}/wrc/fortran)
+install(DIRECTORY bindings/fortran/ DESTINATION ${CMAKE_INSTALL_DATADIR}/wrc/fortran
+        FILES_MATCHING PATTERN "wrc*.f90" PATTERN "*.inc")
 install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "pictures/*")

@@ -34,7 +34,6 @@ int main(int argc, char** argv) {
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   config.wheelset.wheel_radius = radius;
-  config.normal.warm_start = argc < 3;
   wrc_model* model = NULL;
   wrc_contact* contact[2] = {NULL, NULL};
   int32_t status = wrc_model_create(&config, NULL, &model);
@@ -51,6 +50,7 @@ int main(int argc, char** argv) {
   wheel->velocity[0] = speed;
   wheel->angular_velocity[1] = -speed / radius;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  if (argc > 2) input.start = WRC_START_ANEW;
   input.vertical_load = 0.5 * load;
   status = wrc_contact_wrench(contact[right], &input, &wrench);
   if (status < 0) return failed("standing", contact[right], status);

@@ -223,6 +223,7 @@ static double standing(instance* of, outcome* how) {
   given.wheel.velocity[0] = speed;
   given.wheel.angular_velocity[1] = -speed / OF_KIND(of, wheel_radius);
   given.friction.coefficient = OF_KIND(of, friction);
+  given.start = WRC_START_ANEW;
   given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   given.vertical_load = 0.5 * of->now.real[SET_load];
   *how = answer(of, of->contact[WRC_SIDE_RIGHT],
@@ -260,6 +261,7 @@ outcome model_start(instance* of) {
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
   of->input = wrc_wheel_input_default();
+  of->input.start = WRC_START_ANEW;
   of->now.solved = 0;
   INTEGER_OF_KIND(of, status) = 0;
   if (how == FINE && of->kind == WHEELSET) {

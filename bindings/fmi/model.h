@@ -45,7 +45,7 @@ enum {
 enum kind { WHEEL, WHEELSET };
 
 /* All that an instance remembers. The contacts remember nothing that counts: every call starts anew
- * (config.normal.warm_start is 0), so these numbers are the whole state, in this process and in any other. */
+ * (WRC_START_ANEW), so these numbers are the whole state, in this process and in any other. */
 typedef struct contents {
   double real[MOST_REALS];
   int32_t integer[MOST_INTEGERS];

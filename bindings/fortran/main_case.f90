@@ -25,16 +25,17 @@ program main_case
   call wrc_init(load)
   call wrc_init(creepage)
   call wrc_init(friction, known)
-  if (known /= WRC_OK) stop 'the library is older than the module'
+  if (known /= WRC_OK) error stop 'the library is older than the module'
   ! The last member of each group read right means that the layouts agree.
-  if (config%track%rail_inclination /= 0d0 .or. config%track%gauge_depth /= 0.014d0 .or. config%grid%gap_rows /= 256) stop 'layout'
-  if (creepage%speed /= 1d0) stop 'layout'
+  if (config%track%rail_inclination /= 0d0 .or. config%track%gauge_depth /= 0.014d0 .or. &
+      config%grid%gap_rows /= 256) error stop 'layout'
+  if (creepage%speed /= 1d0) error stop 'layout'
 
   config%wheel%kind = WRC_PROFILE_S1002
   config%rail%kind = WRC_PROFILE_UIC60_BENCHMARK
   if (wrc_config_check(config, text) < 0) then
     print '(2a)', 'configuration: ', trim(text)
-    stop 1
+    error stop 1
   end if
   call check(wrc_model_create(config, c_null_ptr, model))
   call check(wrc_contact_create(model, WRC_SIDE_RIGHT, c_null_ptr, contact))
@@ -54,18 +55,18 @@ program main_case
     print '(a,i0,a,f8.0,a,f8.0,a,f7.1,a,f7.2,a,f5.1,a)', 'case ', i, ': Fx =', forces%fx, ' N, Fy =', forces%fy, &
       ' N, Mz =', forces%mz, ' N m, power =', forces%power, ' W (', 100*(forces%power/contact_power(i) - 1), &
       ' % from CONTACT)'
-    if (abs(forces%power/contact_power(i) - 1) > 0.1d0) stop 'power is off'
-    if (abs(damage%power - forces%power) > 1d-9*forces%power) stop 'damage and forces disagree'
+    if (abs(forces%power/contact_power(i) - 1) > 0.1d0) error stop 'power is off'
+    if (abs(damage%power - forces%power) > 1d-9*forces%power) error stop 'damage and forces disagree'
 
     ! the same through plain arrays
     in = [0d0, 0d0, 0d0, load%normal_force, creepages(1, i), creepages(2, i), creepages(3, i), friction%coefficient]
     call check(wrc_contact_step_flat(contact, in, out))
-    if (out(1) /= forces%fx .or. out(5) /= forces%power) stop 'wrc_contact_step_flat differs'
+    if (out(1) /= forces%fx .or. out(5) /= forces%power) error stop 'wrc_contact_step_flat differs'
   end do
 
   ! a mistake, and what the library says of it
   load%normal_force = 80d0
-  if (wrc_contact_normal(contact, c_null_ptr, load, normal) /= WRC_ERROR_RANGE) stop 'kN was not noticed'
+  if (wrc_contact_normal(contact, c_null_ptr, load, normal) /= WRC_ERROR_RANGE) error stop 'kN was not noticed'
   call wrc_contact_last_error(contact, text)
   print '(2a)', '80 N: ', trim(text)
 
@@ -79,7 +80,7 @@ contains
     if (status >= 0) return
     call wrc_contact_last_error(contact, text)
     print '(a,i0,2a)', 'status ', status, ': ', trim(text)
-    stop 1
+    error stop 1
   end subroutine
 
 end program main_case

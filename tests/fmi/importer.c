@@ -60,6 +60,7 @@ static void pose(int i, double in[inputs]) {
 
 static wrc_wheel_input as_struct(const double in[inputs]) {
   wrc_wheel_input input = wrc_wheel_input_default();
+  input.start = WRC_START_ANEW; /* as the FMU */
   input.wheel.y = in[0], input.wheel.z = in[1], input.wheel.roll = in[2], input.wheel.yaw = in[3];
   memcpy(input.wheel.velocity, in + 4, 3 * sizeof *in);
   memcpy(input.wheel.angular_velocity, in + 7, 3 * sizeof *in);

@@ -101,11 +101,23 @@ case $way in
     "$scratch/load_at_run_time" "$(library_directory)/libwrc.so.0.2"
     ;;
   fortran)
+    # The module, its calls with optional arguments, the subroutines for Fortran 77: gfortran, and flang where it is.
     need gfortran
-    cd "$scratch"
-    gfortran -c "$prefix/share/wrc/fortran/wrc.f90"
-    gfortran "$source/bindings/fortran/main_case.f90" wrc.o -L"$(library_directory)" -lwrc -o main_case
-    LD_LIBRARY_PATH=$(library_directory) ./main_case
+    modules=$prefix/share/wrc/fortran
+    flang=$(compgen -c flang | grep -E '^flang(-new)?(-[0-9]+)?$' | sort -V | tail -1 || true)
+    export LD_LIBRARY_PATH=$(library_directory)
+    for compiler in gfortran $flang; do
+      mkdir "$scratch/$compiler"
+      cd "$scratch/$compiler"
+      objects=(wrc.o wrc_optional.o wrc_f77.o)
+      for object in "${objects[@]}"; do "$compiler" -c "$modules/${object%.o}.f90"; done
+      for case in main_case.f90 optional_case.f90 flat_case.f; do
+        "$compiler" "$source/bindings/fortran/$case" "${objects[@]}" -L"$(library_directory)" -lwrc -o "${case%.*}"
+        echo "$compiler: $case"
+        "./${case%.*}"
+      done
+    done
+    [ -n "$flang" ] || echo "left out: flang is not installed"
     ;;
   subdirectory)
     need cmake

@@ -11,7 +11,7 @@ ARRAYS = ("in", "out", "gap", "statuses")  # arguments of that name are arrays o
 def written(interface, mark):
     """{file name in bindings/fortran: text}"""
     return {"wrc_status.inc": statuses(interface, mark), "wrc_interface.inc": module(interface, mark),
-            "wrc_initialisers.inc": initialisers(interface, mark), "layout_test.f90": layout_fortran(interface, mark),
+            "wrc_optional.inc": with_optional(interface, mark), "wrc_initialisers.inc": initialisers(interface, mark), "layout_test.f90": layout_fortran(interface, mark),
             "layout_test.c": layout_c(interface, mark)}
 
 
@@ -111,6 +111,25 @@ def module(interface, mark):
     lines += [f"  module procedure init_{struct.name[4:]}" for struct in initialised(interface)]
     lines.append("end interface")
     return "\n".join(lines) + "\n"
+
+
+def with_optional(interface, mark):
+    """The functions once more under their names without wrc_, with what C may be given NULL for as optional arguments."""
+    lines = ["! " + mark, "", "interface"]
+    for function in interface.functions.values():
+        if not function.exported or function.returned.base != "int32_t" or function.name.endswith("_init"):
+            continue
+        names = ", ".join(name for name, _ in function.arguments)
+        lines += [f"  function {function.name[4:]}({names}) &", f"      bind(C, name='{function.name}') result(answer)", "    import"]
+        for name, type in function.arguments:
+            declared = dummy(function, name, type)
+            if optional(function, name) and (type.base.startswith("wrc_") or type.base in NUMBERS or type.base == "char"):
+                if declared.startswith("type(c_ptr), value"):
+                    declared = f"type({type.base}), intent(in) :: {name}"
+                declared = declared.replace(" ::", ", optional ::")
+            lines.append(f"    {declared}")
+        lines += ["    integer(c_int32_t) :: answer", "  end function"]
+    return "\n".join(lines + ["end interface"]) + "\n"
 
 
 def initialisers(interface, mark):

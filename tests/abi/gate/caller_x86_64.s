@@ -39,17 +39,16 @@ bits:
 	.globl	main
 	.type	main, @function
 main:
-	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3344, %rsp
+	subq	$3384, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$719, (%rax)
+	cmpl	$791, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
 	movl	$35, %ecx
@@ -59,26 +58,26 @@ main:
 	movl	$280, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
-	leaq	3056(%rsp), %rdi
+	leaq	3088(%rsp), %rdi
 	movl	$35, %ecx
 	movq	%rbp, %rsi
 	rep movsq
-	movl	$2, 3064(%rsp)
-	movl	$4, 3096(%rsp)
-	movl	$40, 3256(%rsp)
-	movl	$2, 3304(%rsp)
-	movq	$0, 3048(%rsp)
-	movq	$0, 3040(%rsp)
-	leaq	3048(%rsp), %rdx
-	leaq	3056(%rsp), %rdi
+	movl	$2, 3096(%rsp)
+	movl	$4, 3128(%rsp)
+	movl	$40, 3288(%rsp)
+	movl	$2, 3336(%rsp)
+	movq	$0, 3080(%rsp)
+	movq	$0, 3072(%rsp)
+	leaq	3080(%rsp), %rdx
+	leaq	3088(%rsp), %rdi
 	movl	$0, %esi
 	call	wrc_model_create@PLT
 	testl	%eax, %eax
 	js	.L7
-	leaq	3040(%rsp), %rcx
+	leaq	3072(%rsp), %rcx
 	movl	$0, %edx
 	movl	$1, %esi
-	movq	3048(%rsp), %rdi
+	movq	3080(%rsp), %rdi
 	call	*192(%rbx)
 	testl	%eax, %eax
 	js	.L8
@@ -93,7 +92,7 @@ main:
 	movl	$216, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_input_init@PLT
-	leaq	2816(%rsp), %rdi
+	leaq	2848(%rsp), %rdi
 	movl	$54, %ecx
 	movq	%rbx, %rsi
 	rep movsl
@@ -104,34 +103,34 @@ main:
 	movl	$344, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_output_init@PLT
-	leaq	2464(%rsp), %rdi
+	leaq	2496(%rsp), %rdi
 	movl	$43, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC1(%rip), %rax
-	movq	%rax, 2824(%rsp)
+	movq	%rax, 2856(%rsp)
 	movq	.LC2(%rip), %rax
-	movq	%rax, 2864(%rsp)
+	movq	%rax, 2896(%rsp)
 	movq	.LC3(%rip), %rax
-	movq	%rax, 2904(%rsp)
+	movq	%rax, 2936(%rsp)
 	movq	.LC4(%rip), %rax
-	movq	%rax, 2944(%rsp)
-	leaq	2464(%rsp), %rdx
-	leaq	2816(%rsp), %rsi
-	movq	3040(%rsp), %rdi
+	movq	%rax, 2976(%rsp)
+	leaq	2496(%rsp), %rdx
+	leaq	2848(%rsp), %rsi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	testl	%eax, %eax
 	jne	.L9
-	movsd	2480(%rsp), %xmm0
+	movsd	2512(%rsp), %xmm0
 	leaq	.LC5(%rip), %rdi
 	call	bits
-	movsd	2624(%rsp), %xmm0
+	movsd	2656(%rsp), %xmm0
 	leaq	.LC6(%rip), %rdi
 	call	bits
-	movsd	2680(%rsp), %xmm0
+	movsd	2712(%rsp), %xmm0
 	leaq	.LC7(%rip), %rdi
 	call	bits
-	movsd	2744(%rsp), %xmm0
+	movsd	2776(%rsp), %xmm0
 	leaq	.LC8(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -142,99 +141,99 @@ main:
 	movl	$208, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_patch_init@PLT
-	leaq	2256(%rsp), %rdi
+	leaq	2288(%rsp), %rdi
 	movl	$52, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	2256(%rsp), %rdx
+	leaq	2288(%rsp), %rdx
 	movl	$0, %esi
-	movq	3040(%rsp), %rdi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_patch@PLT
 	testl	%eax, %eax
 	jne	.L10
-	leaq	2208(%rsp), %rcx
+	leaq	2240(%rsp), %rcx
 	movl	$3, %edx
 	movl	$0, %esi
-	movq	3040(%rsp), %rdi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_field@PLT
 	testl	%eax, %eax
 	jne	.L11
-	movsd	2280(%rsp), %xmm0
+	movsd	2312(%rsp), %xmm0
 	leaq	.LC9(%rip), %rdi
 	call	bits
-	movq	2224(%rsp), %rax
+	movq	2256(%rsp), %rax
 	shrq	%rax
-	imulq	2240(%rsp), %rax
-	imulq	$3, 2232(%rsp), %rdx
+	imulq	2272(%rsp), %rax
+	imulq	$3, 2264(%rsp), %rdx
 	addq	%rdx, %rax
-	movq	2208(%rsp), %rdx
+	movq	2240(%rsp), %rdx
 	movsd	(%rdx,%rax,8), %xmm0
 	leaq	.LC10(%rip), %rdi
 	call	bits
-	leaq	4(%rsp), %rbp
-	movl	$0, %r12d
-	movl	$63, %ecx
-	movq	%rbp, %rdi
-	movl	%r12d, %eax
-	rep stosl
-	movl	$256, (%rsp)
+	movl	$33, %ecx
+	movl	$0, %eax
+	movq	%rbx, %rdi
+	rep stosq
+	movl	$264, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wheel_input_init@PLT
-	leaq	1952(%rsp), %rdi
-	movl	$32, %ecx
+	leaq	1968(%rsp), %rdi
+	movl	$33, %ecx
 	movq	%rbx, %rsi
 	rep movsq
+	leaq	4(%rsp), %rdx
 	movl	$39, %ecx
-	movq	%rbp, %rdi
-	movl	%r12d, %eax
+	movl	$0, %eax
+	movq	%rdx, %rdi
 	rep stosl
 	movl	$160, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wrench_init@PLT
-	leaq	1792(%rsp), %rdi
+	leaq	1808(%rsp), %rdi
 	movl	$40, %ecx
 	movq	%rbx, %rsi
 	rep movsl
 	movq	.LC11(%rip), %rax
-	movq	%rax, 1976(%rsp)
+	movq	%rax, 2000(%rsp)
 	movq	.LC1(%rip), %rax
-	movq	%rax, 1992(%rsp)
+	movq	%rax, 2016(%rsp)
 	movq	.LC12(%rip), %rax
-	movq	%rax, 2008(%rsp)
+	movq	%rax, 2032(%rsp)
 	movq	.LC13(%rip), %rax
-	movq	%rax, 2040(%rsp)
+	movq	%rax, 2064(%rsp)
 	movq	.LC14(%rip), %rax
-	movq	%rax, 2200(%rsp)
-	leaq	832(%rsp), %rcx
-	leaq	1792(%rsp), %rdx
-	leaq	1952(%rsp), %rsi
-	movq	3040(%rsp), %rdi
+	movq	%rax, 2224(%rsp)
+	leaq	848(%rsp), %rcx
+	leaq	1808(%rsp), %rdx
+	leaq	1968(%rsp), %rsi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_wrench_sensitivities@PLT
 	testl	%eax, %eax
 	jne	.L12
-	movsd	1824(%rsp), %xmm0
+	movsd	1840(%rsp), %xmm0
 	leaq	.LC15(%rip), %rdi
 	call	bits
-	movsd	1944(%rsp), %xmm0
+	movsd	1960(%rsp), %xmm0
 	leaq	.LC16(%rip), %rdi
 	call	bits
-	movsd	1112(%rsp), %xmm0
+	movsd	1128(%rsp), %xmm0
 	leaq	.LC17(%rip), %rdi
 	call	bits
-	movl	$43, %ecx
+	leaq	4(%rsp), %rdx
+	movl	$45, %ecx
 	movl	$0, %eax
-	movq	%rbp, %rdi
+	movq	%rdx, %rdi
 	rep stosl
-	movl	$176, (%rsp)
+	movl	$184, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_region_init@PLT
 	leaq	656(%rsp), %rdi
-	movl	$44, %ecx
+	movl	$46, %ecx
 	movq	%rbx, %rsi
 	rep movsl
 	leaq	656(%rsp), %rdx
 	movl	$0, %esi
-	movq	3040(%rsp), %rdi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_region@PLT
 	testl	%eax, %eax
 	jne	.L13
@@ -242,26 +241,26 @@ main:
 	leaq	.LC18(%rip), %rdi
 	call	bits
 	movq	.LC19(%rip), %rax
-	movq	%rax, 2864(%rsp)
-	leaq	2464(%rsp), %rdx
-	leaq	2816(%rsp), %rsi
-	movq	3040(%rsp), %rdi
+	movq	%rax, 2896(%rsp)
+	leaq	2496(%rsp), %rdx
+	leaq	2848(%rsp), %rsi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	movl	$9, %ebp
 	cmpl	$-4, %eax
 	jne	.L3
 	leaq	352(%rsp), %rsi
 	movl	$300, %edx
-	movq	3040(%rsp), %rdi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %ebp
 	testl	%eax, %eax
 	jne	.L15
 	leaq	352(%rsp), %rdi
 	call	puts@PLT
-	movq	3040(%rsp), %rdi
+	movq	3072(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	3048(%rsp), %rdi
+	movq	3080(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	jmp	.L3
 .L5:
@@ -274,10 +273,9 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3344, %rsp
+	addq	$3384, %rsp
 	popq	%rbx
 	popq	%rbp
-	popq	%r12
 	ret
 .L9:
 	movl	$4, %ebp
