@@ -130,6 +130,8 @@ struct wrc_api {
   int32_t (*contact_portable_size)(const wrc_model*, uint64_t*); /**< wrc_contact_portable_size() */
   int32_t (*contact_save_portable)(const wrc_contact*, void*, uint64_t); /**< wrc_contact_save_portable() */
   int32_t (*contact_restore_portable)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore_portable() */
+  int32_t (*contact_stresses)(wrc_contact*, int32_t, const double*, uint32_t, wrc_stress_peaks*, wrc_stresses*);
+    /**< wrc_contact_stresses() */
 };
 
 #endif /* WRC_API_H */

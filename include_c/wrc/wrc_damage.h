@@ -81,6 +81,24 @@ WRC_DEFAULT_SIZED(wrc_temperature)
 WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, const wrc_bulk_temperatures* bulk,
                                         wrc_temperature* temperature);
 
+/** Largest stresses in one of the bodies under pressure and tractions of the last wrc_contact_tangential or
+ * wrc_contact_step: at the surface, at depths of the caller's, and around the largest of these (golden sections between
+ * its neighbours: depths a fifth of the patch's smaller half extent apart are close enough). Elastic half-space; strips
+ * are joined to at most 36 lanes of 56 cells, near cells are rectangles, others forces at points (Boussinesq, Love, Cerruti;
+ * Johnson 1985, 3.2). Bounded, but no call for every millisecond: at most 250 places a depth, the surface included, and 24
+ * more, some 25 us each: 8 ms for the surface and one depth, 22 ms with ten. wrc_exact_largest_stresses()
+ * (wrc_offline.h) is the exact counterpart. Theory manual, section 6.
+ * @param contact the contact
+ * @param body enum wrc_body: the one whose stresses are wanted
+ * @param depths count of them, increasing, 0..0.1 m
+ * @param count of depths, 1..64
+ * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted; zero on failure
+ * @param[out] stresses at the surface, below it and of both; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
+ * _NOT_FINITE, _RANGE, _UNSUPPORTED (no such body; a method that gives forces alone). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t body, const double* depths, uint32_t count,
+                                     wrc_stress_peaks* levels, wrc_stresses* stresses);
+
 /** The rise of wrc_contact_temperature() along one strip of the caller's power densities: of a solution of wrc_exact_rolling()
  * for one, row by row.
  * @param count cells, 1..512

@@ -1,6 +1,8 @@
 /// Largest stresses on their way out.
 #pragma once
 
+#include <cstdint>
+
 #include "damage/stress.hpp"
 #include "wrc/wrc.h"
 

@@ -13,6 +13,7 @@
 #include "base/fault.hpp"
 #include "contact/model.hpp"
 #include "damage/flash_temperature.hpp"
+#include "damage/stress.hpp"
 #include "damage/wear.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/creepages.hpp"
@@ -356,6 +357,16 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
 
 /// Temperatures by the frictional power of the tractions in the contact; the same.
 Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature);
+
+/// Largest stresses in one of the bodies under the tractions in the contact.
+struct BodyStresses {
+  StressPeaks surface, below;
+};
+
+/// At the surface, at `depths` (increasing; into `levels`, one for each, where not nullptr) and around the
+/// largest of these.
+Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
+                    StressPeaks* levels, BodyStresses& stresses);
 
 /// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
 /// work on a copy: the contact stays as it is.

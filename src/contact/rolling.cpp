@@ -7,6 +7,7 @@
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
+#include "damage/subsurface.hpp"
 #include "kernels/kernels.hpp"
 #include "tangential/simd/tasks.hpp"
 
@@ -374,6 +375,47 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
     }
   }
   contact.beside |= Contact::wear;
+  return {};
+}
+
+Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
+                    StressPeaks* levels, BodyStresses& stresses) {
+  stresses = {};
+  const Fault fault =
+      tractions_needed(contact, "this method has no tractions over the patch: choose another");
+  if (fault.status != WRC_OK) return fault;
+  LoadLanes loads(contact.model->options.material.poisson);
+  std::int32_t strips = 0;
+  for (std::int32_t k = 0; k < contact.patches; ++k) strips += contact.patch[k].region_count;
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& patch = contact.patch[k];
+    loads.add_patch(region_strips(contact, patch), cell_block(contact, Array::pressure, patch),
+                    cell_fields(contact, patch), contact.model->options.sizes.cells, strips,
+                    contact.rolling.way, in_rail ? -1.0 : 1.0);
+  }
+  stresses.surface = loads.peaks(0.0);
+  double deepest = 0.0;
+  // Of each number the largest below, and the depths on both sides of it.
+  constexpr StressPeak StressPeaks::*each[3] = {&StressPeaks::von_mises, &StressPeaks::shear,
+                                                &StressPeaks::tension};
+  double low[3] = {}, high[3] = {};
+  for (std::int32_t k = 0; k < count; ++k) {
+    const StressPeaks found = depths[k] > 0.0 ? loads.peaks(depths[k]) : stresses.surface;
+    if (levels) levels[k] = found;
+    if (!(depths[k] > 0.0)) continue;
+    for (int number = 0; number < 3; ++number) {
+      if (high[number] == deepest) high[number] = depths[k];  // the largest so far was the depth before
+      if (stresses.below.any && !((found.*each[number]).value > (stresses.below.*each[number]).value))
+        continue;
+      low[number] = deepest;
+      high[number] = depths[k];
+    }
+    stresses.below.take(found);
+    deepest = depths[k];
+  }
+  const StressPeaks listed = stresses.below;
+  for (int number = 0; number < 3 && listed.any; ++number)
+    loads.refine(listed.*each[number], each[number], low[number], high[number], stresses.below);
   return {};
 }
 

@@ -8,87 +8,6 @@
 namespace wrc::halfspace {
 namespace {
 
-/// Derivatives of F and F1 under a unit load, by their antiderivatives over x and y at one corner of a cell.
-/// Members are named after what they differentiate by; `of_` those of F1.
-struct Corner {
-  double xx, yy, zz, xy, xz, yz;
-  double xxx, xxy, xyy, yyy, xxz, xyz, yyz, xzz, yzz, zzz;
-  double of_xxx, of_xxy, of_xyy, of_yyy;
-};
-
-/// X, Y from the corner to the point. With r^2 = X^2 + Y^2 + z^2, over both indefinite integrals,
-///     F_xy -> ln(r + z), F_xz -> ln(Y + r), F_zz -> -atan(XY / (z r)),
-///     F_xx -> atan(Y / X) - atan(z Y / (X r)), F1_xxy -> -X / (r + z),
-/// and all others follow by differentiation, exchange of x and y, and F being harmonic.
-Corner corner_at(double X, double Y, double z) {
-  const double x2 = X * X, y2 = Y * Y, z2 = z * z;
-  const double r = std::sqrt(x2 + y2 + z2), rz = r + z;
-  const auto angle = [](double over, double under) { return over == 0.0 ? 0.0 : std::atan2(over, under); };
-  Corner c{};
-  c.xx = angle(X * Y * (r - z), x2 * r + z * y2);
-  c.yy = angle(X * Y * (r - z), y2 * r + z * x2);
-  c.zz = -angle(X * Y, z * r);
-  c.xy = std::log(rz);
-  c.xz = std::asinh(Y / std::sqrt(x2 + z2));
-  c.yz = std::asinh(X / std::sqrt(y2 + z2));
-  c.xyz = 1.0 / r;
-  c.xxy = X / (r * rz);
-  c.xyy = Y / (r * rz);
-  c.xxz = -X * Y / (r * (x2 + z2));
-  c.yyz = -X * Y / (r * (y2 + z2));
-  c.xzz = -z * Y / (r * (x2 + z2));
-  c.yzz = -z * X / (r * (y2 + z2));
-  c.zzz = -c.xxz - c.yyz;
-  c.xxx = -c.xyy - c.xzz;
-  c.yyy = -c.xxy - c.yzz;
-  c.of_xxy = -X / rz;
-  c.of_xyy = -Y / rz;
-  c.of_xxx = Y / rz - c.xz;
-  c.of_yyy = X / rz - c.yz;
-  return c;
-}
-
-/// One corner's share of the stresses, by the formulas of the header.
-CellStress share_of(const Corner& c, double nu, double z) {
-  constexpr double scale = 0.5 / pi;
-  const double k = 1.0 - 2.0 * nu;
-  CellStress s;
-  s.of_pressure = {.xx = scale * (2.0 * nu * c.zz - z * c.xxz - k * c.xx),
-                   .yy = scale * (2.0 * nu * c.zz - z * c.yyz - k * c.yy),
-                   .zz = scale * (c.zz - z * c.zzz),
-                   .xy = scale * (-k * c.xy - z * c.xyz),
-                   .yz = scale * (-z * c.yzz),
-                   .zx = scale * (-z * c.xzz)};
-  s.of_traction_x = {.xx = scale * (2.0 * (1.0 + nu) * c.xz + 2.0 * nu * c.of_xxx - z * c.xxx),
-                     .yy = scale * (2.0 * nu * c.xz + 2.0 * nu * c.of_xyy - z * c.xyy),
-                     .zz = scale * (-z * c.xzz),
-                     .xy = scale * (c.yz + 2.0 * nu * c.of_xxy - z * c.xxy),
-                     .yz = scale * (-z * c.xyz),
-                     .zx = scale * (c.zz - z * c.xxz)};
-  s.of_traction_y = {.xx = scale * (2.0 * nu * c.yz + 2.0 * nu * c.of_xxy - z * c.xxy),
-                     .yy = scale * (2.0 * (1.0 + nu) * c.yz + 2.0 * nu * c.of_yyy - z * c.yyy),
-                     .zz = scale * (-z * c.yzz),
-                     .xy = scale * (c.xz + 2.0 * nu * c.of_xyy - z * c.xyy),
-                     .yz = scale * (c.zz - z * c.yyz),
-                     .zx = scale * (-z * c.xyz)};
-  return s;
-}
-
-void add(const Stress& from, double factor, Stress& to) {
-  to.xx += factor * from.xx;
-  to.yy += factor * from.yy;
-  to.zz += factor * from.zz;
-  to.xy += factor * from.xy;
-  to.yz += factor * from.yz;
-  to.zx += factor * from.zx;
-}
-
-void add(const CellStress& from, double factor, CellStress& to) {
-  add(from.of_pressure, factor, to.of_pressure);
-  add(from.of_traction_x, factor, to.of_traction_x);
-  add(from.of_traction_y, factor, to.of_traction_y);
-}
-
 /// Cells beyond the border of a grid where stresses are looked for too: the tension behind the trailing edge.
 int margin_of(const Grid& grid) { return 2 + std::max(grid.nx, grid.ny) / 10; }
 
@@ -103,17 +22,6 @@ Grid with_margin(const Grid& grid) {
 }
 
 }  // namespace
-
-CellStress cell_stress(double poisson, double x, double y, double z, double dx, double dy) {
-  CellStress sum;
-  for (const double side_x : {0.5, -0.5}) {
-    for (const double side_y : {0.5, -0.5}) {
-      const Corner corner = corner_at(x + side_x * dx, y + side_y * dy, z);
-      add(share_of(corner, poisson, z), side_x * side_y > 0.0 ? 1.0 : -1.0, sum);
-    }
-  }
-  return sum;
-}
 
 Stress stress_at(const BodyLoads& loads, double x, double y, double z) {
   Stress sum;
@@ -189,7 +97,7 @@ void StressField::evaluate(double z) {
   for (int mx = -reach_x; mx <= reach_x + 1; ++mx) {
     for (int c = 0; c < corners_y; ++c)
       here[static_cast<std::size_t>(c)] =
-          share_of(corner_at((mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z), poisson_, z);
+          corner_stress(poisson_, (mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z);
     if (mx > -reach_x) {
       for (int my = -reach_y; my <= reach_y; ++my) {
         const auto c = static_cast<std::size_t>(my + reach_y);

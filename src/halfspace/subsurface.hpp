@@ -1,37 +1,18 @@
-/// Stresses in a half-space under loads that are constant on the cells of a grid: closed forms of Boussinesq,
-/// Love (1929) and Cerruti, exact for such loads.
-///
-/// The body lies at z >= 0 and x, y, z are the contact frame's for the rail; a wheel is its mirror image in
-/// the contact plane, z its own depth. With F(x, y, z) = IInt load ln(r + z), F1 = IInt load (z ln(r + z) -
-/// r), so that dF1/dz = F (Johnson, Contact Mechanics, 3.2), a pressure p into the body gives
-///     2 pi s_xx = 2 nu F_zz - z F_xxz - (1 - 2 nu) F_xx       2 pi s_xy = -(1 - 2 nu) F_xy - z F_xyz
-///     2 pi s_zz = F_zz - z F_zzz                              2 pi s_zx = -z F_xzz
-/// and a traction q along x on the body
-///     2 pi s_xx = 2 (1 + nu) F_xz + 2 nu F1_xxx - z F_xxx     2 pi s_xy = F_yz + 2 nu F1_xxy - z F_xxy
-///     2 pi s_yy = 2 nu F_xz + 2 nu F1_xyy - z F_xyy           2 pi s_yz = -z F_xyz
-///     2 pi s_zz = -z F_xzz                                    2 pi s_zx = F_zz - z F_xxz,
-/// those left out by exchange of x and y. (The second set: Hooke's law on Johnson's displacements.)
+/// Stresses in a half-space under loads that are constant on the cells of a grid (damage/cell_stress.hpp),
+/// and where they are largest. The exact way: FFT over all cells, depth by depth.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/fault.hpp"
+#include "damage/cell_stress.hpp"
 #include "damage/stress.hpp"
 #include "halfspace/fft.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
 
 namespace wrc::halfspace {
-
-/// Stresses per unit load of a cell: a pressure into the body, tractions along x and y on the body.
-struct CellStress {
-  Stress of_pressure, of_traction_x, of_traction_y;
-};
-
-/// At (x, y) from the centre of a cell of size dx x dy [m] and at the depth z >= 0. At z = 0 not on the
-/// cell's border, where a traction's stress is infinite.
-CellStress cell_stress(double poisson, double x, double y, double z, double dx, double dy);
 
 /// What acts on the body.
 struct BodyLoads {

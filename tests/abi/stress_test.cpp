@@ -130,4 +130,106 @@ TEST_F(ExactStress, IsCancelled) {
             WRC_ERROR_CANCELLED);
 }
 
+/// The real-time call, on a double ellipse whose tractions it has just found.
+class ContactStresses : public testing::Test {
+ protected:
+  wrc_config config = wrc_config_default();
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_creepage creepage = wrc_creepage_default();
+  wrc_friction friction = wrc_friction_default();
+  wrc_stresses stresses = wrc_stresses_default();
+  std::vector<wrc_stress_peaks> levels = std::vector<wrc_stress_peaks>(3);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  void SetUp() override {
+    ellipse.a = 6e-3;
+    ellipse.b = 4e-3;
+    ellipse.psi = 0.2;
+    ellipse.normal_force = 80e3;
+    creepage.longitudinal = 2e-3;
+    creepage.spin = 0.2;
+  }
+  void TearDown() override {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  void roll() {
+    if (model == nullptr) {
+      ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+      ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+    }
+    ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, nullptr), WRC_OK);
+  }
+  int32_t find(const std::vector<double>& depths = {0.0, 1e-3, 2e-3}, int32_t body = WRC_BODY_RAIL) {
+    return wrc_contact_stresses(contact, body, depths.data(), static_cast<uint32_t>(depths.size()),
+                                levels.data(), &stresses);
+  }
+};
+
+TEST_F(ContactStresses, LevelsAndLargestBelongTogether) {
+  roll();
+  ASSERT_EQ(find(), WRC_OK);
+  EXPECT_EQ(stresses.body, WRC_BODY_RAIL);
+  EXPECT_EQ(levels[0].von_mises.stress, stresses.surface.von_mises.stress);
+  EXPECT_EQ(levels[0].shear.depth, 0.0);
+  EXPECT_EQ(levels[2].shear.depth, 2e-3);
+  for (const wrc_stress_peak wrc_stress_peaks::*each :
+       {&wrc_stress_peaks::von_mises, &wrc_stress_peaks::shear, &wrc_stress_peaks::tension}) {
+    EXPECT_GE((stresses.below.*each).stress, std::fmax((levels[1].*each).stress, (levels[2].*each).stress));
+    EXPECT_EQ((stresses.largest.*each).stress,
+              std::fmax((stresses.below.*each).stress, (stresses.surface.*each).stress));
+    EXPECT_LE((stresses.below.*each).depth, 2e-3);
+  }
+}
+
+TEST_F(ContactStresses, BackwardsIsTheMirrorImage) {
+  creepage.lateral = 1e-3;
+  roll();
+  ASSERT_EQ(find(), WRC_OK);
+  const wrc_stresses forward = stresses;
+  creepage.longitudinal *= -1.0;
+  creepage.spin *= -1.0;
+  creepage.speed *= -1.0;
+  roll();
+  ASSERT_EQ(find(), WRC_OK);
+  EXPECT_NEAR(stresses.largest.von_mises.stress, forward.largest.von_mises.stress, 1e-6 * 1e9);
+  EXPECT_NEAR(stresses.surface.tension.x, -forward.surface.tension.x, 1e-9);
+  EXPECT_NEAR(stresses.surface.tension.y, forward.surface.tension.y, 1e-9);
+}
+
+// In the rail, which a braked wheel pulls along, tension is behind the patch; in the wheel before it.
+TEST_F(ContactStresses, TensionIsBehindInTheBodyThatIsPulledAlong) {
+  creepage.longitudinal = 0.05;
+  creepage.spin = 0.0;
+  roll();
+  ASSERT_EQ(find(), WRC_OK);
+  const double rail = stresses.surface.tension.x;
+  ASSERT_EQ(find({1e-3}, WRC_BODY_WHEEL), WRC_OK);
+  EXPECT_EQ(stresses.body, WRC_BODY_WHEEL);
+  EXPECT_LT(rail, -5e-3);
+  EXPECT_GT(stresses.surface.tension.x, 5e-3);
+}
+
+TEST_F(ContactStresses, RefusesWhatMakesNoSense) {
+  char text[256];
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+  EXPECT_EQ(find(), WRC_ERROR_SEQUENCE);
+  roll();
+  EXPECT_EQ(find({0.0, 1.0}), WRC_ERROR_RANGE);
+  wrc_contact_last_error(contact, text, sizeof text);
+  EXPECT_NE(std::string(text).find("did you pass mm?"), std::string::npos) << text;
+  EXPECT_EQ(levels[0].shear.stress, 0.0);
+  EXPECT_EQ(find({1e-3, 1e-3}), WRC_ERROR_RANGE);
+  EXPECT_EQ(find({nan_value}), WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(find({}), WRC_ERROR_RANGE);
+  EXPECT_EQ(find({0.0}, 2), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_stresses(contact, WRC_BODY_RAIL, nullptr, 3, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_stresses(nullptr, WRC_BODY_RAIL, nullptr, 3, nullptr, &stresses), WRC_ERROR_NULL);
+  const double depth = 1e-3;
+  EXPECT_EQ(wrc_contact_stresses(contact, WRC_BODY_RAIL, &depth, 1, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_stresses(contact, WRC_BODY_RAIL, &depth, 65, nullptr, nullptr), WRC_ERROR_RANGE);
+}
+
 }  // namespace

@@ -92,11 +92,34 @@ double depth_error(const wrc_stress_peak& surface, const wrc_stress_peak& below,
   return surface.stress > below.stress ? at_surface : inside;
 }
 
+/// Depths at which the real-time call looks.
+constexpr double depth_shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.95, 1.2};
+
+wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
+  wrc_config config = wrc_config_default();
+  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.material.poisson = file(row, "nu");
+  const Solver solver(config);
+  const wrc_ellipse ellipse = ellipse_of(file, row);
+  const wrc_creepage creepage = creepage_of(file, row);
+  wrc_friction friction = wrc_friction_default();
+  friction.coefficient = file(row, "mu");
+  int32_t status = wrc_contact_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
+  std::vector<double> depths;
+  for (const double share : depth_shares) depths.push_back(share * std::min(ellipse.a, ellipse.b));
+  wrc_stresses stresses = wrc_stresses_default();
+  if (status >= 0)
+    status = wrc_contact_stresses(solver.contact(), WRC_BODY_RAIL, depths.data(),
+                                  static_cast<uint32_t>(depths.size()), nullptr, &stresses);
+  if (status < 0) throw std::runtime_error(solver.reason(status));
+  return stresses;
+}
+
 struct StressVariant {
   const char* name;
   wrc_stresses (*find)(const Csv&, std::size_t row);
 };
-const std::vector<StressVariant> stress_variants = {{"exact", exact_stresses}};
+const std::vector<StressVariant> stress_variants = {{"strip", strip_stresses}, {"exact", exact_stresses}};
 
 /// Largest rise of the temperature [K].
 double exact_temperature(const Csv& file, std::size_t row) {

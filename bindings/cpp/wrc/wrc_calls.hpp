@@ -195,6 +195,8 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_temperature> temperature(const wrc_bulk_temperatures* bulk) { return detail::value_or_throw(try_temperature(bulk), handle_); }
 #endif
+  /** wrc_contact_stresses() */
+  status stresses(std::int32_t body, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses) noexcept { return wrc_contact_stresses(handle_, body, depths, count, levels, stresses); }
   /** wrc_exact_gap() */
   status exact_gap(const wrc_grid& grid, double* gap) noexcept { return wrc_exact_gap(handle_, &grid, gap); }
   /** wrc_exact_check() */

@@ -2800,6 +2800,7 @@ _wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.P
 _wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
 _wrc_temperature_init = _l.function(FUNCTIONS, 'wrc_temperature_init', c.c_int32, [c.POINTER(Temperature)])
 _wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
+_wrc_contact_stresses = _l.function(FUNCTIONS, 'wrc_contact_stresses', c.c_int32, [c.c_void_p, c.c_int32, s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses)])
 _wrc_flash_temperature = _l.function(FUNCTIONS, 'wrc_flash_temperature', c.c_int32, [c.c_uint32, c.c_double, s.Numbers(c.c_double), c.c_double, c.POINTER(HeatProperties), c.POINTER(HeatProperties), s.Numbers(c.c_double)])
 _wrc_get_api = _l.function(FUNCTIONS, 'wrc_get_api', c.c_void_p, [c.c_uint32])
 _wrc_grid_init = _l.function(FUNCTIONS, 'wrc_grid_init', c.c_int32, [c.POINTER(Grid)])

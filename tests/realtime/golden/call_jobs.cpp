@@ -121,6 +121,24 @@ void run_temperature(wrc_contact* contact, Hash& hash) {
   }
 }
 
+void run_stresses(wrc_contact* contact, Hash& hash) {
+  const double depths[] = {0.0, 5e-4, 2e-3};
+  for (double lateral : {0.0, 5.1e-3}) {
+    hash.add(roll(contact, lateral));
+    wrc_stress_peaks levels[3];
+    wrc_stresses found = wrc_stresses_default();
+    hash.add(wrc_contact_stresses(contact, lateral > 0.0 ? WRC_BODY_WHEEL : WRC_BODY_RAIL, depths, 3, levels,
+                                  &found));
+    const auto hash_peaks = [&](const wrc_stress_peaks& peaks) {
+      for (const wrc_stress_peak& peak : {peaks.von_mises, peaks.shear, peaks.tension})
+        for (double number : {peak.stress, peak.x, peak.y, peak.depth}) hash.add(number);
+    };
+    for (const wrc_stress_peaks& level : levels) hash_peaks(level);
+    hash_peaks(found.surface);
+    hash_peaks(found.below);
+  }
+}
+
 void run_plain_numbers(wrc_contact*, Hash& hash) {
   wrc_coefficients c{};
   double ratio = 1e-3;
@@ -293,6 +311,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});
+  plan.jobs.push_back({"stresses", model, {}, run_stresses});
   plan.jobs.push_back({"temperature", model, {}, run_temperature});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});

@@ -92,6 +92,16 @@ int32_t temperatures(Wheel& wheel) {
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
+/// It takes its milliseconds whatever the methods: with one that has tractions, and those that have none.
+int32_t stresses(Wheel& wheel) {
+  if (gives_tractions(wheel.contact) && wheel.methods.tangential != preset_strip_fastsim) return WRC_OK;
+  const double depth = 1e-3;
+  wrc_stress_peaks level{};
+  wrc_stresses found = wrc_stresses_default();
+  const int32_t status = wrc_contact_stresses(wheel.contact, wheel.methods.side, &depth, 1, &level, &found);
+  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+}
+
 int32_t flash_temperature(Wheel&) {
   double heat[512];
   for (double& each : heat) each = 1e10;
@@ -354,6 +364,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wear", wear_numbers},
       {"wrc_contact_temperature", temperatures},
       {"wrc_flash_temperature", flash_temperature},
+      {"wrc_contact_stresses", stresses},
       {"wrc_contact_sensitivities", sensitivities},
       {"wrc_contact_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},
