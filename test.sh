@@ -75,7 +75,6 @@ main_job() { if all; then ./run.sh; else WRC_BUILD=build/release ./run.sh; fi; }
 
 mkdir -p build
 bindings/python/tests/environment.sh install
-tests/hosts/exudyn.sh install
 tests/fmi/fmpy.sh install
 part release suite release
 if [ "${1:-}" != quick ]; then

@@ -20,13 +20,20 @@ if [ -x "$simbody" ]; then
 else
   echo "No Simbody (Debian: libsimbody-dev) when $build was configured: left out."
 fi
-tests/hosts/exudyn.sh install
-exudyn() { tests/hosts/exudyn.sh run "$build/libwrc.so" "$@" || [ $? -eq 77 ]; }
+environment=bindings/python/tests/environment.sh
+$environment install
+python() { $environment run "$build/libwrc.so" "$build/python_hosts" "$PWD/bindings/python/examples/$1" "${@:2}" || [ $? -eq 77 ]; }
+exudyn() { python exudyn/wheelset_exudyn.py "$@"; }
 echo "== Exudyn"
-exudyn --rows $out/exudyn.csv
-exudyn --rms 0.008 --rows $out/exudyn_flange.csv
+exudyn --rows $PWD/$out/exudyn.csv
+exudyn --rms 0.008 --rows $PWD/$out/exudyn_flange.csv
+echo "== scipy"
+python scipy/wheelset_scipy.py --check --rows $PWD/$out/scipy.csv
+python scipy/wheelset_scipy.py --differences
+python scipy/wheelset_scipy.py --method BDF
 for case in "" _flange; do
   rows=()
   for host in exudyn simbody; do [ ! -f $out/$host$case.csv ] || rows+=($out/$host$case.csv); done
   [ ${#rows[@]} -eq 0 ] || draw $out/wheelset$case.png "${rows[@]}"
 done
+[ ! -f $out/scipy.csv ] || draw $out/wheelset_scipy.png $out/scipy.csv $out/exudyn.csv

@@ -4,6 +4,7 @@ from __future__ import annotations
 import concurrent.futures
 import ctypes as c
 import os
+import threading
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -12,6 +13,8 @@ from . import _interface as i
 from . import _library as _l
 
 _SENTENCE = 1024  # bytes
+_SHARED: Dict[str, "Model"] = {}
+_SHARED_LOCK = threading.Lock()
 
 
 def _view(view: i.View, memory: Any) -> np.ndarray:
@@ -89,6 +92,15 @@ class Model(i.ModelCalls):
             raise _l.fault(status, text.value.decode(errors="replace"))
         self._take(memory, handle)
         self.config = config
+
+    @classmethod
+    def shared(cls, **values: Any) -> "Model":
+        """Model(**values), made once in a process for the same values: for the workers of a sweep."""
+        told = repr(sorted(values.items()))
+        with _SHARED_LOCK:
+            if told not in _SHARED:
+                _SHARED[told] = cls(**values)
+            return _SHARED[told]
 
     def contact(self, side: Any = i.Side.RIGHT) -> "Contact":
         """A contact of this model: of the right wheel, or of the left one (side="LEFT")."""
