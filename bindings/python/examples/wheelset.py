@@ -11,7 +11,8 @@ MASS = np.array([1500.0, 1500.0, 1500.0, 800.0, 100.0, 800.0])  # kg; kg m2 acro
 ACROSS, ABOUT = 800.0, 100.0
 CARRIED, ARM, BOX = 160e3, 1.0, np.array([4e6, 2e6, 1e6])  # N, m, N/m
 RADIUS, FRICTION = 0.46, 0.3
-INPUTS = slice(0, 11)  # of wrc.WrenchInput: pose, velocities, the rail's y
+INPUTS = [wrc.WrenchInput[name] for name in ("Y", "Z", "ROLL", "YAW", "VELOCITY_X", "VELOCITY_Y", "VELOCITY_Z", "ANGULAR_VELOCITY_X",
+                                             "ANGULAR_VELOCITY_Y", "ANGULAR_VELOCITY_Z", "RAIL_Y")]
 STEP = 1e-30
 
 
@@ -23,7 +24,8 @@ class Wheelset:
         self.phases = 2 * np.pi * np.mod(0.618034 * np.arange(1, 41), 1.0)
         model = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", material={"shear_modulus": 82e9, "poisson": 0.28})
         self.contacts = [model.contact(side) for side in ("RIGHT", "LEFT")]
-        self.data, self.out, self.slopes = wrc.WheelInput(friction={"coefficient": FRICTION}), wrc.Wrench(), wrc.WrenchSensitivities()
+        # anew: a host's Jacobian by differences must not see what was solved before
+        self.data, self.out, self.slopes = wrc.WheelInput(start="ANEW", friction={"coefficient": FRICTION}), wrc.Wrench(), wrc.WrenchSensitivities()
         at_rest = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=CARRIED / 2, friction={"coefficient": 0.0})
         self.height = self.contacts[0].wrench(at_rest).z
         self.calls = 0
@@ -89,7 +91,7 @@ class Wheelset:
         x = np.concatenate([q, v])
         numbers, _, _ = self.seen(t, x[:6], x[6:])
         self.tell(numbers)
-        wrench, slopes = np.zeros(6), np.zeros((6, 11))
+        wrench, slopes = np.zeros(6), np.zeros((6, len(INPUTS)))
         for contact in self.contacts:
             contact.wrench_sensitivities(self.data, wrench=self.out, sensitivities=self.slopes)
             wrench += np.concatenate([self.out.force, self.out.moment])

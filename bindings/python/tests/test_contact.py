@@ -91,7 +91,7 @@ def test_closed_handles_refuse(model):
 
 def test_wrenches_regions_and_their_derivatives(model):
     contact = model.contact("LEFT")
-    data = wrc.WheelInput(wheel={"y": 1e-3, "z": 3e-4, "velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)})
+    data = wrc.WheelInput(start="ANEW", wheel={"y": 1e-3, "z": 3e-4, "velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)})
     wrench, slopes = contact.wrench_sensitivities(data)
     assert wrench == contact.wrench(data)
     step = 1e-6
@@ -115,7 +115,7 @@ def test_an_output_given_is_filled(model):
 
 def test_batches_and_sweeps_have_the_bits_of_single_calls(model):
     count = 150
-    inputs = wrc.WheelInput.array(count, like=wrc.WheelInput(wheel={"velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)}))
+    inputs = wrc.WheelInput.array(count, like=wrc.WheelInput(start="ANEW", wheel={"velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)}))
     inputs["wheel"]["y"], inputs["wheel"]["z"] = np.linspace(-3e-3, 3e-3, count), np.linspace(4e-4, 2.5e-4, count)
     contact = model.contact()
     single = np.array([contact.wrench(wrc.WheelInput.of(inputs, k)).force for k in range(count)])
@@ -124,6 +124,7 @@ def test_batches_and_sweeps_have_the_bits_of_single_calls(model):
     for threads in (1, 3):
         out, statuses = wrc.sweep(model, inputs, threads=threads)
         assert out["force"].tobytes() == single.tobytes() and not statuses.any()
+        inputs["start"] = wrc.WheelStart.FROM_LAST  # a sweep has no last one
     one = batch.step(wrc.Input(**LOADED))
     assert (one["forces"]["fx"] == one["forces"]["fx"][0]).all()
 

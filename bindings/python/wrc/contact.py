@@ -319,12 +319,15 @@ def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: i
           progress: Optional[Callable[[float], Any]] = None) -> Tuple[np.ndarray, np.ndarray]:
     """Solves any number of inputs of one model: the results (wrc.Output or wrc.Wrench as an array), and their statuses.
 
-    inputs: wrc.Input.array(n) for steps, wrc.WheelInput.array(n) for wheels on rails
+    inputs: wrc.Input.array(n) for steps, wrc.WheelInput.array(n) for wheels on rails, each of which starts anew
     threads: 0: as many as there are processors. The bits are the same whatever their number
     progress: called with the fraction done; what it raises ends the sweep
     """
     if model.config.normal.warm_start:
         raise ValueError("with normal.warm_start results depend on the order of calls: a sweep has none")
+    if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.WheelStart.ANEW).any():
+        inputs = inputs.copy()  # the caller's stays what it is
+        inputs["start"] = i.WheelStart.ANEW
     written = i.Output if inputs.dtype == i.Input.dtype() else i.Wrench
     call = Batch.step if written is i.Output else Batch.wrench
     out, statuses = written.array(len(inputs)), np.zeros(len(inputs), np.int32)
