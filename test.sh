@@ -22,7 +22,7 @@ esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
   clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
-  valgrind similarity-tester python3-clang-14 abigail-tools unzip
+  valgrind similarity-tester python3-clang-14 abigail-tools unzip octave octave-dev
 
 # suite PRESET [TESTS TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that match TESTS.
 suite() {

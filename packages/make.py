@@ -165,7 +165,7 @@ def debian(made, scratch, out, holds, when):
         "wrc-fmu": dict(architecture=architecture, section="science", depends="python3",
                         tells="FMUs (FMI 2.0, 3.0) of a wheel and of a wheelset, and the program that puts profiles into them.",
                         files=["share/wrc/fmu"]),
-        documents: dict(architecture="all", section="doc", tells="Manuals and examples.", files=["share/doc/wrc/docs"],
+        documents: dict(architecture="all", section="doc", tells="Manuals and examples.", files=["share/doc/wrc/docs", "share/doc/wrc/hosts"],
                         examples=True),
     }
     for name, package in packages.items():

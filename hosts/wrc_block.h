@@ -1,0 +1,75 @@
+/* One wheel on its rail as a block of plain numbers: 16 in, 6 out, and their derivatives. What the Simulink
+ * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc_wheel.h): y, z,
+ * roll, yaw, velocity x y z, angular velocity x y z in track axes, rail y, z, roll and their rates. Outputs:
+ * force x y z, moment x y z on the wheel about the middle of the wheelset, track axes. Every call starts
+ * anew: the same inputs have the same outputs. */
+#ifndef WRC_BLOCK_H
+#define WRC_BLOCK_H
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "wrc/wrc.h"
+
+enum { WRC_BLOCK_INPUTS = 16, WRC_BLOCK_OUTPUTS = 6 };
+
+typedef struct wrc_block {
+  wrc_model* model;
+  wrc_contact* contact;
+  wrc_wheel_input input;
+  wrc_wrench_sensitivities slopes;
+  char sentence[400]; /* why the last call failed */
+} wrc_block;
+
+static void wrc_block_close(wrc_block* block) {
+  if (!block) return;
+  wrc_contact_destroy(block->contact);
+  wrc_model_destroy(block->model);
+  free(block);
+}
+
+/* side, profiles: enum wrc_side, enum wrc_profile_kind. NULL: no memory; else look at block->contact, NULL
+ * with a sentence where there is no such block. */
+static wrc_block* wrc_block_open(int side, int wheel, int rail, double inclination, double friction) {
+  wrc_config config = wrc_config_default();
+  wrc_block* block = (wrc_block*)calloc(1, sizeof *block);
+  if (!block) return NULL;
+  config.wheel.kind = wheel;
+  config.rail.kind = rail;
+  config.track.rail_inclination = inclination;
+  block->input = wrc_wheel_input_default();
+  block->input.start = WRC_START_ANEW;
+  block->input.friction.coefficient = friction;
+  if (wrc_model_create(&config, NULL, &block->model) < 0)
+    wrc_config_check(&config, block->sentence, sizeof block->sentence);
+  else if (wrc_contact_create(block->model, side, NULL, &block->contact) < 0)
+    strcpy(block->sentence, "side: 0 is the right wheel, 1 the left one");
+  return block;
+}
+
+static void wrc_block_give(wrc_block* block, const double in[]) {
+  wrc_wheel_state* wheel = &block->input.wheel;
+  wrc_rail_state* rail = &block->input.rail;
+  wheel->y = in[0], wheel->z = in[1], wheel->roll = in[2], wheel->yaw = in[3];
+  memcpy(wheel->velocity, in + 4, sizeof wheel->velocity);
+  memcpy(wheel->angular_velocity, in + 7, sizeof wheel->angular_velocity);
+  rail->y = in[10], rail->z = in[11], rail->roll = in[12];
+  rail->y_velocity = in[13], rail->z_velocity = in[14], rail->roll_velocity = in[15];
+}
+
+/* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 16, or NULL. */
+static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
+  wrc_wrench wrench = wrc_wrench_default();
+  int status, i;
+  wrc_block_give(block, in);
+  status = slopes ? wrc_contact_wrench_sensitivities(block->contact, &block->input, &wrench, &block->slopes)
+                  : wrc_contact_wrench(block->contact, &block->input, &wrench);
+  if (status < 0) wrc_contact_last_error(block->contact, block->sentence, sizeof block->sentence);
+  memcpy(out, wrench.force, sizeof wrench.force);
+  memcpy(out + 3, wrench.moment, sizeof wrench.moment);
+  for (i = 0; slopes && i < WRC_BLOCK_OUTPUTS; ++i)
+    memcpy(slopes + i * WRC_BLOCK_INPUTS, block->slopes.wrench[i], WRC_BLOCK_INPUTS * sizeof *slopes);
+  return status;
+}
+
+#endif
