@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Packages of a built library, the same bytes from the same build whoever makes them, wherever.
 
-    packages/make.py BUILD OUT            Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, wrc-doc, and a .tar.gz
+    packages/make.py BUILD OUT            Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
+                                          and a .tar.gz
     packages/make.py BUILD OUT --windows  the .zip of a mingw build
                        --mingw BUILD      of the Debian packages and the .tar.gz: the FMUs are for Windows, too, by this build
 
@@ -165,6 +166,9 @@ def debian(made, scratch, out, holds, when):
         "wrc-fmu": dict(architecture=architecture, section="science", depends="python3",
                         tells="FMUs (FMI 2.0, 3.0) of a wheel and of a wheelset, and the program that puts profiles into them.",
                         files=["share/wrc/fmu"]),
+        "python3-wrc": dict(architecture="all", section="python", depends=f"{library} (= {VERSION}-1), {data}, python3 (>= 3.9), python3-numpy",
+                            recommends="python3-matplotlib", tells="The Python package, on the library of its own package.", files=[],
+                            python=True),
         documents: dict(architecture="all", section="doc", tells="Manuals and examples.", files=["share/doc/wrc/docs", "share/doc/wrc/hosts"],
                         examples=True),
     }
@@ -174,6 +178,8 @@ def debian(made, scratch, out, holds, when):
         root = scratch / name
         for file in package["files"]:
             put(made / file, root / usr / file)
+        if package.get("python"):
+            put_python(root / usr / "lib/python3/dist-packages/wrc")
         place = root / usr / "share/doc" / name
         write_bill = papers(place, name, holds if name in (library, "wrc-fmu") else [], when)
         (place / "copyright").write_text(copyright())
@@ -186,6 +192,14 @@ def debian(made, scratch, out, holds, when):
         tidy(root, when)
         run("dpkg-deb", "--root-owner-group", "-Zxz", "-z3", "--build", root, out / f"{name}_{VERSION}-1_{package['architecture']}.deb",
             env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})
+
+
+def put_python(folder):
+    """The Python package without the library, which it finds by a link."""
+    for each in [*ROOT.glob("bindings/python/wrc/*.py"), ROOT / "bindings/python/wrc/py.typed"]:
+        put(each, folder / each.name)
+    (folder / "libwrc.so").symlink_to(f"../../../libwrc.so.{SERIES}")
+    (folder / "force_table.bin").symlink_to("../../../../share/wrc/force_table.bin")
 
 
 def put_examples(folder):

@@ -41,43 +41,43 @@ bits:
 main:
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3384, %rsp
+	subq	$3560, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$791, (%rax)
+	cmpl	$799, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
-	movl	$35, %ecx
+	movl	$41, %ecx
 	movl	$0, %eax
 	movq	%rbp, %rdi
 	rep stosq
-	movl	$280, (%rsp)
+	movl	$328, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
-	leaq	3088(%rsp), %rdi
-	movl	$35, %ecx
+	leaq	3216(%rsp), %rdi
+	movl	$41, %ecx
 	movq	%rbp, %rsi
 	rep movsq
-	movl	$2, 3096(%rsp)
-	movl	$4, 3128(%rsp)
-	movl	$40, 3288(%rsp)
-	movl	$2, 3336(%rsp)
-	movq	$0, 3080(%rsp)
-	movq	$0, 3072(%rsp)
-	leaq	3080(%rsp), %rdx
-	leaq	3088(%rsp), %rdi
+	movl	$2, 3224(%rsp)
+	movl	$4, 3256(%rsp)
+	movl	$40, 3416(%rsp)
+	movl	$2, 3464(%rsp)
+	movq	$0, 3208(%rsp)
+	movq	$0, 3200(%rsp)
+	leaq	3208(%rsp), %rdx
+	leaq	3216(%rsp), %rdi
 	movl	$0, %esi
 	call	wrc_model_create@PLT
 	testl	%eax, %eax
 	js	.L7
-	leaq	3072(%rsp), %rcx
+	leaq	3200(%rsp), %rcx
 	movl	$0, %edx
 	movl	$1, %esi
-	movq	3080(%rsp), %rdi
+	movq	3208(%rsp), %rdi
 	call	*192(%rbx)
 	testl	%eax, %eax
 	js	.L8
@@ -92,7 +92,7 @@ main:
 	movl	$216, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_input_init@PLT
-	leaq	2848(%rsp), %rdi
+	leaq	2976(%rsp), %rdi
 	movl	$54, %ecx
 	movq	%rbx, %rsi
 	rep movsl
@@ -103,34 +103,34 @@ main:
 	movl	$344, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_output_init@PLT
-	leaq	2496(%rsp), %rdi
+	leaq	2624(%rsp), %rdi
 	movl	$43, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC1(%rip), %rax
-	movq	%rax, 2856(%rsp)
+	movq	%rax, 2984(%rsp)
 	movq	.LC2(%rip), %rax
-	movq	%rax, 2896(%rsp)
+	movq	%rax, 3024(%rsp)
 	movq	.LC3(%rip), %rax
-	movq	%rax, 2936(%rsp)
+	movq	%rax, 3064(%rsp)
 	movq	.LC4(%rip), %rax
-	movq	%rax, 2976(%rsp)
-	leaq	2496(%rsp), %rdx
-	leaq	2848(%rsp), %rsi
-	movq	3072(%rsp), %rdi
+	movq	%rax, 3104(%rsp)
+	leaq	2624(%rsp), %rdx
+	leaq	2976(%rsp), %rsi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	testl	%eax, %eax
 	jne	.L9
-	movsd	2512(%rsp), %xmm0
+	movsd	2640(%rsp), %xmm0
 	leaq	.LC5(%rip), %rdi
 	call	bits
-	movsd	2656(%rsp), %xmm0
+	movsd	2784(%rsp), %xmm0
 	leaq	.LC6(%rip), %rdi
 	call	bits
-	movsd	2712(%rsp), %xmm0
+	movsd	2840(%rsp), %xmm0
 	leaq	.LC7(%rip), %rdi
 	call	bits
-	movsd	2776(%rsp), %xmm0
+	movsd	2904(%rsp), %xmm0
 	leaq	.LC8(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -141,44 +141,44 @@ main:
 	movl	$208, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_patch_init@PLT
-	leaq	2288(%rsp), %rdi
+	leaq	2416(%rsp), %rdi
 	movl	$52, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	2288(%rsp), %rdx
+	leaq	2416(%rsp), %rdx
 	movl	$0, %esi
-	movq	3072(%rsp), %rdi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_patch@PLT
 	testl	%eax, %eax
 	jne	.L10
-	leaq	2240(%rsp), %rcx
+	leaq	2368(%rsp), %rcx
 	movl	$3, %edx
 	movl	$0, %esi
-	movq	3072(%rsp), %rdi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_field@PLT
 	testl	%eax, %eax
 	jne	.L11
-	movsd	2312(%rsp), %xmm0
+	movsd	2440(%rsp), %xmm0
 	leaq	.LC9(%rip), %rdi
 	call	bits
-	movq	2256(%rsp), %rax
+	movq	2384(%rsp), %rax
 	shrq	%rax
-	imulq	2272(%rsp), %rax
-	imulq	$3, 2264(%rsp), %rdx
+	imulq	2400(%rsp), %rax
+	imulq	$3, 2392(%rsp), %rdx
 	addq	%rdx, %rax
-	movq	2240(%rsp), %rdx
+	movq	2368(%rsp), %rdx
 	movsd	(%rdx,%rax,8), %xmm0
 	leaq	.LC10(%rip), %rdi
 	call	bits
-	movl	$33, %ecx
+	movl	$35, %ecx
 	movl	$0, %eax
 	movq	%rbx, %rdi
 	rep stosq
-	movl	$264, (%rsp)
+	movl	$280, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wheel_input_init@PLT
-	leaq	1968(%rsp), %rdi
-	movl	$33, %ecx
+	leaq	2080(%rsp), %rdi
+	movl	$35, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	leaq	4(%rsp), %rdx
@@ -189,34 +189,34 @@ main:
 	movl	$160, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wrench_init@PLT
-	leaq	1808(%rsp), %rdi
+	leaq	1920(%rsp), %rdi
 	movl	$40, %ecx
 	movq	%rbx, %rsi
 	rep movsl
 	movq	.LC11(%rip), %rax
-	movq	%rax, 2000(%rsp)
+	movq	%rax, 2112(%rsp)
 	movq	.LC1(%rip), %rax
-	movq	%rax, 2016(%rsp)
+	movq	%rax, 2128(%rsp)
 	movq	.LC12(%rip), %rax
-	movq	%rax, 2032(%rsp)
+	movq	%rax, 2144(%rsp)
 	movq	.LC13(%rip), %rax
-	movq	%rax, 2064(%rsp)
+	movq	%rax, 2176(%rsp)
 	movq	.LC14(%rip), %rax
-	movq	%rax, 2224(%rsp)
+	movq	%rax, 2336(%rsp)
 	leaq	848(%rsp), %rcx
-	leaq	1808(%rsp), %rdx
-	leaq	1968(%rsp), %rsi
-	movq	3072(%rsp), %rdi
+	leaq	1920(%rsp), %rdx
+	leaq	2080(%rsp), %rsi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_wrench_sensitivities@PLT
 	testl	%eax, %eax
 	jne	.L12
-	movsd	1840(%rsp), %xmm0
+	movsd	1952(%rsp), %xmm0
 	leaq	.LC15(%rip), %rdi
 	call	bits
-	movsd	1960(%rsp), %xmm0
+	movsd	2072(%rsp), %xmm0
 	leaq	.LC16(%rip), %rdi
 	call	bits
-	movsd	1128(%rsp), %xmm0
+	movsd	1160(%rsp), %xmm0
 	leaq	.LC17(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -233,7 +233,7 @@ main:
 	rep movsl
 	leaq	656(%rsp), %rdx
 	movl	$0, %esi
-	movq	3072(%rsp), %rdi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_region@PLT
 	testl	%eax, %eax
 	jne	.L13
@@ -241,26 +241,26 @@ main:
 	leaq	.LC18(%rip), %rdi
 	call	bits
 	movq	.LC19(%rip), %rax
-	movq	%rax, 2896(%rsp)
-	leaq	2496(%rsp), %rdx
-	leaq	2848(%rsp), %rsi
-	movq	3072(%rsp), %rdi
+	movq	%rax, 3024(%rsp)
+	leaq	2624(%rsp), %rdx
+	leaq	2976(%rsp), %rsi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	movl	$9, %ebp
 	cmpl	$-4, %eax
 	jne	.L3
 	leaq	352(%rsp), %rsi
 	movl	$300, %edx
-	movq	3072(%rsp), %rdi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %ebp
 	testl	%eax, %eax
 	jne	.L15
 	leaq	352(%rsp), %rdi
 	call	puts@PLT
-	movq	3072(%rsp), %rdi
+	movq	3200(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	3080(%rsp), %rdi
+	movq	3208(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	jmp	.L3
 .L5:
@@ -273,7 +273,7 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3384, %rsp
+	addq	$3560, %rsp
 	popq	%rbx
 	popq	%rbp
 	ret
