@@ -7,7 +7,7 @@
 extern const size_t layout_wrc_profile[];
 const size_t layout_wrc_profile[] = {sizeof(wrc_profile), offsetof(wrc_profile, kind), offsetof(wrc_profile, count), offsetof(wrc_profile, y), offsetof(wrc_profile, z), offsetof(wrc_profile, smoothing)};
 extern const size_t layout_wrc_config_material[];
-const size_t layout_wrc_config_material[] = {sizeof(wrc_config_material), offsetof(wrc_config_material, shear_modulus), offsetof(wrc_config_material, poisson), offsetof(wrc_config_material, shear_yield)};
+const size_t layout_wrc_config_material[] = {sizeof(wrc_config_material), offsetof(wrc_config_material, shear_modulus), offsetof(wrc_config_material, poisson), offsetof(wrc_config_material, shear_yield), offsetof(wrc_config_material, rail_shear_modulus), offsetof(wrc_config_material, rail_poisson)};
 extern const size_t layout_wrc_heat_properties[];
 const size_t layout_wrc_heat_properties[] = {sizeof(wrc_heat_properties), offsetof(wrc_heat_properties, conductivity), offsetof(wrc_heat_properties, density), offsetof(wrc_heat_properties, specific_heat)};
 extern const size_t layout_wrc_config_wheelset[];

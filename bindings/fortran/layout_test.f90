@@ -3,7 +3,7 @@ module layout
   use, intrinsic :: iso_c_binding
   implicit none
   integer(c_size_t), bind(C) :: layout_wrc_profile(6)
-  integer(c_size_t), bind(C) :: layout_wrc_config_material(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config_material(6)
   integer(c_size_t), bind(C) :: layout_wrc_heat_properties(4)
   integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(3)
   integer(c_size_t), bind(C) :: layout_wrc_config_track(7)
@@ -149,6 +149,10 @@ contains
       distance(c_loc(a), c_loc(a%poisson)), layout_wrc_config_material(3))
     call same('wrc_config_material', 'shear_yield', &
       distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_config_material(4))
+    call same('wrc_config_material', 'rail_shear_modulus', &
+      distance(c_loc(a), c_loc(a%rail_shear_modulus)), layout_wrc_config_material(5))
+    call same('wrc_config_material', 'rail_poisson', &
+      distance(c_loc(a), c_loc(a%rail_poisson)), layout_wrc_config_material(6))
   end subroutine
   subroutine test_wrc_heat_properties()
     type(wrc_heat_properties), target :: a

@@ -238,12 +238,18 @@ typedef struct wrc_profile {
                          wrc_model_profile() [0]. Too large: did you pass mm? */
 } wrc_profile;
 
-/** Elastic and yield properties, alike in both bodies. */
+/** Elastic and yield properties. Of bodies that are not alike all methods take the combined 1/G = (1/G_w + 1/G_r) / 2 and
+ * nu/G = (nu_w/G_w + nu_r/G_r) / 2, with which pressure alone and traction alone are as they should; what couples them, in the
+ * measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is left out, and WRC_FLAG_UNLIKE_MATERIALS says so when the model is
+ * made. Theory manual, section 4. */
 typedef struct wrc_config_material {
-  double shear_modulus; /**< G, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large: steel has 80e9 */
-  double poisson;       /**< nu, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
+  double shear_modulus; /**< G, of both bodies or of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large: steel has 80e9 */
+  double poisson;       /**< nu, of both bodies or of the wheel, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
   double shear_yield;   /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did you pass
                              MPa? */
+  double rail_shear_modulus; /**< G of the rail, 0 or 1e8..1e12 Pa; 0: as the wheel's [0]. Too small: did you pass MPa or
+                                  GPa? Too large: steel has 80e9 */
+  double rail_poisson;       /**< nu of the rail, 0..0.5; must be 0 where rail_shear_modulus is [0]. Steel has 0.25 to 0.3 */
 } wrc_config_material;
 
 /** How a body takes up heat. Read by wrc_contact_temperature() and friction over temperature. */

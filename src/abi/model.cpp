@@ -1,4 +1,5 @@
 /// wrc_model and wrc_contact: size, init in the caller's memory, create, destroy, save, restore.
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #if defined(_WIN32)
@@ -53,6 +54,15 @@ Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes,
   if (shape.failed()) return shape;
   made->tag = model_tag;
   handle = made;
+  constexpr double rounding = 1e-9;
+  if (std::abs(options.coupling) > rounding)
+    return {.status = WRC_FLAG_UNLIKE_MATERIALS,
+            .field = "K",
+            .value = options.coupling,
+            .unit = "",
+            .low = 0.0,
+            .high = 0.0,
+            .cause = "G and nu are the combined ones"};
   return {};
 }
 

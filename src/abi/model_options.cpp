@@ -165,6 +165,19 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   return {};
 }
 
+Fault read_material(const wrc_config_material& given, ModelOptions& options) {
+  options.material = {given.shear_modulus, given.poisson};
+  if (given.rail_shear_modulus == 0.0) {
+    if (given.rail_poisson == 0.0) return {};
+    return unsupported("config.material.rail_poisson", given.rail_poisson,
+                       "it is read with rail_shear_modulus alone: give both, or neither for equal bodies");
+  }
+  const Material wheel = options.material, rail{given.rail_shear_modulus, given.rail_poisson};
+  options.material = combined(wheel, rail);
+  options.coupling = coupling(wheel, rail);
+  return {};
+}
+
 /// The k-th of the caller's sections, which has been checked.
 RailSectionSource read_section(const void* given, std::int32_t k) {
   const wrc_rail_section& theirs = static_cast<const wrc_rail_section*>(given)[k];
@@ -379,7 +392,8 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   options.max_sweeps = config.normal.max_sweeps;
   options.warm_start = config.normal.warm_start != 0;
   options.load_tolerance = config.normal.load_tolerance;
-  options.material = {config.material.shear_modulus, config.material.poisson};
+  fault = read_material(config.material, options);
+  if (fault.failed()) return fault;
   options.shear_yield = config.material.shear_yield;
   options.effusivities = {effusivity_of(config.wheel_heat), effusivity_of(config.rail_heat)};
   options.wheelset.nominal_radius = config.wheelset.wheel_radius;

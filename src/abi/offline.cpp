@@ -64,13 +64,8 @@ halfspace::Grid grid_of(const wrc_grid& checked) {
           .y0 = checked.y0};
 }
 
-/// Combined constants of two materials: 1/G and nu/G are the means of the bodies'.
 Material material_of(const wrc_materials& checked) {
-  const double inverse = 0.5 * (1.0 / checked.shear_modulus_1 + 1.0 / checked.shear_modulus_2);
-  const double poisson =
-      0.5 * (checked.poisson_1 / checked.shear_modulus_1 + checked.poisson_2 / checked.shear_modulus_2) /
-      inverse;
-  return {1.0 / inverse, poisson};
+  return combined({checked.shear_modulus_1, checked.poisson_1}, {checked.shear_modulus_2, checked.poisson_2});
 }
 
 /// A field of one number per cell.

@@ -60,7 +60,8 @@ struct ModelOptions {
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool warm_start = false;  ///< of the strip half-space solver
-  Material material;
+  Material material;      ///< combined
+  double coupling = 0.0;  ///< Kalker's K, which all methods leave out [-]
   double load_tolerance = 0.0;  ///< relative
   double gap_limit = 0.0;       ///< [m]
   std::uint64_t numbers = 0;    ///< checksum of all numbers of the configuration that results depend on

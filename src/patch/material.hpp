@@ -5,7 +5,7 @@
 
 namespace wrc {
 
-/// Two bodies of the same material (quasi-identical: normal and tangential problems do not couple).
+/// Two bodies as if of one material (quasi-identical: normal and tangential problems do not couple).
 struct Material {
   double shear_modulus = 0.0;  ///< G [Pa]
   double poisson = 0.0;        ///< nu [-], 0..0.5
@@ -14,5 +14,20 @@ struct Material {
   /// [1/Pa].
   double normal_compliance() const { return (1.0 - poisson) / (pi * shear_modulus); }
 };
+
+/// Combined constants: 1/G and nu/G are the means of the bodies'.
+inline Material combined(const Material& wheel, const Material& rail) {
+  const double inverse = 0.5 * (1.0 / wheel.shear_modulus + 1.0 / rail.shear_modulus);
+  const double poisson =
+      0.5 * (wheel.poisson / wheel.shear_modulus + rail.poisson / rail.shear_modulus) / inverse;
+  return {1.0 / inverse, poisson};
+}
+
+/// Kalker's K, by which normal and tangential problem of two bodies couple: 0 of equal ones, within 0.5 [-].
+inline double coupling(const Material& wheel, const Material& rail) {
+  return 0.25 * combined(wheel, rail).shear_modulus *
+         ((1.0 - 2.0 * wheel.poisson) / wheel.shear_modulus -
+          (1.0 - 2.0 * rail.poisson) / rail.shear_modulus);
+}
 
 }  // namespace wrc

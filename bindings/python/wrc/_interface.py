@@ -38,6 +38,7 @@ class Status(s.Choice):
     FLAG_BEYOND_GAP = 8
     FLAG_CLIMBING = 9
     FLAG_BEYOND_SECTIONS = 10
+    FLAG_UNLIKE_MATERIALS = 11
     ERROR_NULL = -1
     ERROR_STRUCT_SIZE = -2
     ERROR_NOT_FINITE = -3
@@ -66,6 +67,7 @@ STATUS_TEXTS = {
     8: 'beyond what the gap or the profiles carry: continued with the last stiffness',
     9: 'friction on a steep face lets no height carry the load, or several',
     10: 'the rail has no section that far along the track: the nearest is used',
+    11: "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out",
     -1: 'a required pointer is NULL',
     -2: 'struct_size is not that of a known version of the struct',
     -3: 'a value is NaN or infinite',
@@ -573,12 +575,17 @@ assert c.sizeof(Profile) == 32
 
 
 class ConfigMaterial(s.Struct):
-    """Elastic and yield properties, alike in both bodies.
+    """Elastic and yield properties. Of bodies that are not alike all methods take the combined 1/G = (1/G_w +
+        1/G_r) / 2 and nu/G = (nu_w/G_w + nu_r/G_r) / 2, with which pressure alone and traction alone are as
+        they should; what couples them, in the measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is
+        left out, and Status.FLAG_UNLIKE_MATERIALS says so when the model is made. Theory manual, section 4.
 
     Members:
-      shear_modulus [Pa]: G (1e8 .. 1e12; default 80e9)
-      poisson: nu (0 .. 0.5; default 0.25)
+      shear_modulus [Pa]: G, of both bodies or of the wheel (1e8 .. 1e12; default 80e9)
+      poisson: nu, of both bodies or of the wheel (0 .. 0.5; default 0.25)
       shear_yield [Pa]: k, yield limit in shear for the fatigue indices (1e6 .. 1e11; default 250e6)
+      rail_shear_modulus [Pa]: G of the rail; 0: as the wheel's (0 or 1e8 .. 1e12; default 0)
+      rail_poisson: nu of the rail; must be 0 where rail_shear_modulus is (0 .. 0.5; default 0)
     """
 
     _c_name_ = 'wrc_config_material'
@@ -586,14 +593,18 @@ class ConfigMaterial(s.Struct):
     shear_modulus: float
     poisson: float
     shear_yield: float
-    _units_ = {'shear_modulus': 'Pa', 'shear_yield': 'Pa'}
+    rail_shear_modulus: float
+    rail_poisson: float
+    _units_ = {'shear_modulus': 'Pa', 'shear_yield': 'Pa', 'rail_shear_modulus': 'Pa'}
     _hidden_ = ()
     _fields_ = [
         ('shear_modulus', c.c_double),
         ('poisson', c.c_double),
         ('shear_yield', c.c_double),
+        ('rail_shear_modulus', c.c_double),
+        ('rail_poisson', c.c_double),
     ]
-assert c.sizeof(ConfigMaterial) == 24
+assert c.sizeof(ConfigMaterial) == 40
 
 
 class HeatProperties(s.Struct):
@@ -925,7 +936,7 @@ class Config(s.Struct):
         ('_rail_section', c.POINTER(RailSection)),
         ('roundness', ConfigRoundness),
     ]
-assert c.sizeof(Config) == 328
+assert c.sizeof(Config) == 344
 
 
 class Pose(s.Struct):

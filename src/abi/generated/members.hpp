@@ -288,7 +288,7 @@ template <>
 struct Description<wrc_config_material> {
   static constexpr const char* name = "wrc_config_material";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
+  static constexpr std::size_t first = 40;
   static constexpr wrc_config_material defaults = [] {
     wrc_config_material value{};
     value.shear_modulus = 80e9;
@@ -300,9 +300,11 @@ struct Description<wrc_config_material> {
       {.name = "shear_modulus", .offset = offsetof(wrc_config_material, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
       {.name = "poisson", .offset = offsetof(wrc_config_material, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
       {.name = "shear_yield", .offset = offsetof(wrc_config_material, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "rail_shear_modulus", .offset = offsetof(wrc_config_material, rail_shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .or_zero = true, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
+      {.name = "rail_poisson", .offset = offsetof(wrc_config_material, rail_poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
   };
 };
-static_assert(sizeof(wrc_config_material) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config_material) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_heat_properties> {
@@ -515,6 +517,8 @@ struct Description<wrc_config> {
       {.name = "material.shear_modulus", .offset = offsetof(wrc_config, material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
       {.name = "material.poisson", .offset = offsetof(wrc_config, material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
       {.name = "material.shear_yield", .offset = offsetof(wrc_config, material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "material.rail_shear_modulus", .offset = offsetof(wrc_config, material.rail_shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .or_zero = true, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
+      {.name = "material.rail_poisson", .offset = offsetof(wrc_config, material.rail_poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
       {.name = "wheel_heat.conductivity", .offset = offsetof(wrc_config, wheel_heat.conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
       {.name = "wheel_heat.density", .offset = offsetof(wrc_config, wheel_heat.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
       {.name = "wheel_heat.specific_heat", .offset = offsetof(wrc_config, wheel_heat.specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
@@ -556,7 +560,7 @@ struct Description<wrc_config> {
       {.name = "roundness.deviation", .offset = offsetof(wrc_config, roundness.deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .by_caller = true},
   };
 };
-static_assert(sizeof(wrc_config) == 328, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 344, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {

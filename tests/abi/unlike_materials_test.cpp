@@ -1,0 +1,62 @@
+/// Wheel and rail of different materials: the combined constants, and the flag for what is left out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "wheel_on_rail.hpp"
+
+namespace {
+
+class UnlikeMaterials : public testing::Test, protected PlacedWheel {
+ protected:
+  void create_flagged() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+    contact = nullptr;
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_FLAG_UNLIKE_MATERIALS);
+    take(WRC_SIDE_RIGHT);
+  }
+};
+
+TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
+  wheel.y = 3e-3;
+  wheel.z = 100e-6;
+  wheel.velocity[1] = 0.02;
+  config.material.shear_modulus = 90e9;
+  config.material.poisson = 0.30;
+  config.material.rail_shear_modulus = 60e9;
+  config.material.rail_poisson = 0.24;
+  char text[256];
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_FLAG_UNLIKE_MATERIALS);
+  const double combined = 72e9;
+  const double coupling = 0.25 * combined * (0.4 / 90e9 - 0.52 / 60e9);  // -0.076
+  const std::string sentence(text);
+  ASSERT_NE(sentence.find("K = "), std::string::npos) << sentence;
+  EXPECT_NEAR(std::stod(sentence.substr(sentence.find("K = ") + 4)), coupling, 1e-4) << sentence;
+  create_flagged();
+  ASSERT_EQ(step(), WRC_OK);
+  const wrc_wrench unlike = wrench;
+  config.material = wrc_config_default().material;
+  config.material.shear_modulus = combined;
+  config.material.poisson = 0.5 * combined * (0.30 / 90e9 + 0.24 / 60e9);
+  create();
+  ASSERT_EQ(step(), WRC_OK);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(unlike.force[i], wrench.force[i], 1e-9 * wrench.normal_force);
+}
+
+TEST_F(UnlikeMaterials, EqualBodiesGivenTwiceAreNoUnlikeOnes) {
+  config.material.rail_shear_modulus = config.material.shear_modulus;
+  config.material.rail_poisson = config.material.poisson;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
+}
+
+TEST_F(UnlikeMaterials, ARailsPoissonRatioWithoutItsModulusIsRefused) {
+  config.material.rail_poisson = 0.3;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_UNSUPPORTED);
+  config.material.rail_poisson = 0.0;
+  config.material.rail_shear_modulus = 80.0;
+  EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_RANGE);
+}
+
+}  // namespace
