@@ -12,7 +12,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config(17)
+  integer(c_size_t), bind(C) :: layout_wrc_config(18)
   integer(c_size_t), bind(C) :: layout_wrc_pose(4)
   integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
   integer(c_size_t), bind(C) :: layout_wrc_gap(10)
@@ -37,7 +37,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(4)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(12)
+  integer(c_size_t), bind(C) :: layout_wrc_frame_motion(5)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(14)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
   integer(c_size_t), bind(C) :: layout_wrc_region(18)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
@@ -100,6 +101,7 @@ program layout_test
   call test_wrc_allocator()
   call test_wrc_wheel_state()
   call test_wrc_rail_state()
+  call test_wrc_frame_motion()
   call test_wrc_wheel_input()
   call test_wrc_wrench()
   call test_wrc_region()
@@ -122,7 +124,7 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 57, ' types compared'
+  print '(i0,a)', 58, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -303,6 +305,8 @@ contains
       distance(c_loc(a), c_loc(a%rail_section)), layout_wrc_config(16))
     call same('wrc_config', 'roundness', &
       distance(c_loc(a), c_loc(a%roundness)), layout_wrc_config(17))
+    call same('wrc_config', 'roller_curvature', &
+      distance(c_loc(a), c_loc(a%roller_curvature)), layout_wrc_config(18))
   end subroutine
   subroutine test_wrc_pose()
     type(wrc_pose), target :: a
@@ -777,6 +781,19 @@ contains
     call same('wrc_rail_state', 'roll_velocity', &
       distance(c_loc(a), c_loc(a%roll_velocity)), layout_wrc_rail_state(7))
   end subroutine
+  subroutine test_wrc_frame_motion()
+    type(wrc_frame_motion), target :: a
+    call wrc_init(a)
+    call same('wrc_frame_motion', 'size', c_sizeof(a), layout_wrc_frame_motion(1))
+    call same('wrc_frame_motion', 'speed', &
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_frame_motion(2))
+    call same('wrc_frame_motion', 'curvature', &
+      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_frame_motion(3))
+    call same('wrc_frame_motion', 'vertical_curvature', &
+      distance(c_loc(a), c_loc(a%vertical_curvature)), layout_wrc_frame_motion(4))
+    call same('wrc_frame_motion', 'twist', &
+      distance(c_loc(a), c_loc(a%twist)), layout_wrc_frame_motion(5))
+  end subroutine
   subroutine test_wrc_wheel_input()
     type(wrc_wheel_input), target :: a
     call wrc_init(a)
@@ -803,6 +820,10 @@ contains
       distance(c_loc(a), c_loc(a%distance)), layout_wrc_wheel_input(11))
     call same('wrc_wheel_input', 'angle', &
       distance(c_loc(a), c_loc(a%angle)), layout_wrc_wheel_input(12))
+    call same('wrc_wheel_input', 'roller_velocity', &
+      distance(c_loc(a), c_loc(a%roller_velocity)), layout_wrc_wheel_input(13))
+    call same('wrc_wheel_input', 'frame', &
+      distance(c_loc(a), c_loc(a%frame)), layout_wrc_wheel_input(14))
   end subroutine
   subroutine test_wrc_wrench()
     type(wrc_wrench), target :: a

@@ -378,6 +378,9 @@ typedef struct wrc_config {
   const wrc_rail_section* rail_section; /**< `rail_sections` of them with `rail_sections`; config.rail is beside them what
                                              the rail's place follows from and what the stages see [required] */
   wrc_config_roundness roundness;   /**< of the wheel */
+  double roller_curvature;          /**< of a rail that is a roller: 1 / its radius at the origin of the rail's profile, 0 or
+                                         1e-12..10 1/m; 0: a straight rail [0]. Too large: did you pass a radius? wrc_contact_wrench()
+                                         alone reads it */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is

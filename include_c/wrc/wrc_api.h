@@ -132,6 +132,7 @@ struct wrc_api {
   int32_t (*contact_restore_portable)(wrc_contact*, const void*, uint64_t); /**< wrc_contact_restore_portable() */
   int32_t (*contact_stresses)(wrc_contact*, int32_t, const double*, uint32_t, wrc_stress_peaks*, wrc_stresses*);
     /**< wrc_contact_stresses() */
+  int32_t (*frame_motion_init)(wrc_frame_motion*); /**< wrc_frame_motion_init() */
 };
 
 #endif /* WRC_API_H */

@@ -121,6 +121,19 @@ typedef struct wrc_rail_state {
   double roll_velocity; /**< about x, -200..200 rad/s [0]. Did you pass degrees or mrad? */
 } wrc_rail_state;
 
+/** How a frame moves that follows a curved track, for hosts whose velocities are those within it. Its origin is on the track
+ * centre line, level with the rails' tops, its axes are track axes there. It turns at speed * (twist, vertical_curvature,
+ * curvature) about them, and what it does is added to the wheel's velocity and angular velocity, at the wheel's reference
+ * point (where its height is not given, at its nominal height). All zero: velocities are against the ground. Velocities of
+ * the rail are those of its material against the ground either way. */
+typedef struct wrc_frame_motion {
+  double speed;              /**< of its origin along the track, -200..200 m/s [0]. Did you pass km/h? */
+  double curvature;          /**< of the track in plan, to the right, -0.1..0.1 1/m [0]. Did you pass a radius? */
+  double vertical_curvature; /**< of the track's height, upwards as in a dip, -0.1..0.1 1/m [0]. Did you pass a radius? */
+  double twist;              /**< roll of the track per distance, right side down, -0.5..0.5 1/m: rate of the cant over the
+                                  speed [0]. Did you pass a rate, or mm? */
+} wrc_frame_motion;
+
 /** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only
  * read during the call. */
 typedef struct wrc_wheel_input {
@@ -142,10 +155,15 @@ typedef struct wrc_wheel_input {
                               energy out. Too large: it is not a viscous constant: that over 3/2 of the force it was
                               found at. Else: a prescribed load is the whole load */
   double distance;       /**< of the reference point along the track, for a rail with config.rail_sections, -1e7..1e7 m;
-                              0 else [0]. Did you pass mm? */
+                              or from above the axle of a roller (config.roller_curvature), within 0.2 m of it; 0 else [0].
+                              Did you pass mm? */
   double angle;          /**< of the wheel about its axle, for one with config.roundness, -1e9..1e9 rad; 0 else: right-hand
                               rule about y, so that its rate is the angular velocity about the axle and it falls rolling
                               forwards [0]. Did you pass degrees? */
+  double roller_velocity; /**< angular velocity of a roller (config.roller_curvature) about its axle, right-hand rule about y,
+                              -2000..2000 rad/s; 0 else: it is positive where a wheel at rest rolls forwards on it [0]. Did
+                              you pass rpm or degrees? */
+  wrc_frame_motion frame; /**< of the axes that velocities are given in */
 } wrc_wheel_input;
 
 /** What passes between a wheel and its rail. All zero, but for z, where they do not touch. Numbers are continuous functions of
@@ -256,12 +274,14 @@ typedef struct wrc_wrench_sensitivities {
  * @{ */
 WRC_API int32_t wrc_wheel_state_init(wrc_wheel_state* state); /**< Defaults: wheel's state. */
 WRC_API int32_t wrc_rail_state_init(wrc_rail_state* rail); /**< Defaults: rail's state. */
+WRC_API int32_t wrc_frame_motion_init(wrc_frame_motion* frame); /**< Defaults: motion of the frame. */
 WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults: wheel's input. */
 WRC_API int32_t wrc_wrench_init(wrc_wrench* wrench); /**< Defaults: wrench. */
 WRC_API int32_t wrc_region_init(wrc_region* region); /**< Defaults: region. */
 /** @cond */
 WRC_DEFAULT(wrc_wheel_state)
 WRC_DEFAULT(wrc_rail_state)
+WRC_DEFAULT(wrc_frame_motion)
 WRC_DEFAULT_SIZED(wrc_wheel_input)
 WRC_DEFAULT_SIZED(wrc_wrench)
 WRC_DEFAULT_SIZED(wrc_region)
@@ -273,6 +293,11 @@ WRC_DEFAULT_SIZED(wrc_region)
  * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
+ * @par Rollers
+ * With config.roller_curvature the rail is a roller whose axle lies along the profile's y, that far below its origin: its
+ * surface falls away along x, and leans there, which a yawed wheel feels as a force along x; its material moves with
+ * roller_velocity. wheel.velocity is that of a wheel that stays above it (0 on a roller rig). Along x the surfaces are
+ * taken for parabolas.
  * @par Where the load is given and friction is high
  * Where friction on a steep face outweighs its slope, the vertical force may fall as the wheel goes down. The way down from
  * first touch to 2 mm of overlap, or to a normal force of 20 loads, is looked at then, at depths each twice the one before,

@@ -319,10 +319,18 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
 
 /// What changes along the track or round the wheel is read by contact on the surface alone.
 Fault read_varying(const wrc_config& config, ModelOptions& options) {
-  if (config.rail_sections == 0 && config.roundness.angles == 0) return {};
+  if (config.rail_sections == 0 && config.roundness.angles == 0 && config.roller_curvature == 0.0) return {};
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
       "WRC_NORMAL_STRIP_HALFSPACE";
+  if (config.roller_curvature != 0.0) {
+    if (!has_profiles(config) || !options.normal_method->half_space)
+      return unsupported("config.roller_curvature", config.roller_curvature, reader, "1/m");
+    if (config.rail_sections > 0)
+      return unsupported("config.roller_curvature", config.roller_curvature,
+                         "a roller has no sections along the track: leave config.rail_sections 0", "1/m");
+    options.roller_curvature = config.roller_curvature;
+  }
   if (!has_profiles(config) || !options.normal_method->half_space)
     return config.rail_sections > 0
                ? unsupported("config.rail_sections", static_cast<double>(config.rail_sections), reader)

@@ -416,7 +416,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (varies(surface)) {
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config",
-            .cause = "the exact solution has no rail_section and no roundness"};
+            .cause = "the exact solution has no rail_section, no roundness and no roller"};
   }
   const double radius = model.options.wheelset.nominal_radius;
   const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),

@@ -146,6 +146,11 @@ Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
   fault = first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, hosted)});
   if (fault.failed()) return fault;
   hosted.rail = rail_of(ours.rail);
+  hosted.rail.turning = flush_subnormals(ours.roller_velocity);
+  hosted.frame_speed = flush_subnormals(ours.frame.speed);
+  hosted.frame_turning[0] = hosted.frame_speed * ours.frame.twist;
+  hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
+  hosted.frame_turning[2] = hosted.frame_speed * ours.frame.curvature;
   hosted.load_prescribed = !height;
   hosted.start_anew = ours.start == WRC_START_ANEW;
   hosted.vertical_load = ours.vertical_load;

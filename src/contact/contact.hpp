@@ -108,6 +108,8 @@ struct HostedWheel {
   /// Its components as the host gives them: along the columns of `axes`, which turn with the body or not.
   double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   bool axes_turn = false;
+  /// Of the frame that the velocities are given in, about its own axes.
+  double frame_speed = 0.0, frame_turning[3] = {};  ///< [m/s], [rad/s]
   RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
@@ -115,7 +117,7 @@ struct HostedWheel {
   bool frictionless = true;
   Friction friction;      ///< zones over the rail's y, those of the caller
   double damping = 0.0;   ///< [s/m]
-  double distance = 0.0;  ///< of the reference point along the track [m]
+  double distance = 0.0;  ///< of the reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;     ///< about the axle [rad]
 };
 

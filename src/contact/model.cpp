@@ -136,7 +136,8 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
   sizes.surface_workspace_bytes = surface_workspace_bytes(
-      node_count(options.wheel), options.sizes.cells, options.sections.count > 0 || options.radius.rows > 0);
+      node_count(options.wheel), options.sizes.cells,
+      options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.
@@ -218,6 +219,7 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                              .sections = options.sections.count,
                              .section = sections,
                              .radius = options.radius,
+                             .roller_curvature = options.roller_curvature,
                              .material = options.material,
                              .influence = model.influence,
                              .kernels = model.kernels,

@@ -59,13 +59,14 @@ struct ModelOptions {
   ArraySizes sizes;
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
-  bool warm_start = false;  ///< of the strip half-space solver
-  Material material;      ///< combined
-  double coupling = 0.0;  ///< Kalker's K, which all methods leave out [-]
-  double load_tolerance = 0.0;  ///< relative
-  double gap_limit = 0.0;       ///< [m]
-  std::uint64_t numbers = 0;    ///< checksum of all numbers of the configuration that results depend on
-  double shear_yield = 0.0;     ///< k [Pa]
+  bool warm_start = false;        ///< of the strip half-space solver
+  Material material;              ///< combined
+  double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]
+  double load_tolerance = 0.0;    ///< relative
+  double gap_limit = 0.0;         ///< [m]
+  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
+  std::uint64_t numbers = 0;      ///< checksum of all numbers of the configuration that results depend on
+  double shear_yield = 0.0;       ///< k [Pa]
   Effusivities effusivities;
   TrackDimensions track;
   WheelsetDimensions wheelset;

@@ -54,6 +54,15 @@ void mirror_wrench(Wrench& wrench) {
   }
 }
 
+/// From velocities in the frame that follows the track to those against the ground, at a point of the frame.
+/// Nothing at all where it does not move: bits stay.
+void add_frame(const HostedWheel& hosted, const double (&point)[3], WheelMotion& wheel) {
+  if (hosted.frame_speed == 0.0) return;
+  wheel.velocity[0] += hosted.frame_speed;
+  add_cross(wheel.velocity, hosted.frame_turning, point);
+  for (int i = 0; i < 3; ++i) wheel.angular_velocity[i] += hosted.frame_turning[i];
+}
+
 /// The bodies of src/surface are right-hand ones.
 const Bodies& right(const Model& model) { return model.bodies[static_cast<int>(Side::right)]; }
 
@@ -66,7 +75,9 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
   }
   const auto [sine, cosine] = sine_cosine(problem.rail.roll);
   const double y = point[1] - right(model).rail.origin_y - problem.rail.y;
-  const double z = point[2] - right(model).rail.origin_z - problem.rail.z;
+  double z = point[2] - right(model).rail.origin_z - problem.rail.z;
+  const double from_axle = point[0] - wheel.position[0] + problem.distance;
+  z -= 0.5 * model.options.roller_curvature * from_axle * from_axle;  // what a roller falls
   return {.y_wheel = from_wheel[1],
           .z_wheel = std::sqrt(from_wheel[0] * from_wheel[0] + from_wheel[2] * from_wheel[2]) -
                      right(model).wheel.nominal_radius,
@@ -92,7 +103,20 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
     return Fault{
         .status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = cause};
   };
-  if (hosted.distance != 0.0 && surface.varying.faces == 0)
+  const bool roller = surface.roller_curvature != 0.0;
+  if (hosted.rail.turning != 0.0 && !roller)
+    return not_read("input.roller_velocity", hosted.rail.turning, "rad/s",
+                    "the rail is no roller: give config.roller_curvature, or leave it 0");
+  constexpr double beside_roller = 0.2;  // [m]
+  if (roller && !(std::abs(hosted.distance) <= beside_roller))
+    return {.status = WRC_ERROR_RANGE,
+            .field = "input.distance",
+            .value = hosted.distance,
+            .unit = "m",
+            .low = -beside_roller,
+            .high = beside_roller,
+            .cause = "the wheel does not stand on the roller: it is counted from above its axle"};
+  if (hosted.distance != 0.0 && surface.varying.faces == 0 && !roller)
     return not_read("input.distance", hosted.distance, "m",
                     "the rail is the same everywhere: give config.rail_section, or leave it 0");
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
@@ -117,7 +141,8 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
     problem.wheel.angular_velocity[i] = hosted.angular_velocity[i];
     for (int k = 0; k < 3; ++k) problem.wheel.rotation[i][k] = hosted.rotation[i][k];
   }
-  add_cross(problem.wheel.velocity, hosted.angular_velocity, placed.arm);
+  add_frame(hosted, placed.reference, problem.wheel);
+  add_cross(problem.wheel.velocity, problem.wheel.angular_velocity, placed.arm);
   problem.rail = hosted.rail;
   problem.load_prescribed = hosted.load_prescribed;
   problem.vertical_load = hosted.vertical_load;
@@ -126,7 +151,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.damping = hosted.damping;
-  if (surface.varying.faces > 0) problem.distance = hosted.distance + placed.arm[0];
+  if (surface.varying.faces > 0 || roller) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;
   if (placed.left) mirror_body(problem);
   return {};

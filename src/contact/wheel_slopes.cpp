@@ -35,6 +35,7 @@ void into_rail(const Number& cosine, const Number& sine, const Number (&v)[3], N
 struct Moving {
   Number arm[3];  ///< of the host, not mirrored
   Number position[3], axle[3], velocity[3], turning[3];
+  double roller_turning;
   Number rail_y, rail_z, rail_roll, rail_velocity_y, rail_velocity_z, rail_velocity_roll;
 };
 
@@ -58,10 +59,23 @@ Moving moving(const HostedWheel& hosted, const PlacedWheel& placed) {
     turn(m.turning, by_roll, roll_axis);
     turn(m.turning, by_yaw, yaw_axis);
   }
+  if (hosted.frame_speed != 0.0) {
+    // at the reference point: where its height is not given, at the nominal one
+    Number point[3];
+    point[1] = input(placed.reference[1], by_y);
+    point[2] =
+        placed.problem.load_prescribed ? Number(placed.reference[2]) : input(placed.reference[2], by_z);
+    Number frame[3];
+    for (int i = 0; i < 3; ++i) frame[i] = hosted.frame_turning[i];
+    m.velocity[0] += hosted.frame_speed;
+    add_cross(m.velocity, frame, point);
+    for (int i = 0; i < 3; ++i) m.turning[i] += frame[i];
+  }
   add_cross(m.velocity, m.turning, m.arm);
   const double outward = placed.left ? -1.0 : 1.0;
   m.position[1] = m.arm[1] + input(placed.reference[1], by_y);
   m.position[2] = m.arm[2] + input(placed.problem.wheel.position[2] - placed.arm[2], by_z);
+  m.roller_turning = hosted.rail.turning;
   m.rail_y = input(hosted.rail.y, by_rail_y);
   m.rail_z = input(hosted.rail.z, by_rail_z);
   m.rail_roll = input(hosted.rail.roll, by_rail_roll);
@@ -91,6 +105,7 @@ void see(const SurfaceModel& surface, const Moving& m, const Number& cosine, con
             {m.velocity[0], m.velocity[1] - m.rail_velocity_y + m.rail_velocity_roll * dz,
              m.velocity[2] - m.rail_velocity_z - m.rail_velocity_roll * dy},
             turned);
+  if (surface.roller_curvature != 0.0) turned[0] = turned[0] - m.roller_turning * seen[place_z];
   for (int i = 0; i < 3; ++i) seen[seen_velocity + i] = turned[i];
   into_rail(cosine, sine, {m.turning[0] - m.rail_velocity_roll, m.turning[1], m.turning[2]}, turned);
   for (int i = 0; i < 3; ++i) seen[seen_turning + i] = turned[i];

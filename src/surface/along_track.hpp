@@ -58,6 +58,26 @@ void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& dist
   o.centre = at;
 }
 
+/// Adds what a roller does whose radius is 1 / curvature at the profile's origin, to a strip at the height z
+/// below that. `distance`: of the wheel's reference point from above its axle [m]. Its surface falls like
+/// x^2 / (2 radius).
+template <class Number>
+void follow_roller(double curvature, double z, const Number& distance, StripOverlap<Number>& o) {
+  constexpr double least_radius = 0.02;  // [m]: of faces that no wheel reaches
+  const double radius = larger(1.0 / curvature - z, least_radius);
+  const Number bend = larger(o.nz, Number(0.0)) * (1.0 / radius);  // along the normal
+  const Number sum = o.curvature + bend;
+  const Number off = bend * (o.centre + distance) / sum;  // from the wheel's own middle, backwards
+  const Number at = o.centre - off, from_axle = at + distance;
+  const Number rounded = 0.5 * o.curvature * off * off;
+  o.depth = o.depth - rounded - 0.5 * bend * from_axle * from_axle;
+  o.wy = o.wy - o.ny * rounded;
+  o.wz = o.wz - o.nz * rounded;
+  o.lean = bend * from_axle;
+  o.curvature = sum;
+  o.centre = at;
+}
+
 /// Adds what the wheel does. `y`: on its profile [m]; `angle`: about its axle [rad].
 template <class Number>
 void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, const Number& y,

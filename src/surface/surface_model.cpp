@@ -63,6 +63,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->rail_origin_y = bodies.rail_origin_y;
   model->wheel_radius = bodies.nominal_radius;
   model->rail_origin_z = bodies.rail_origin_z;
+  model->roller_curvature = bodies.roller_curvature;
   model->material = bodies.material;
   model->influence = bodies.influence;
   model->kernels = bodies.kernels;

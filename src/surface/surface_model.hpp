@@ -30,7 +30,8 @@ struct SurfaceBodies {
   double nominal_radius = 0.0;                      ///< of the wheel at its profile's origin [m]
   std::int32_t sections = 0;                        ///< 0: the rail is the same everywhere
   const RailSection* section = nullptr;
-  RadiusTable radius;  ///< without rows: the wheel is round
+  RadiusTable radius;             ///< without rows: the wheel is round
+  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
   Material material;
   // These outlive the model:
   const InfluenceTables* influence = nullptr;
@@ -46,7 +47,8 @@ struct SurfaceModel {
   VaryingRail varying;
   OutOfRound out_of_round;
   double rail_origin_y = 0.0, rail_origin_z = 0.0;
-  double wheel_radius = 0.0;  ///< nominal [m]
+  double wheel_radius = 0.0;      ///< nominal [m]
+  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
   Material material;
   const InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
@@ -109,7 +111,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 
 /// Is there anything that changes along the track or round the wheel?
 inline bool varies(const SurfaceModel& model) {
-  return model.varying.faces > 0 || model.out_of_round.rows > 0;
+  return model.varying.faces > 0 || model.out_of_round.rows > 0 || model.roller_curvature != 0.0;
 }
 
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has

@@ -97,6 +97,13 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   const double turning[3] = {in.wheel.angular_velocity[0] - in.rail.velocity_roll,
                              in.wheel.angular_velocity[1], in.wheel.angular_velocity[2]};
   into_rail(s.cosine, s.sine, turning, s.angular_velocity);
+  s.rail_turning = 0.0;
+  if (model.roller_curvature != 0.0) {
+    s.rail_turning = in.rail.turning;
+    s.velocity[0] -= in.rail.turning * (s.pose.z - 1.0 / model.roller_curvature);
+    s.velocity[2] += in.rail.turning * in.distance;
+    s.angular_velocity[1] -= in.rail.turning;
+  }
   return s;
 }
 
@@ -111,6 +118,7 @@ void follow_track(const SurfaceModel& model, const WheelOnRail& in, const Seen& 
     const std::int32_t j = o.strip[i];
     StripOverlap<double> s{o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], 0.0};
     if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, s);
+    if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, w.rail.z[j], w.distance, s);
     if (model.out_of_round.rows > 0) {
       const double y = evaluate(profile, w.scratch.piece[j], w.scratch.along[j]).y;
       follow_wheel(model.out_of_round, seen.pose, y, in.angle, s);
@@ -202,6 +210,7 @@ struct Loaded {
   std::int32_t count = 0;
   double load = 0.0;     ///< [N]
   double sliding = 0.0;  ///< load times sliding velocity along the rail [N m/s]
+  double below = 0.0;    ///< load times how far below the wheel's reference point it acts [N m]
 };
 
 /// Takes the strips that carry load from the overlaps and their pressure, with damping: into w's arrays,
@@ -216,6 +225,8 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, Work& w) {
     const double l = std::sqrt(p.length_squared[i]);
     double v[3];
     sliding_at(seen, p.centre[i], o.wy[i], o.wz[i], v);
+    // a roller's own point, as the wheel's, is that of the undeformed body: the overlap nearer to its axle
+    if (seen.rail_turning != 0.0) v[0] += seen.rail_turning * (o.depth[i] * o.nz[i]);
     double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
     if (o.lean) {  // along the slope, and against its normal
       const double along = v[0] + o.lean[i] * approach_velocity;
@@ -239,6 +250,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, Work& w) {
     w.fx[k] = w.fy[k] = w.mz[k] = 0.0;
     loaded.load += N;
     loaded.sliding += N * v[0];
+    loaded.below += N * o.wz[i];
   }
   return loaded;
 }
@@ -247,7 +259,8 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, Work& w) {
 RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen,
                              const Loaded& loaded, Work& w) {
   // the mean of the speeds at which wheel and rail material pass through the contact
-  const double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
+  double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
+  if (seen.rail_turning != 0.0) rolling_speed -= seen.rail_turning * loaded.below / loaded.load;
   const RollingReference reference = rolling_reference(rolling_speed);
   w.backwards = rolling_speed < 0.0;
   const double speed = reference.divisor;

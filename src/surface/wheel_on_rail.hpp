@@ -34,6 +34,7 @@ struct WheelMotion {
 struct RailMotion {
   double y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]; roll about x
   double velocity_y = 0.0, velocity_z = 0.0, velocity_roll = 0.0;  ///< [m/s], [rad/s]
+  double turning = 0.0;  ///< of a roller about its axle, right-hand rule about its y [rad/s]
 };
 
 /// What is solved.
@@ -44,10 +45,11 @@ struct WheelOnRail {
   double vertical_load = 0.0;        ///< the whole vertical force on the wheel, upwards positive [N]
   double friction = 0.3;             ///< coefficient; 0: frictionless
   const FrictionLaw* law = nullptr;  ///< in place of the coefficient: over the rail's y and the sliding speed
-  double distance = 0.0;             ///< of the wheel's reference point along the track [m]
-  double angle = 0.0;                ///< of the wheel about its axle, right-hand rule [rad]
-  double slope_reduction = 1.0;      ///< of the creep curve by a layer between the bodies, 0..1
-  double damping = 0.0;              ///< Hunt and Crossley [s/m]
+  double distance =
+      0.0;             ///< of the wheel's reference point along the track, or from above a roller's axle [m]
+  double angle = 0.0;  ///< of the wheel about its axle, right-hand rule [rad]
+  double slope_reduction = 1.0;  ///< of the creep curve by a layer between the bodies, 0..1
+  double damping = 0.0;          ///< Hunt and Crossley [s/m]
 };
 
 /// A run of strips in contact.

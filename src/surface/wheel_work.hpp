@@ -17,6 +17,7 @@ struct Seen {
   double velocity[3];          ///< of the wheel's reference point less that of rail material there
   double angular_velocity[3];  ///< of the wheel less that of the rail
   double cosine, sine;         ///< of the rail's roll
+  double rail_turning;         ///< of a roller about its axle [rad/s]
 };
 
 struct WheelWork {

@@ -218,6 +218,7 @@ OverlapSlopes strip_overlap(const SurfaceModel& model, const WheelOnRail& in, co
   OverlapSlopes s = overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
   StripOverlap<PlaceDual> o{s.depth, s.centre, s.curvature, s.ny, s.nz, s.wy, s.wz, 0.0};
   if (model.varying.faces > 0) follow_rail(model.varying, j, distance, o);
+  if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, rail.z[j], distance, o);
   if (model.out_of_round.rows > 0) follow_wheel(model.out_of_round, pose, s.y_wheel, angle, o);
   s.depth = o.depth;
   s.centre = o.centre;
@@ -279,14 +280,16 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     velocity[i].d[seen_velocity + i] = 1.0;
     turning[i].d[seen_turning + i] = 1.0;
   }
+  if (by == SlopesBy::track) velocity[2].d[track_distance] = seen.rail_turning;
   LoadedStrips& loaded = w.loaded;
   loaded.count = 0;
-  Number load = 0.0, sliding = 0.0;
+  Number load = 0.0, sliding = 0.0, below = 0.0;
   for (std::int32_t k = 0; k < s.count; ++k) {
     const OverlapSlopes& overlap = s.overlap[k];
     const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
     Number vx = velocity[0] + turning[1] * z - turning[2] * y;
+    if (seen.rail_turning != 0.0) vx += seen.rail_turning * (seen_number(overlap.depth) * nz);
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
     const Number vz = velocity[2] + turning[0] * y - turning[1] * x;
     Number approach = vy * ny + vz * nz;
@@ -314,9 +317,14 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     loaded.fx[i] = loaded.fy[i] = loaded.mz[i] = 0.0;
     load += N;
     sliding += N * vx;
+    below += N * z;
   }
   if (loaded.count == 0) return {};
-  if (in.friction > 0.0) roll_strips(model, in, work, velocity[0] - 0.5 * (sliding / load), w);
+  if (in.friction > 0.0) {
+    Number rolling_speed = velocity[0] - 0.5 * (sliding / load);
+    if (seen.rail_turning != 0.0) rolling_speed = rolling_speed - seen.rail_turning * (below / load);
+    roll_strips(model, in, work, rolling_speed, w);
+  }
 
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];

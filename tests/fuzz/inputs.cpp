@@ -206,6 +206,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   if (choices.one_in(3)) {  // those of a wheel on a rail in one call
     config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
     config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    if (choices.one_in(4)) config.roller_curvature = sized(choices, member<wrc_config>("roller_curvature"));
   }
   if (choices.one_in(4)) {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
@@ -270,6 +271,12 @@ void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
   input.start = static_cast<std::int32_t>(choices.below(2));
+  if (choices.one_in(4)) {
+    input.frame.speed = sized(choices, member<wrc_frame_motion>("speed"), 1e-9);
+    input.frame.curvature = sized(choices, member<wrc_frame_motion>("curvature"), 1e-9);
+    input.frame.vertical_curvature = sized(choices, member<wrc_frame_motion>("vertical_curvature"), 1e-9);
+    input.frame.twist = sized(choices, member<wrc_frame_motion>("twist"), 1e-9);
+  }
   if (choices.one_in(3)) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = sized(choices, member<wrc_wheel_input>("vertical_load"));

@@ -321,6 +321,10 @@ class Case {
     where_ = "wheel on rail";
     WheelOnRail given;
     make_wheel_on_rail(choices_, given);
+    if (config_.roller_curvature != 0.0 && !choices_.one_in(4)) {
+      given.input.roller_velocity = choices_.signed_magnitude(1e-9, 2000.0);
+      given.input.distance = choices_.signed_magnitude(1e-9, 0.25);
+    }
     wrc_wrench wrench = wrc_wrench_default(), again = wrench;
     const std::int32_t status =
         hand_over([&] { return wrc_contact_wrench(contact_, &given.input, &wrench); });

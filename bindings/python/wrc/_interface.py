@@ -896,6 +896,8 @@ class Config(s.Struct):
       rail_section: rail_sections of them with rail_sections; config.rail is beside them what the rail's place
           follows from and what the stages see (required)
       roundness: of the wheel
+      roller_curvature [1/m]: of a rail that is a roller: 1 / its radius at the origin of the rail's profile;
+          0: a straight rail (0 or 1e-12 .. 10; default 0)
     """
 
     _c_name_ = 'wrc_config'
@@ -916,7 +918,8 @@ class Config(s.Struct):
     reserved: int
     rail_section: Optional[RailSection] = s.Reference('rail_section')  # type: ignore[assignment]
     roundness: ConfigRoundness
-    _units_ = {}
+    roller_curvature: float
+    _units_ = {'roller_curvature': '1/m'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
@@ -935,8 +938,9 @@ class Config(s.Struct):
         ('reserved', c.c_uint32),
         ('_rail_section', c.POINTER(RailSection)),
         ('roundness', ConfigRoundness),
+        ('roller_curvature', c.c_double),
     ]
-assert c.sizeof(Config) == 344
+assert c.sizeof(Config) == 352
 
 
 class Pose(s.Struct):
@@ -1878,6 +1882,39 @@ class RailState(s.Struct):
 assert c.sizeof(RailState) == 48
 
 
+class FrameMotion(s.Struct):
+    """How a frame moves that follows a curved track, for hosts whose velocities are those within it. Its origin
+        is on the track centre line, level with the rails' tops, its axes are track axes there. It turns at
+        speed * (twist, vertical_curvature, curvature) about them, and what it does is added to the wheel's
+        velocity and angular velocity, at the wheel's reference point (where its height is not given, at its
+        nominal height). All zero: velocities are against the ground. Velocities of the rail are those of its
+        material against the ground either way.
+
+    Members:
+      speed [m/s]: of its origin along the track (-200 .. 200; default 0)
+      curvature [1/m]: of the track in plan, to the right (-0.1 .. 0.1; default 0)
+      vertical_curvature [1/m]: of the track's height, upwards as in a dip (-0.1 .. 0.1; default 0)
+      twist [1/m]: roll of the track per distance, right side down: rate of the cant over the speed (-0.5 ..
+          0.5; default 0)
+    """
+
+    _c_name_ = 'wrc_frame_motion'
+    __slots__ = ()
+    speed: float
+    curvature: float
+    vertical_curvature: float
+    twist: float
+    _units_ = {'speed': 'm/s', 'curvature': '1/m', 'vertical_curvature': '1/m', 'twist': '1/m'}
+    _hidden_ = ()
+    _fields_ = [
+        ('speed', c.c_double),
+        ('curvature', c.c_double),
+        ('vertical_curvature', c.c_double),
+        ('twist', c.c_double),
+    ]
+assert c.sizeof(FrameMotion) == 32
+
+
 class WheelInput(s.Struct):
     """What Contact.wrench() reads. What pointers within point to is the caller's and only read during the call.
 
@@ -1892,11 +1929,16 @@ class WheelInput(s.Struct):
           .. 1e6; default 0)
       damping [s/m]: of Hunt and Crossley as in Load, strip by strip, with the velocity at which the strip's
           own overlap grows (0 .. 10; default 0)
-      distance [m]: of the reference point along the track, for a rail with config.rail_sections; 0 else (-1e7
-          .. 1e7; default 0)
+      distance [m]: of the reference point along the track, for a rail with config.rail_sections; or from
+          above the axle of a roller (config.roller_curvature), within 0.2 m of it; 0 else (-1e7 .. 1e7;
+          default 0)
       angle [rad]: of the wheel about its axle, for one with config.roundness; 0 else: right-hand rule about
           y, so that its rate is the angular velocity about the axle and it falls rolling forwards (-1e9 ..
           1e9; default 0)
+      roller_velocity [rad/s]: angular velocity of a roller (config.roller_curvature) about its axle,
+          right-hand rule about y; 0 else: it is positive where a wheel at rest rolls forwards on it (-2000 ..
+          2000; default 0)
+      frame: of the axes that velocities are given in
     """
 
     _c_name_ = 'wrc_wheel_input'
@@ -1912,7 +1954,9 @@ class WheelInput(s.Struct):
     damping: float
     distance: float
     angle: float
-    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad'}
+    roller_velocity: float
+    frame: FrameMotion
+    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_velocity': 'rad/s'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
@@ -1926,8 +1970,10 @@ class WheelInput(s.Struct):
         ('damping', c.c_double),
         ('distance', c.c_double),
         ('angle', c.c_double),
+        ('roller_velocity', c.c_double),
+        ('frame', FrameMotion),
     ]
-assert c.sizeof(WheelInput) == 280
+assert c.sizeof(WheelInput) == 320
 
 
 class Wrench(s.Struct):
@@ -2796,6 +2842,7 @@ _wrc_linear_coefficients = _l.function(FUNCTIONS, 'wrc_linear_coefficients', c.c
 _wrc_shakedown_limit = _l.function(FUNCTIONS, 'wrc_shakedown_limit', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
 _wrc_wheel_state_init = _l.function(FUNCTIONS, 'wrc_wheel_state_init', c.c_int32, [c.POINTER(WheelState)])
 _wrc_rail_state_init = _l.function(FUNCTIONS, 'wrc_rail_state_init', c.c_int32, [c.POINTER(RailState)])
+_wrc_frame_motion_init = _l.function(FUNCTIONS, 'wrc_frame_motion_init', c.c_int32, [c.POINTER(FrameMotion)])
 _wrc_wheel_input_init = _l.function(FUNCTIONS, 'wrc_wheel_input_init', c.c_int32, [c.POINTER(WheelInput)])
 _wrc_wrench_init = _l.function(FUNCTIONS, 'wrc_wrench_init', c.c_int32, [c.POINTER(Wrench)])
 _wrc_region_init = _l.function(FUNCTIONS, 'wrc_region_init', c.c_int32, [c.POINTER(Region)])
@@ -3326,6 +3373,7 @@ STRUCTS = {
     'wrc_allocator': Allocator,
     'wrc_wheel_state': WheelState,
     'wrc_rail_state': RailState,
+    'wrc_frame_motion': FrameMotion,
     'wrc_wheel_input': WheelInput,
     'wrc_wrench': Wrench,
     'wrc_region': Region,
@@ -3412,6 +3460,7 @@ __all__ = [
     'Allocator',
     'WheelState',
     'RailState',
+    'FrameMotion',
     'WheelInput',
     'Wrench',
     'Region',

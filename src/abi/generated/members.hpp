@@ -558,9 +558,10 @@ struct Description<wrc_config> {
       {.name = "roundness.angle", .offset = offsetof(wrc_config, roundness.angle), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .counted_by = offsetof(wrc_config, roundness.angles)},
       {.name = "roundness.y", .offset = offsetof(wrc_config, roundness.y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config, roundness.rows)},
       {.name = "roundness.deviation", .offset = offsetof(wrc_config, roundness.deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .by_caller = true},
+      {.name = "roller_curvature", .offset = offsetof(wrc_config, roller_curvature), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 10, .or_zero = true, .unit = "1/m", .too_large = "did you pass a radius? wrc_contact_wrench() alone reads it"},
   };
 };
-static_assert(sizeof(wrc_config) == 344, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 352, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {
@@ -1206,6 +1207,24 @@ struct Description<wrc_rail_state> {
 static_assert(sizeof(wrc_rail_state) == 48, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_frame_motion> {
+  static constexpr const char* name = "wrc_frame_motion";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_frame_motion defaults = [] {
+    wrc_frame_motion value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "speed", .offset = offsetof(wrc_frame_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "curvature", .offset = offsetof(wrc_frame_motion, curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "vertical_curvature", .offset = offsetof(wrc_frame_motion, vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "twist", .offset = offsetof(wrc_frame_motion, twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
+  };
+};
+static_assert(sizeof(wrc_frame_motion) == 32, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_wheel_input> {
   static constexpr const char* name = "wrc_wheel_input";
   static constexpr bool versioned = true;
@@ -1216,6 +1235,7 @@ struct Description<wrc_wheel_input> {
     value.wheel = Description<wrc_wheel_state>::defaults;
     value.rail = Description<wrc_rail_state>::defaults;
     value.friction = Description<wrc_friction>::defaults;
+    value.frame = Description<wrc_frame_motion>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -1259,9 +1279,14 @@ struct Description<wrc_wheel_input> {
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
       {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "angle", .offset = offsetof(wrc_wheel_input, angle), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "roller_velocity", .offset = offsetof(wrc_wheel_input, roller_velocity), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees?", .too_large = "did you pass rpm or degrees?"},
+      {.name = "frame.speed", .offset = offsetof(wrc_wheel_input, frame.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "frame.curvature", .offset = offsetof(wrc_wheel_input, frame.curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "frame.vertical_curvature", .offset = offsetof(wrc_wheel_input, frame.vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "frame.twist", .offset = offsetof(wrc_wheel_input, frame.twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 280, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_input) == 320, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {

@@ -278,6 +278,33 @@ void run_along_track(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// Wheels on rollers, seen from frames that move, and derivatives.
+void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(9);
+  for (int i = 0; i < 30; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    input.start = i % 4 == 0 ? WRC_START_FROM_LAST : WRC_START_ANEW;
+    input.distance = numbers.between(-5e-3, 5e-3);
+    input.roller_velocity = -input.wheel.angular_velocity[1] * numbers.between(0.99, 1.01);
+    input.frame.speed = i % 2 == 0 ? 0.0 : numbers.between(-2.0, 2.0);
+    input.frame.curvature = numbers.between(-0.01, 0.01);
+    input.frame.vertical_curvature = numbers.between(-1e-3, 1e-3);
+    input.frame.twist = numbers.between(-0.01, 0.01);
+    input.wheel.velocity[0] = -input.frame.speed;
+    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench_sensitivities found{};
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    hash.add(i % 3 == 0 ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
+                        : wrc_contact_wrench(contact, &input, &wrench));
+    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
+      for (int k = 0; k < 3; ++k) hash.add(each[k]);
+    for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
+      hash.add(number);
+    for (const auto& row : found.wrench)
+      for (double number : row) hash.add(number);
+  }
+}
+
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
   wrc_input input = wrc_input_default();
@@ -328,6 +355,13 @@ void add_plain_calls(Plan& plan) {
   along.track.rail_inclination = 0.025;
   bodies.give(along);
   plan.jobs.push_back({"along the track", varying, {}, {}, run_along_track});
+
+  const std::size_t rolling = plan.models.size();
+  wrc_config& rollers = plan.models.emplace_back(wrc_config_default());
+  rollers.wheel = plan.profiles[0];
+  rollers.rail = plan.profiles[1];
+  rollers.roller_curvature = 2.0;
+  plan.jobs.push_back({"rollers", rolling, {}, {}, run_rollers});
 }
 
 Plan golden_plan() {

@@ -1,0 +1,271 @@
+/// A rail that is a roller: Hertz's and Kalker's numbers, axles one above the other and beside each other.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../wrench_inputs.hpp"
+#include "wheel_on_rail.hpp"
+
+namespace {
+
+/// A flat tread on a crown, both about the rail's origin at y = 0.75 m.
+class Roller : public testing::Test, protected PlacedWheel {
+ protected:
+  static constexpr double crown = 0.23, radius = 0.46;
+
+  Roller() {
+    for (int i = -300; i <= 300; ++i) {
+      y_.push_back(1e-4 * i);
+      z_.push_back(crown - std::sqrt(crown * crown - y_.back() * y_.back()));
+      level_.push_back(0.0);
+    }
+    config.wheel.kind = config.rail.kind = WRC_PROFILE_POINTS;
+    for (wrc_profile* profile : {&config.wheel, &config.rail}) {
+      profile->count = static_cast<uint32_t>(y_.size());
+      profile->y = y_.data();
+      profile->z = profile == &config.rail ? z_.data() : level_.data();
+    }
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = 0.75;
+    config.roller_curvature = 1.0 / radius;
+    config.normal.warm_start = 0;
+    input.start = WRC_START_ANEW;
+    wheel.reference = WRC_REFERENCE_WHEEL;
+    wheel.velocity[0] = 0.0;
+    roll_at(20.0);
+  }
+  /// A wheel at rest rolling on the roller.
+  void roll_at(double speed) {
+    wheel.angular_velocity[1] = -speed / config.wheelset.wheel_radius;
+    input.roller_velocity = speed * config.roller_curvature;
+  }
+  void carry(double load) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = load;
+    wheel.z = 0.0;
+    ASSERT_EQ(step(), WRC_OK) << error();
+  }
+  void press(double z) {
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = z;
+    ASSERT_EQ(step(), WRC_OK) << error();
+  }
+  double hertz_radius(double load) const {
+    const double nu = config.material.poisson, E = 2.0 * config.material.shear_modulus * (1.0 + nu);
+    return std::cbrt(1.5 * load * crown * (1.0 - nu * nu) / E);
+  }
+
+  std::vector<double> y_, z_, level_;
+};
+
+/// Two cylinders of 0.46 m are curved against each other as the crown is: a circle, with
+/// a^3 = 3 N R (1 - nu^2) / (2 E) and an approach of a^2 / R, R = 0.23 m.
+TEST_F(Roller, EqualCylindersAndACrownAreHertzsCircle) {
+  create();
+  for (const double load : {20e3, 80e3}) {
+    carry(load);
+    const double a = hertz_radius(load);
+    EXPECT_NEAR(wrench.area, 3.14159265358979 * a * a, 0.02 * wrench.area);
+    EXPECT_NEAR(wrench.peak_pressure, 1.5 * load / (3.14159265358979 * a * a), 0.01 * wrench.peak_pressure);
+    EXPECT_NEAR(wrench.z, a * a / crown, 0.01 * wrench.z);
+    wrc_ellipse ellipse{};
+    ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_OK);
+    EXPECT_NEAR(ellipse.a / ellipse.b, 1.0, 0.12);  // half strips of 0.25 mm
+    wrc_region region = wrc_region_default();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+    EXPECT_NEAR(region.z_rail, 0.0, 2e-6 + wrench.z);
+  }
+}
+
+/// Forces of linear theory: F = G a^2 C creepage, C11 = 4.12, C22 = 3.67 of a circle (Kalker's table).
+TEST_F(Roller, CreepForcesAreKalkers) {
+  create();
+  const double load = 80e3, a = hertz_radius(load), stiffness = config.material.shear_modulus * a * a;
+  carry(load);
+  // pure rolling, but for what the crown's radius falls to its sides
+  const double rolling = wrench.force[0];
+  EXPECT_LT(std::abs(rolling), 0.012 * 0.3 * load);
+  EXPECT_NEAR(wrench.force[1], 0.0, 1e-6 * load);
+  const double creepage = 2e-5;
+  input.roller_velocity *= 1.0 - creepage;  // the wheel's surface is the faster: it is driven forwards
+  carry(load);
+  EXPECT_NEAR(wrench.force[0] - rolling, 4.12 * stiffness * creepage, 0.04 * 4.12 * stiffness * creepage);
+  input.roller_velocity /= 1.0 - creepage;
+  wheel.velocity[1] = -20.0 * creepage;
+  carry(load);
+  EXPECT_NEAR(wrench.force[1], 3.67 * stiffness * creepage, 0.04 * wrench.force[1]);
+  wheel.velocity[1] = 0.0;
+  input.roller_velocity *= 0.9;
+  carry(load);
+  EXPECT_NEAR(wrench.force[0], 0.3 * load, 1e-3 * load);
+  EXPECT_NEAR(wrench.power, 0.3 * load * 2.0, 0.01 * wrench.power);
+}
+
+/// Half the wheel's radius on a straight rail is the same contact: the same forces from adhesion to
+/// saturation, but for the crown's sides, which a roller moves slower than its middle (as in the test
+/// before).
+TEST_F(Roller, TheSameContactOnAStraightRailHasTheSameForces) {
+  const double slip[] = {1e-4, 1e-3, 5e-3};
+  std::vector<wrc_wrench> of_roller;
+  create();
+  for (const double creepage : slip) {
+    roll_at(20.0);
+    input.roller_velocity *= 1.0 - creepage;
+    wheel.velocity[1] = 0.5 * creepage * 20.0;
+    carry(80e3);
+    of_roller.push_back(wrench);
+  }
+  config.roller_curvature = 0.0;
+  config.wheelset.wheel_radius = 0.5 * radius;
+  create();
+  input.roller_velocity = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    wheel.velocity[0] = 20.0 * (1.0 - slip[i]);
+    wheel.angular_velocity[1] = -20.0 / (0.5 * radius);
+    wheel.velocity[1] = 0.5 * slip[i] * 20.0;
+    carry(80e3);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], of_roller[i].force[k], 0.012 * 24e3) << i << k;
+    EXPECT_NEAR(wrench.z, of_roller[i].z, 1e-9);
+    if (i > 0) {
+      EXPECT_NEAR(wrench.power, of_roller[i].power, 0.05 * wrench.power);
+    }
+  }
+}
+
+TEST_F(Roller, AGiantRollerIsARail) {
+  config.wheel = config.rail = wrc_profile_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.track = wrc_config_default().track;
+  wheel.reference = WRC_REFERENCE_WHEELSET;
+  wheel.y = 5.5e-3;
+  wheel.yaw = 0.01;
+  wheel.velocity[0] = 20.0;
+  wheel.velocity[1] = 0.02;
+  input.roller_velocity = 0.0;
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    wheel.y = std::copysign(wheel.y, which == WRC_SIDE_RIGHT ? 1.0 : -1.0);
+    config.roller_curvature = 0.0;
+    create(which);
+    press(-0.2e-3);
+    const wrc_wrench rail_only = wrench;
+    config.roller_curvature = 1e-12;
+    create(which);
+    press(-0.2e-3);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(wrench.force[k], rail_only.force[k], 1e-9 * rail_only.normal_force) << k;
+      EXPECT_NEAR(wrench.moment[k], rail_only.moment[k], 1e-9 * rail_only.normal_force) << k;
+    }
+    // it turns beneath a wheel that stays
+    config.roller_curvature = 1e-6;
+    create(which);
+    wheel.velocity[0] = 0.0;
+    input.roller_velocity = 20.0 * 1e-6;
+    press(-0.2e-3);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(wrench.force[k], rail_only.force[k], 1e-4 * rail_only.normal_force) << k;
+    wheel.velocity[0] = 20.0;
+    input.roller_velocity = 0.0;
+  }
+}
+
+/// Axles d apart along x: the line of centres leans by d / (r + R), and is longer by d^2 / (2 (r + R)).
+TEST_F(Roller, BesideTheAxleTheForceLeans) {
+  friction.coefficient = 0.0;
+  create();
+  const double d = 6e-3, centres = 2.0 * radius, z = 150e-6;
+  press(z - d * d / (2.0 * centres));
+  const wrc_wrench above = wrench;
+  input.distance = d;
+  press(z);
+  EXPECT_NEAR(wrench.normal_force, above.normal_force, 1e-3 * above.normal_force);
+  EXPECT_NEAR(wrench.force[0], -d / centres * wrench.force[2], 1e-3 * wrench.force[0]);
+  EXPECT_GT(wrench.force[0], 0.0);                                      // away from the axle
+  EXPECT_NEAR(wrench.moment[1], 0.0, 2e-3 * wrench.force[0] * radius);  // through the wheel's axle
+  wrc_region region = wrc_region_default();
+  ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+  EXPECT_NEAR(region.point[0], -d * radius / centres, 1e-6);
+}
+
+/// Of a yawed wheelset, whose wheels stand before and behind the roller's axle.
+TEST_F(Roller, DerivativesAreThoseOfDifferences) {
+  config.wheel = config.rail = wrc_profile_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.track = wrc_config_default().track;
+  wheel.reference = WRC_REFERENCE_WHEELSET;
+  wheel.y = 1e-3;
+  wheel.z = 0.2e-3;
+  wheel.yaw = 4e-3;
+  wheel.velocity[1] = 0.02;
+  wheel.angular_velocity[2] = 0.01;
+  input.distance = 1e-3;
+  input.damping = 0.1;
+  input.frame.speed = 10.0;  // both at once
+  input.frame.curvature = 2e-3;
+  input.frame.twist = 1e-2;
+  wheel.velocity[0] = -10.0;
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    create(which);
+    wrc_wrench_sensitivities found{};
+    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK) << error();
+    double number[6][17] = {}, largest[6][2] = {};
+    for (int k = 0; k < 17; ++k) {
+      double& value = k < 16 ? wrench_input(input, k) : input.distance;
+      const bool place = k < 4 || (k >= 10 && k < 13) || k == 16;
+      const double at = value, h = place ? 1e-8 : 1e-5;
+      wrc_wrench ends[2] = {wrench, wrench};
+      for (const int end : {0, 1}) {
+        value = end == 0 ? at - h : at + h;
+        ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), WRC_OK);
+      }
+      value = at;
+      for (int r = 0; r < 6; ++r) {
+        const auto of = [&](const wrc_wrench& w) { return r < 3 ? w.force[r] : w.moment[r - 3]; };
+        number[r][k] = (of(ends[1]) - of(ends[0])) / (2.0 * h);
+        largest[r][place] = std::max(largest[r][place], std::abs(number[r][k]));
+      }
+    }
+    for (int k = 0; k < 17; ++k) {
+      const bool place = k < 4 || (k >= 10 && k < 13) || k == 16;
+      for (int r = 0; r < 6; ++r)
+        EXPECT_NEAR(found.wrench[r][k < 16 ? k : WRC_BY_DISTANCE], number[r][k], 1e-3 * largest[r][place])
+            << r << ' ' << k;
+    }
+    wheel.y = -wheel.y;
+  }
+}
+
+TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
+  const auto refused = [&](int32_t status, const char* word) {
+    EXPECT_EQ(step(), status);
+    EXPECT_NE(error().find(word), std::string::npos) << error();
+  };
+  const auto no_model = [&](const char* word) {
+    char text[256] = "";
+    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
+    EXPECT_NE(std::string(text).find(word), std::string::npos) << text;
+  };
+  create();
+  input.distance = 0.3;
+  refused(WRC_ERROR_RANGE, "above its axle");
+  input.distance = 0.0;
+  config.roller_curvature = 0.0;
+  create();
+  refused(WRC_ERROR_UNSUPPORTED, "input.roller_velocity");
+  config.roller_curvature = 2.0;
+  config.normal = wrc_config_default().normal;
+  config.normal.method = WRC_NORMAL_EKP;
+  no_model("config.roller_curvature = 2 1/m");
+  config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
+  wrc_rail_section section[2] = {};
+  for (wrc_rail_section& each : section) each.profile = config.rail;
+  section[1].distance = 1.0;
+  config.rail_section = section;
+  config.rail_sections = 2;
+  no_model("no sections");
+}
+
+}  // namespace
