@@ -12,7 +12,7 @@ import time
 
 import wrc
 
-CONTACTS, REPEATS, ROUNDS = 16, 60, 25
+CONTACTS, REPEATS, ROUNDS = 16, 30, 25
 
 
 def c_side():

@@ -105,7 +105,19 @@ def test_wrenches_regions_and_their_derivatives(model):
     state = contact.save()
     contact.wrench(wrc.WheelInput(wheel={"z": -0.01}))
     contact.restore(state)
-    assert contact.regions()[0].normal_force > 0
+    region = contact.regions()[0]
+    assert region.normal_force > 0
+    fields = contact.region_fields(0)
+    assert fields["PRESSURE"].shape == (region.cells, region.strips) and fields["STRIP_S"].shape == (region.strips,)
+    assert fields["PRESSURE"].max() == pytest.approx(region.peak_pressure, rel=0.05) and np.isfinite(fields["SLIP_X"]).all()
+    portable = contact.save(portable=True)
+    other = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact("LEFT")  # another model of an equal configuration
+    other.restore(portable)
+    assert other.regions()[0] == region
+    with pytest.raises(wrc.Error):
+        other.restore(portable[:-1])
+    with pytest.raises(wrc.Error):
+        other.restore(state)
 
 
 def test_an_output_given_is_filled(model):

@@ -76,3 +76,23 @@ def test_a_wrench_exactly():
     contact.geometry(wrc.Pose())
     gap = contact.exact_gap(wrc.exact.grid(16, 16, 1e-3))
     assert gap.shape == (16, 16) and 0 <= gap.min() < 1e-6
+
+
+def test_stresses(hertz):
+    grid, gap = hertz
+    solution, pressure = wrc.exact.normal(grid, gap, normal_force=20e3)
+    centre = wrc.exact.stresses(grid, [[grid.dx / 2, grid.dy / 2, 1e-6]], pressure, body="RAIL")[0]
+    assert centre[2] == pytest.approx(-solution.peak_pressure, rel=0.02)
+    assert centre[0] == pytest.approx((0.5 + 0.25) * centre[2], rel=0.05)  # Hertz: (1 + 2 nu) / 2 of the pressure
+    found = wrc.exact.largest_stresses(grid, pressure, progress=lambda fraction: None)
+    assert found.below.shear.stress == pytest.approx(0.32 * solution.peak_pressure, rel=0.03)
+    with pytest.raises(ValueError, match=r"shape \(n, 3\)"):
+        wrc.exact.stresses(grid, [0, 0, 1e-3], pressure)
+
+
+def test_stresses_under_a_step():
+    contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
+    normal = contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})).normal
+    found, levels = contact.stresses([1e-3, 3e-3])
+    assert 0.2 < found.largest.shear.stress / normal.peak_pressure < 0.5 and len(levels) == 2
+    assert levels[1].shear.depth == 3e-3 and levels[1].shear.stress <= found.largest.shear.stress

@@ -35,6 +35,10 @@ def test_profiles_and_curves(contact, tmp_path):
     assert wrc.plot.profile(own, own.mirrored()).axes[0].lines[0].get_xydata()[0, 0] == pytest.approx(1e3 * (y[0] - 0.75))
     figure = wrc.plot.wheel_on_rail(contact, wrc.WheelInput(wheel={"y": 6.5e-3, "z": 8e-4}), tmp_path / "wheel.png")
     assert "kN" in figure.axes[0].get_title()
+    contact.wrench(wrc.WheelInput(wheel={"y": 5e-3, "z": 8e-4, "velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)}))
+    assert wrc.plot.regions(contact, tmp_path / "regions.png").axes[0].get_title() == "pressure [MPa]"
+    with pytest.raises(ValueError, match="call wrench"):
+        wrc.plot.regions(contact.model.contact())
     rough = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", preset="FASTSIM-SDEC").contact()
     figure = wrc.plot.creep_curves({"strip FASTSIM": contact, "FASTSIM-SDEC": rough}, wrc.Input(**DATA), path=tmp_path / "curves.png")
     first, second = (each.get_ydata() for each in figure.axes[0].lines[:2])

@@ -387,8 +387,8 @@ class _Numbers:
 
     @classmethod
     def from_param(cls, value: Any) -> Any:
-        if value is None:
-            return None
+        if value is None or isinstance(value, c.c_void_p):
+            return value
         if isinstance(value, np.ndarray):
             if value.dtype != np.dtype(_DTYPES[cls.kind]) or not value.flags.c_contiguous:
                 raise TypeError(f"this argument is a contiguous numpy array of {_DTYPES[cls.kind][1:]}, not {value.dtype}")

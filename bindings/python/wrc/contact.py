@@ -222,21 +222,52 @@ class Contact(i.ContactCalls):
                     raise self._error(status)
                 found.append(one)
 
-    def save(self) -> bytes:
-        """The whole state, for restore() on a contact of the same model and side in this process."""
+    def region_field(self, field: Any, region: int = 0) -> np.ndarray:
+        """A field of one region of the last wrench(), a new array: over cells of shape (cells, strips), cell 0 at the leading
+        edge, strips from the gauge side on; others one number a strip.
+
+        field: a wrc.RegionField or its name, "PRESSURE"
+        """
+        with self._lock:
+            one = self.region(region)
+            values = np.full(one.cells * one.strips, np.nan)
+            status = i._wrc_contact_region_field(self._handle, region, int(i.RegionField.of(field)), values, values.size)
+            if status < 0:
+                raise self._error(status)
+        values = values[:one.strips] if np.isnan(values[one.strips:]).all() else values.reshape(one.cells, one.strips)
+        return values
+
+    def region_fields(self, region: int = 0) -> Dict[str, np.ndarray]:
+        """All fields of a region, by name."""
+        return {each.name: self.region_field(each, region) for each in i.RegionField}
+
+    def stresses(self, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
+        """Largest stresses in one body under the last step: as a whole, and at each of the depths [m]. See wrc_damage.h."""
+        depths = np.ascontiguousarray(np.atleast_1d(depths), np.float64)
+        levels, found = (i.StressPeaks * depths.size)(), i.Stresses._new()
+        with self._lock:
+            status = self._status = i._wrc_contact_stresses(self._handle, int(i.Body.of(body)), depths, depths.size, levels[0], found)
+            if status < 0:
+                raise self._error(status)
+        return found, list(levels)
+
+    def save(self, portable: bool = False) -> bytes:
+        """The whole state, for restore() on a contact of the same model and side in this process; portable: on one of an
+        equal configuration in any process, to be kept in files."""
         size = c.c_uint64()
         with self._lock:
-            _l.check(i._wrc_contact_state_size(self.model._handle, c.byref(size)))
+            _l.check((i._wrc_contact_portable_size if portable else i._wrc_contact_state_size)(self.model._handle, c.byref(size)))
             buffer = c.create_string_buffer(size.value)
-            status = i._wrc_contact_save(self._handle, buffer, size.value)
+            status = (i._wrc_contact_save_portable if portable else i._wrc_contact_save)(self._handle, buffer, size.value)
             if status < 0:
                 raise self._error(status)
         return buffer.raw
 
     def restore(self, state: bytes) -> None:
-        """Puts a saved state back, bit for bit."""
+        """Puts a saved state back, bit for bit, of either kind."""
         with self._lock:
-            status = i._wrc_contact_restore(self._handle, state, len(state))
+            function = i._wrc_contact_restore_portable if state[:8] == b"wrcstate" else i._wrc_contact_restore
+            status = function(self._handle, state, len(state))
             if status < 0:
                 raise self._error(status)
 
@@ -267,6 +298,10 @@ class Batch:
         self._handles = (c.c_void_p * len(self.contacts))(*[each._handle for each in self.contacts])
         self._memory = [each._memory for each in self.contacts]
         self.statuses = np.zeros(len(self.contacts), np.int32)
+        self._statuses = c.c_void_p(self.statuses.ctypes.data)
+        self._last: Tuple[Any, ...] = (None, None)  # arrays of the last call, and what they are to C
+        self._acquire = [each._lock.acquire for each in self.contacts]
+        self._release = [each._lock.release for each in self.contacts]
 
     def __len__(self) -> int:
         return len(self.contacts)
@@ -288,16 +323,19 @@ class Batch:
         count = len(self.contacts)
         if out is None:
             out = written.array(count)
-        address, stride = _elements(inputs, read, count, "inputs")
-        target, step = _elements(out, written, count, "out")
-        for each in self.contacts:
-            each._lock.acquire()
+        if self._last[0] is not inputs or self._last[1] is not out:
+            address, stride = _elements(inputs, read, count, "inputs")
+            target, step = _elements(out, written, count, "out")
+            self._last = (inputs, out, (self._handles, count, read.from_address(address), stride, written.from_address(target), step,
+                                        self._statuses))
+        for acquire in self._acquire:
+            acquire()
         try:
-            function(self._handles, count, read.from_address(address), stride, written.from_address(target), step, self.statuses)
+            status = function(*self._last[2])
         finally:
-            for each in self.contacts:
-                each._lock.release()
-        if check and (self.statuses < 0).any():
+            for release in self._release:
+                release()
+        if status < 0 and check:
             first = int(np.argmax(self.statuses < 0))
             raise _l.fault(int(self.statuses[first]), f"contact {first} of {count}: {self.contacts[first]._sentence()}")
         return out

@@ -71,3 +71,31 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
     told.progress = watch.c
     _l.check_watched(i._wrc_exact_rolling(told, solution, text, _SENTENCE), text, watch)
     return solution, fields
+
+
+def _loads(grid: i.Grid, pressure: Any, traction_x: Any, traction_y: Any, problem: Dict[str, Any]) -> i.ExactLoads:
+    given = {"pressure": pressure, "traction_x": traction_x, "traction_y": traction_y}
+    return i.ExactLoads(grid=grid, **{name: _field(name, each, grid) for name, each in given.items() if each is not None}, **problem)
+
+
+def stresses(grid: i.Grid, points: Any, pressure: Any, traction_x: Any = None, traction_y: Any = None, **problem: Any) -> np.ndarray:
+    """Stresses at points x, y, depth [m] of a body under loads on its surface [Pa] of shape (ny, nx): one row xx, yy, zz, xy,
+    yz, zx a point, tension positive.
+
+    problem: body, poisson of wrc.ExactLoads
+    """
+    places = np.ascontiguousarray(points, np.float64)
+    if places.ndim != 2 or places.shape[1] != 3:
+        raise ValueError(f"points have the shape (n, 3), not {places.shape}")
+    found, text = np.zeros((len(places), 6)), c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_exact_stress(_loads(grid, pressure, traction_x, traction_y, problem), places, len(places), found, text, _SENTENCE), text)
+    return found
+
+
+def largest_stresses(grid: i.Grid, pressure: Any, traction_x: Any = None, traction_y: Any = None, progress: ProgressArgument = None,
+                     **problem: Any) -> i.Stresses:
+    """Largest stresses in a body under loads on its surface: as stresses(), over the whole body."""
+    found, watch, text = i.Stresses._new(), Watch(progress), c.create_string_buffer(_SENTENCE)
+    loads = _loads(grid, pressure, traction_x, traction_y, problem)
+    _l.check_watched(i._wrc_exact_largest_stresses(loads, None, 0, None, found, watch.c, None, text, _SENTENCE), text, watch)
+    return found

@@ -71,6 +71,42 @@ def contact(contact: Contact, path: Any = None) -> Any:
     return _done(made, path)
 
 
+def regions(contact: Contact, path: Any = None) -> Any:
+    """Regions of the last wrench on the rail's surface, rolled out: pressure, tractions, slip, frictional power over the arc
+    length from the gauge end of the rail's profile; rolling direction upwards [mm]."""
+    try:
+        found = [contact.region_fields(each) for each in range(len(contact.regions()))]
+    except Error:
+        found = []
+    if not found:
+        raise ValueError(f"there is nothing to draw: {contact.message or 'call wrench() first'}")
+    made = figure(figsize=(11, 6.6))
+    panels = made.subplots(2, 2, sharex=True, sharey=True)
+    shown = (("pressure [MPa]", lambda f: 1e-6 * f["PRESSURE"], "viridis"),
+             ("traction on the wheel [MPa]", lambda f: 1e-6 * np.hypot(f["TRACTION_X"], f["TRACTION_S"]), "magma"),
+             ("sliding velocity / rolling speed [1e-3]", lambda f: 1e3 * np.hypot(f["SLIP_X"], f["SLIP_S"]), "cividis"),
+             ("frictional power [W/mm²]", lambda f: 1e-6 * f["POWER_DENSITY"], "inferno"))
+    for panel, (title, value, colours) in zip(panels.flat, shown):
+        panel.set_title(title, fontsize=10)
+        top = max(float(value(each).max()) for each in found)
+        for each in found:
+            s = 1e3 * np.broadcast_to(each["STRIP_S"], each["X"].shape)
+            mesh = panel.pcolormesh(s, 1e3 * each["X"], value(each), shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
+            ends = (each["STRIP_CENTRE"] + each["STRIP_HALF"], each["STRIP_CENTRE"] - each["STRIP_HALF"])
+            for end in ends:
+                panel.plot(1e3 * each["STRIP_S"], 1e3 * end, color="black", linewidth=1)
+        made.colorbar(mesh, ax=panel, shrink=0.8)
+        panel.set_aspect("equal")
+    arcs = 1e3 * np.concatenate([each["STRIP_S"] for each in found])
+    middle, half = 0.5 * (arcs.max() + arcs.min()), max(7.0, 0.5 * np.ptp(arcs) + 1.0)
+    panels[0, 0].set_xlim(middle - half, middle + half)
+    for panel in panels[1]:
+        panel.set_xlabel("along the rail's arc, from its gauge end [mm]")
+    for panel in panels[:, 0]:
+        panel.set_ylabel("x, rolling direction [mm]")
+    return _done(made, path)
+
+
 def _patches(contact: Contact) -> List[Dict[str, np.ndarray]]:
     """Fields of every patch of the last step."""
     try:
@@ -134,7 +170,7 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
         at, arrow = 1e3 * region.point[1:], 15.0 * region.force[1:] / largest
         panel.plot(*at, "o", color=COLOURS[1])
         panel.annotate("", xytext=at, xy=at + arrow, annotation_clip=False, arrowprops={"arrowstyle": "->", "color": COLOURS[1]})
-    panel.invert_yaxis()
+    panel.set_ylim(panel.get_ylim()[1] + 1.0, -18.0)  # down is down, with room for arrows
     panel.set(xlabel="y, to the right [mm]", ylabel="z, down [mm]", aspect="equal",
               title=f"force on the wheel {wrench.force[1] / 1e3:.2f} kN to the right, {-wrench.force[2] / 1e3:.2f} kN upwards")
     panel.grid(alpha=0.3)
