@@ -42,7 +42,7 @@ class Parameter:
 
 def parameters(function):
     arguments = function.arguments[1:] if owner(function) else function.arguments
-    outs = [name for name, type in arguments if is_out(name, type)]
+    outs = [name for name, type in arguments if is_out(function, name, type)]
     found, i = [], 0
     while i < len(arguments):
         name, type = arguments[i]
@@ -63,7 +63,7 @@ def parameters(function):
         elif type.base == "void" and following in ("bytes", "size"):
             found.append(Parameter(f"span<{'const ' if type.const else ''}std::byte> {name}", f"{name}.data(), {name}.size()"))
             i += 1
-        elif is_out(name, type):
+        elif is_out(function, name, type):
             in_out = f"@param[in,out] {name} " in function.comment
             spelled = NUMBERS.get(type.base, type.base)
             if len(outs) > 1 and fortran.optional(function, name):
@@ -78,9 +78,9 @@ def parameters(function):
     return found
 
 
-def is_out(name, type):
+def is_out(function, name, type):
     """One struct or number that is written."""
-    return (type.pointers == 1 and not type.const and name not in fortran.ARRAYS
+    return (type.pointers == 1 and not type.const and not fortran.is_array(function, name, type)
             and (type.base in NUMBERS or type.base.startswith("wrc_")))
 
 

@@ -5,7 +5,7 @@ HANDLES = ("wrc_model", "wrc_contact", "wrc_exact_transient")
 # These get the suffix _c: wrc.f90 has the first two with Fortran strings, and the third is a parameter's name, too,
 # to a language that knows no case.
 SUFFIXED = ("wrc_config_check", "wrc_contact_last_error", "wrc_abi_version")
-ARRAYS = ("in", "out", "gap", "statuses")  # arguments of that name are arrays of numbers
+ARRAYS = ("in", "out", "gap", "statuses")  # arguments of that name are arrays of numbers, and see is_array()
 
 
 def written(interface, mark):
@@ -46,6 +46,12 @@ def optional(function, name):
                for meaning in (piece.strip() for piece in parameter_text(function.comment, name).split("NULL:")[1:]))
 
 
+def is_array(function, name, type):
+    """Is a pointer to numbers one to several? What is only read is, and what is written where a count is given."""
+    counted = any(other == "count" for other, _ in function.arguments)
+    return type.base in NUMBERS and type.pointers == 1 and (type.const or counted or name in ARRAYS)
+
+
 def dummy(function, name, type):
     """The Fortran declaration of one argument."""
     if type.base in HANDLES and type.pointers == 2:
@@ -60,7 +66,7 @@ def dummy(function, name, type):
     if type.base in NUMBERS:
         if not type.pointers:
             return f"{NUMBERS[type.base]}, value :: {name}"
-        extent = "(*)" if name in ARRAYS else ""
+        extent = "(*)" if is_array(function, name, type) else ""
         return f"{NUMBERS[type.base]}, intent({'in' if type.const else 'out'}) :: {name}{extent}"
     if not type.pointers:
         return f"type({type.base}), value :: {name}"

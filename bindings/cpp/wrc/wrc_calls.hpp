@@ -28,17 +28,13 @@ inline double shakedown_limit(double utilisation) { return detail::value_or_thro
 /** wrc_contact_wrench_batch() */
 inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const wrc_wheel_input> inputs, span<wrc_wrench> wrenches, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(wrenches, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_wrench_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), wrenches.data(), detail::stride(wrenches), statuses.data()); }
 /** wrc_flash_temperature() */
-inline status flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail, double& rise) noexcept { return wrc_flash_temperature(count, cell, power_density, speed, wheel, &rail, &rise); }
-inline expected<double> try_flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return flash_temperature(count, cell, power_density, speed, wheel, rail, found_); }); }
-#ifdef WRC_EXCEPTIONS
-inline double flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail) { return detail::value_or_throw(try_flash_temperature(count, cell, power_density, speed, wheel, rail)); }
-#endif
+inline status flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail, double* rise) noexcept { return wrc_flash_temperature(count, cell, power_density, speed, wheel, &rail, rise); }
 /** wrc_exact_normal() */
 inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_rolling() */
 inline status exact_rolling(const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_rolling(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_stress() */
-inline status exact_stress(const wrc_exact_loads& loads, const double* points, std::uint32_t count, double& stresses, span<char> text) noexcept { return wrc_exact_stress(&loads, points, count, &stresses, text.data(), text.size()); }
+inline status exact_stress(const wrc_exact_loads& loads, const double* points, std::uint32_t count, double* stresses, span<char> text) noexcept { return wrc_exact_stress(&loads, points, count, stresses, text.data(), text.size()); }
 /** wrc_exact_largest_stresses() */
 inline status exact_largest_stresses(const wrc_exact_loads& loads, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses, wrc_progress progress, void* user, span<char> text) noexcept { return wrc_exact_largest_stresses(&loads, depths, count, levels, stresses, progress, user, text.data(), text.size()); }
 /** wrc_exact_transient_create() */
@@ -188,7 +184,7 @@ class contact_calls {
   answer<wrc_damage> region_damage(std::int32_t index) { return detail::value_or_throw(try_region_damage(index), handle_); }
 #endif
   /** wrc_contact_region_field() */
-  status region_field(std::int32_t index, std::int32_t field, double& values, std::uint64_t count) noexcept { return wrc_contact_region_field(handle_, index, field, &values, count); }
+  status region_field(std::int32_t index, std::int32_t field, double* values, std::uint64_t count) noexcept { return wrc_contact_region_field(handle_, index, field, values, count); }
   /** wrc_contact_temperature() */
   status temperature(const wrc_bulk_temperatures* bulk, wrc_temperature& temperature) noexcept { return wrc_contact_temperature(handle_, bulk, &temperature); }
   expected<answer<wrc_temperature>> try_temperature(const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(wrc_temperature_default(), [&](wrc_temperature& found_) { return this->temperature(bulk, found_); }); }

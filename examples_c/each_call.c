@@ -1,0 +1,195 @@
+/* each_call.c - the calls that the other examples do without, a line or two for each, in the order of the
+ * headers.
+ *
+ *   each_call      prints what each came to; exit status 1 if one fails
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "wrc/wrc_offline.h"
+
+static const wrc_contact* asked; /* whose sentence explains a failure */
+
+static void done(const char* call, int32_t status) {
+  char text[300] = "";
+  if (status >= 0) return;
+  if (asked) wrc_contact_last_error(asked, text, sizeof text);
+  fprintf(stderr, "%s: %s: %s %s\n", call, wrc_status_name(status), wrc_status_text(status), text);
+  exit(EXIT_FAILURE);
+}
+#define DO(call) done(#call, call)
+
+static void* aligned(uint64_t bytes, uint64_t alignment) { /* memory of one's own; never freed here */
+  char* memory = malloc((size_t)(bytes + alignment));
+  if (!memory) exit(EXIT_FAILURE);
+  return memory + (alignment - (uintptr_t)memory % alignment) % alignment;
+}
+
+static void stages(wrc_contact* contact) {
+  wrc_pose pose = wrc_pose_default();
+  wrc_motion motion = wrc_motion_default();
+  wrc_load load = wrc_load_default();
+  wrc_friction friction = wrc_friction_default();
+  wrc_contact_point point;
+  wrc_creepage creepage;
+  wrc_normal_solution normal;
+  wrc_forces forces;
+  wrc_wear wear;
+  wrc_sensitivity by;
+  wrc_step_sensitivity by_step;
+  wrc_patch patch = wrc_patch_default();
+  wrc_temperature temperature = wrc_temperature_default();
+  pose.lateral = 2e-3;
+  motion.speed = 20.0;
+  motion.pitch_rate = -20.0 / 0.46 * 1.001;
+  load.normal_force = 80e3;
+  DO(wrc_contact_geometry(contact, &pose, &point));
+  DO(wrc_contact_creepages(contact, &motion, &creepage));
+  DO(wrc_contact_normal(contact, NULL, &load, &normal)); /* NULL: the gap wrc_contact_geometry() found */
+  DO(wrc_contact_tangential(contact, NULL, &creepage, &friction, &forces));
+  DO(wrc_contact_wear(contact, NULL, &wear)); /* NULL: the published laws */
+  DO(wrc_contact_temperature(contact, NULL, &temperature));
+  printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, worn %.3g mm^2/km, %.0f K warmer\n", 1e3 * point.y_rail,
+         1e-6 * normal.peak_pressure, forces.fx, 1e9 * wear.worn_area_rate, temperature.rise);
+  DO(wrc_contact_sensitivities(contact, &by));
+  DO(wrc_contact_step_sensitivities(contact, &by_step));
+  DO(wrc_contact_patch(contact, 0, &patch));
+  printf("        dFx / d longitudinal %.3g N, by load %.3g, patch 0 a %.2f mm\n", by.forces[0][0],
+         by_step.by_load[0], 1e3 * patch.ellipse.a);
+
+  const double depths[2] = {1e-3, 3e-3};
+  wrc_stress_peaks levels[2];
+  wrc_stresses stresses = wrc_stresses_default();
+  DO(wrc_contact_stresses(contact, WRC_BODY_RAIL, depths, 2, levels, &stresses));
+  printf("        von Mises %.0f MPa at most, %.0f MPa 3 mm below\n",
+         1e-6 * stresses.largest.von_mises.stress, 1e-6 * levels[1].von_mises.stress);
+
+  /* strips of one's own in place of the normal stage */
+  const double y[3] = {-1e-3, 0.0, 1e-3}, width[3] = {1e-3, 1e-3, 1e-3}, half[3] = {4e-3, 5e-3, 4e-3};
+  const double peak[3] = {0.8e9, 1e9, 0.8e9};
+  wrc_strips strips = wrc_strips_default();
+  strips.count = 3;
+  strips.y = y, strips.width = width, strips.half_length = half, strips.peak = peak;
+  DO(wrc_contact_regularise(contact, &strips, &normal));
+  const double in[WRC_FLAT_INPUTS] = {2e-3, 0.0, 0.0, 80e3, 1e-3, 0.0, 0.0, 0.3};
+  double out[WRC_FLAT_OUTPUTS];
+  DO(wrc_contact_step_flat(contact, in, out));
+  printf("        strips of one's own: N %.0f N; flat call: Fx %.0f N\n", normal.normal_force, out[0]);
+}
+
+static void states(const wrc_model* model, wrc_contact* contact) {
+  uint64_t bytes, portable_bytes;
+  DO(wrc_contact_state_size(model, &bytes));
+  DO(wrc_contact_portable_size(model, &portable_bytes));
+  void *state = malloc((size_t)bytes), *portable = malloc((size_t)portable_bytes);
+  if (!state || !portable) exit(EXIT_FAILURE);
+  DO(wrc_contact_save(contact, state, bytes)); /* for this process */
+  DO(wrc_contact_restore(contact, state, bytes));
+  DO(wrc_contact_save_portable(contact, portable, portable_bytes)); /* for a file */
+  DO(wrc_contact_restore_portable(contact, portable, portable_bytes));
+  printf("states: portable are %d bytes longer\n", (int)(portable_bytes - bytes));
+  free(state);
+  free(portable);
+}
+
+static void wheel_on_rail(wrc_contact* contact) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_region region = wrc_region_default();
+  wrc_ellipse ellipse;
+  wrc_damage damage;
+  static wrc_wrench_sensitivities slopes;
+  static double pressure[512];
+  input.wheel.z = 0.3e-3;
+  input.wheel.velocity[0] = 20.0;
+  input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  DO(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &slopes));
+  DO(wrc_contact_region(contact, 0, &region));
+  DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
+  DO(wrc_contact_region_damage(contact, 0, &damage));
+  DO(wrc_contact_region_field(contact, 0, WRC_REGION_STRIP_PEAK, pressure, 512));
+  printf(
+      "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",
+      wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * ellipse.b, damage.t_gamma,
+      1e-6 * pressure[0]);
+  DO(wrc_contact_wrench_batch(&contact, 1, &input, 0, &wrench, sizeof wrench, NULL));
+  double in[WRC_FLAT_WHEEL_INPUTS] = {0.0}, out[WRC_FLAT_WHEEL_OUTPUTS];
+  in[2] = input.wheel.z, in[5] = 20.0, in[9] = -20.0 / 0.46, in[17] = 0.3;
+  DO(wrc_contact_wrench_flat(contact, in, out));
+  wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+  options.cell_x = options.cell_s = 8e-4; /* coarse: quick */
+  input.wheel.z = 0.2e-3;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  input.wheel.z = 0.0;
+  DO(wrc_exact_wrench(contact, &input, &options, &wrench));
+  printf("        batch and flat alike: %s; exactly, 80 kN lie %.3f mm deep\n", out[2] < 0.0 ? "yes" : "no",
+         1e3 * wrench.z);
+}
+
+static void exact_bodies(void) {
+  enum { n = 12 };
+  static double pressure[n * n], traction[n * n];
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  problem.grid.nx = problem.grid.ny = n;
+  problem.grid.dx = problem.grid.dy = 1e-3;
+  problem.grid.x0 = problem.grid.y0 = -0.5e-3 * (n - 1);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = (i - 5.5) / 5.0, y = (j - 5.5) / 5.0, inside = 1.0 - x * x - y * y;
+      pressure[j * n + i] = inside > 0.0 ? 1e9 * inside : 0.0;
+    }
+  problem.pressure = pressure;
+  problem.creepage.longitudinal = 1e-3;
+  solution.traction_x = traction;
+  char text[300];
+  wrc_exact_transient* bodies = NULL;
+  DO(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, text, sizeof text));
+  for (int step = 0; step < 3; ++step)
+    DO(wrc_exact_transient_step(bodies, &problem, &solution, text, sizeof text)); /* a cell further each */
+  wrc_exact_transient_destroy(bodies);
+  wrc_exact_loads loads = wrc_exact_loads_default();
+  wrc_stresses stresses = wrc_stresses_default();
+  const double point[3] = {0.0, 0.0, 3e-3};
+  double stress[6];
+  loads.grid = problem.grid;
+  loads.pressure = pressure;
+  loads.traction_x = traction;
+  DO(wrc_exact_stress(&loads, point, 1, stress, text, sizeof text));
+  DO(wrc_exact_largest_stresses(&loads, NULL, 0, NULL, &stresses, NULL, NULL, text, sizeof text));
+  printf("exact:  Fx %.0f N after 3 mm, zz %.0f MPa 3 mm below, von Mises %.0f MPa at most\n", solution.fx,
+         1e-6 * stress[2], 1e-6 * stresses.largest.von_mises.stress);
+  const double power[4] = {5e8, 5e8, 5e8, 5e8}; /* W/m^2 along a strip */
+  double rise[4];
+  DO(wrc_flash_temperature(4, 1e-3, power, 20.0, NULL, NULL, rise));
+  printf("        %.0f K at the end of a strip\n", rise[3]);
+}
+
+int main(void) {
+  if (wrc_abi_version() != WRC_ABI_VERSION || wrc_version() >> 16 != WRC_VERSION_MAJOR) {
+    fprintf(stderr, "another interface: %s\n", wrc_build_info());
+    return EXIT_FAILURE;
+  }
+  /* In memory of one's own: nothing to destroy. */
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  uint64_t bytes, alignment;
+  wrc_model* model = NULL;
+  wrc_contact* contact = NULL;
+  DO(wrc_model_size(&config, &bytes, &alignment));
+  DO(wrc_model_init(&config, aligned(bytes, alignment), bytes, &model));
+  DO(wrc_contact_size(model, &bytes, &alignment));
+  DO(wrc_contact_init(model, WRC_SIDE_RIGHT, aligned(bytes, alignment), bytes, &contact));
+  asked = contact;
+  wrc_view y, z;
+  DO(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, NULL));
+  printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0],
+         1e3 * y.data[y.stride[0] * (y.count[0] - 1)]);
+  stages(contact);
+  states(model, contact);
+  wheel_on_rail(contact);
+  exact_bodies();
+  return EXIT_SUCCESS;
+}

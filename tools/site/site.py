@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""The manuals as a site, build/docs/html: doxygen over all pages with links between them; fails on a warning of doxygen, a link that
+leads nowhere, and a public function without an example.
+
+    tools/site/site.py        from the project's root or anywhere"""
+import html.parser
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
+# The manuals in the order of a reader; all pages must be here.
+TABS = [
+    ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"), ("Accuracy", "accuracy.md"),
+    ("Real time, speed", "realtime.md"),
+    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
+                 ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
+                 ("Sweeps", "in_bindings_python_examples_sweep.md"), ("Fortran", "in_bindings_fortran.md"), ("FMI", "in_bindings_fmi.md"),
+                 ("Other programs", "in_hosts.md"), ("Simbody", "in_hosts_simbody.md"), ("Simulink", "in_hosts_simulink.md"),
+                 ("Modelica", "in_hosts_modelica.md"), ("User forces", "user_forces.md"), ("A wheelset in hosts", "hosts.md")]),
+    ("Gallery", "gallery.md"),
+    ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.1 to 0.2", "interface_0_2.md"),
+              ("Packages", "in_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
+              ("Architecture", "architecture.md"), ("Code of others", "third_party.md")]),
+]
+LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
+
+
+def pages():
+    """{path in the tree: its name in the site}"""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True).stdout.split()
+    if not listed:  # no history
+        listed = [str(each.relative_to(ROOT)) for each in ROOT.rglob("*.md") if "build" not in each.parts]
+    wanted = [each for each in listed if re.match(r"(README|CHANGELOG|SECURITY|docs/\w+|(bindings|hosts|packages)/.*README|hosts/README)\.md$", each)]
+    names = {}
+    for each in wanted:
+        name = re.sub("^docs/", "", each) if "README" not in each else "in_" + each.removesuffix("/README.md").replace("/", "_") + ".md"
+        names[each] = "start.md" if each == "README.md" else name
+    return names
+
+
+def rewritten(path, names):
+    """The page's text with links as they are in the site."""
+    def link(found):
+        picture, text, target = found.groups()
+        if re.match(r"[a-z]+:", target) or target.startswith("#"):
+            return found[0]
+        target, _, anchor = target.partition("#")
+        place = os.path.normpath(os.path.join(os.path.dirname(path), target))
+        if picture:
+            return f"![{text}]({os.path.basename(place)})"
+        for page in (place, place + "/README.md"):
+            if page in names:
+                return f"[{text}]({names[page]}{'#' + anchor if anchor else ''})"
+        name = os.path.basename(place)
+        if place.startswith("include_c/"):
+            return f"[{text}]({name.replace('_', '__').replace('.', '_8')}.html)"
+        if place.startswith("examples_c/") and name in examples():
+            return f"[{text}]({name.replace('.', '_8')}-example.html)"
+        assert (ROOT / place).exists(), f"{path}: {place} is not there"
+        return text  # of the sources, which the site does not have
+    return LINK.sub(link, (ROOT / path).read_text())
+
+
+def named(text, name):
+    """The page with an identifier of its own, whatever the folder it was in."""
+    return text if name == "start.md" else re.sub(r"^# (.*)$", lambda found: f"# {found[1]} {{#{identifier(name)}}}", text, count=1, flags=re.M)
+
+
+def identifier(name):
+    return "page_" + name.removesuffix(".md")
+
+
+def layout(names):
+    """Doxygen's own layout with the manuals as tabs."""
+    def tab(title, name):
+        return f'<tab type="user" title="{title}" url="@ref {identifier(name)}"/>'
+    tabs = ['<tab type="mainpage" visible="yes" title="Start"/>']
+    for title, entry in TABS:
+        if isinstance(entry, str):
+            tabs.append(tab(title, entry))
+        else:
+            tabs.append(f'<tab type="usergroup" title="{title}">' + "".join(tab(*each) for each in entry) + "</tab>")
+    tabs += ['<tab type="files" visible="yes" title="Interface"><tab type="filelist" visible="yes" title="Headers"/>'
+             '<tab type="globals" visible="yes" title="All names"/></tab>',
+             '<tab type="structs" visible="yes" title="Structs"><tab type="structlist" visible="yes" title="List"/></tab>',
+             '<tab type="examples" visible="yes" title="Examples"/>']
+    subprocess.run(["doxygen", "-l", WORK / "layout.xml"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    whole = (WORK / "layout.xml").read_text()
+    (WORK / "layout.xml").write_text(re.sub(r"<navindex>.*</navindex>", lambda _: "<navindex>" + "".join(tabs) + "</navindex>", whole, flags=re.S))
+    told = {"start.md"} | {entry for _, entry in TABS if isinstance(entry, str)}
+    told |= {each for _, entry in TABS if not isinstance(entry, str) for _, each in entry}
+    missing = set(names.values()) ^ told
+    assert not missing, f"pages and tabs differ: {missing}"
+
+
+def examples():
+    return re.findall(r"@example (\S+)", (ROOT / "tools/site/examples.dox").read_text())
+
+
+class Links(html.parser.HTMLParser):
+    """Links and anchors of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.anchors = [], set()
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("href", "src") and value and tag != "link":
+                self.links.append(value)
+            if name in ("id", "name") and value:
+                self.anchors.add(value)
+
+
+def broken():
+    """Links within the site that lead nowhere."""
+    read = {page.name: Links(page.read_text(errors="replace")) for page in OUT.glob("*.html")}
+    for name, page in sorted(read.items()):
+        for link in page.links:
+            if re.match(r"[a-z]+:", link):
+                continue
+            file, _, anchor = urllib.parse.unquote(link).partition("#")
+            file = file or name
+            if not (OUT / file).exists():
+                yield f"{name}: {link}"
+            elif anchor and file in read and anchor not in read[file].anchors:
+                yield f"{name}: {link}"
+
+
+def without_example():
+    """Public functions that no example of the site calls; those that set defaults are called by wrc_X_default()."""
+    functions = re.findall(r"^  (wrc_\w+)$", (ROOT / "src/abi/generated/wrc.def").read_text(), re.M)
+    called = "".join((ROOT / "examples_c" / name).read_text() for name in examples())
+    return [name for name in functions if (not name.endswith("_init") or name in ("wrc_model_init", "wrc_contact_init"))
+            and not re.search(rf"\b{name}\b", called)]
+
+
+def main():
+    names = pages()
+    shutil.rmtree(WORK, ignore_errors=True)
+    shutil.rmtree(OUT, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    for path, name in names.items():
+        (WORK / name).write_text(named(rewritten(path, names), name))
+    layout(names)
+    settings = (ROOT / "docs/Doxyfile").read_text() + f"""
+INPUT = {WORK} tools/site/examples.dox include_c
+EXAMPLE_PATH = examples_c
+IMAGE_PATH = docs/pictures
+USE_MDFILE_AS_MAINPAGE = {WORK}/start.md
+STRIP_FROM_PATH = {WORK} .
+HTML_EXTRA_STYLESHEET = tools/site/site.css
+LAYOUT_FILE = {WORK}/layout.xml
+FILE_PATTERNS = *.h *.md *.dox
+"""
+    (WORK / "Doxyfile").write_text(settings)
+    subprocess.run(["doxygen", WORK / "Doxyfile"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    warnings = (ROOT / "build/doxygen-warnings.log").read_text().splitlines()
+    nowhere, bare = list(broken()), without_example()
+    for kind, lines in (("doxygen", warnings), ("leads nowhere", nowhere), ("no example", bare)):
+        for line in lines:
+            print(f"{kind}: {line}")
+    print(f"{len(names)} manuals, {len(list(OUT.glob('*.html')))} pages, {len(warnings)} warnings, {len(nowhere)} broken links, "
+          f"{len(bare)} functions without an example")
+    return bool(warnings or nowhere or bare)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
