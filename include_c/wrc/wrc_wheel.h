@@ -172,7 +172,8 @@ typedef struct wrc_wrench {
   uint32_t struct_size;  /**< sizeof this struct, 160 or more */
   int32_t regions;       /**< separate regions in contact: wrc_contact_region() */
   int32_t iterations;    /**< of the normal problem, all of the call */
-  uint32_t reserved;     /**< 0 */
+  uint32_t leaps;        /**< 1: a normal method for planes has been applied to a patch with several lowest points, about as
+                              deep as each other: forces leap where the lowest changes; 0: no such patch */
   double force[3];       /**< on the wheel, track axes [N] */
   double moment[3];      /**< on the wheel about its reference point, track axes [N m] */
   double rail_force[3];  /**< on the rail, track axes: -force [N] */
@@ -289,8 +290,16 @@ WRC_DEFAULT_SIZED(wrc_region)
 /** @} */
 
 /** The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the results of the
- * stages of wrc.h in the same contact, nor they its. Theory manual, section 9.
- * @param contact of a model with profiles, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM
+ * stages of wrc.h in the same contact, nor they its.
+ * Any methods will do. The defaults, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM, know no patch and are
+ * what the accuracy and the smoothness of this call are stated for. The other normal methods are applied patch by patch
+ * to the surface unrolled, patches that grow together being joined smoothly; their forces act along the strips' own
+ * normals. FASTSIM and FaStrip roll strip by strip, each with its own slip and coefficients, with
+ * WRC_PATCH_MODEL_PATCH_SDEC, WRC_FLEXIBILITY_SEPARATE and a bound other than WRC_BOUND_ELLIPSOIDAL, and without
+ * friction.slope_fall; in every other form, as the coarse half-space and the force table, they roll patch by patch with
+ * the means of the strips' slips over the load, on the ellipse or double ellipse with the moments of that load
+ * (config.tangential.regularisation is not used). Theory manual, section 9.
+ * @param contact of a model with profiles
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
  * @par Rollers
@@ -310,8 +319,8 @@ WRC_DEFAULT_SIZED(wrc_region)
  * end of a profile; what lies beyond carries nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
  * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
  * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);
- * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without
- * profiles or of other methods, or friction zones in a contact frame), _LOAD (the load cannot be carried at this
+ * WRC_FLAG_TABLE_RANGE (of methods that know patches); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a
+ * model without profiles, or friction zones in a contact frame), _LOAD (the load cannot be carried at this
  * pose).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
@@ -319,7 +328,8 @@ WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* 
 /** wrc_contact_wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the equations of
  * its solution, not by differences. For implicit integrators; it takes two to three times as long as the wrench alone. Theory
  * manual, section 9.
- * @param contact as for wrc_contact_wrench()
+ * @param contact as for wrc_contact_wrench(), of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM;
+ * others are refused (WRC_ERROR_UNSUPPORTED)
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] sensitivities the derivatives; NULL: not wanted
@@ -365,7 +375,7 @@ WRC_API int32_t wrc_contact_region_damage(wrc_contact* contact, int32_t index, w
  * strip j at i * strips + j, cell 0 at the leading edge (at +x, rolling backwards at -x); the rest stays as it is
  * @param count room in values
  * @return WRC_OK; WRC_ERROR_NULL, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region), _UNSUPPORTED (no such
- * field), _BUFFER (too little room: nothing is written). @rt hard @thread contact */
+ * field; or one of tractions, slips and what is made of them where a method rolled whole patches), _BUFFER (too little room: nothing is written). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_region_field(wrc_contact* contact, int32_t index, int32_t field, double* values,
                                          uint64_t count);
 

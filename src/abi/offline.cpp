@@ -13,6 +13,7 @@
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
 #include "base/elementary.hpp"
+#include "contact/methods.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/subsurface.hpp"
@@ -394,7 +395,8 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   HostedWheel hosted;
   halfspace::SurfaceOptions solver;
   PlacedWheel placed;
-  Fault fault = first_of({read_hosted(input, hosted), read_options(options, solver)});
+  Fault fault = first_of({read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted),
+                          read_options(options, solver)});
   if (fault.failed()) return fault;
   if (hosted.damping != 0.0) {
     return {.status = WRC_ERROR_UNSUPPORTED,

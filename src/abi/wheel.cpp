@@ -121,11 +121,10 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 }
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
-Fault read_hosted_friction(const wrc_friction& ours, HostedWheel& hosted) {
+Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
   hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
   if (hosted.frictionless) return {};
-  const Fault fault = read_friction(ours, "input.friction", *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM),
-                                    hosted.friction);
+  const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
   if (fault.failed()) return fault;
   if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame != ZoneFrame::rail)
     return {.status = WRC_ERROR_UNSUPPORTED,
@@ -138,12 +137,13 @@ Fault read_hosted_friction(const wrc_friction& ours, HostedWheel& hosted) {
 
 }  // namespace
 
-Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted) {
+Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
   if (fault.failed()) return fault;
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
-  fault = first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, hosted)});
+  fault =
+      first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, method, hosted)});
   if (fault.failed()) return fault;
   hosted.rail = rail_of(ours.rail);
   hosted.rail.turning = flush_subnormals(ours.roller_velocity);
@@ -165,6 +165,7 @@ wrc_wrench wrench_of(const HostedWrench& hosted) {
   wrc_wrench ours = empty<wrc_wrench>();
   ours.regions = wrench.regions;
   ours.iterations = wrench.sweeps;
+  ours.leaps = wrench.leaps;
   for (int i = 0; i < 3; ++i) {
     ours.force[i] = wrench.force[i];
     ours.moment[i] = wrench.moment[i];
@@ -229,7 +230,7 @@ int32_t find_region(const Contact& contact, int32_t index, const void* result) {
 Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes = nullptr) {
   contact.wheel_solved = 0;
   HostedWheel hosted;
-  const Fault fault = read_hosted(input, hosted);
+  const Fault fault = read_hosted(input, *contact.model->options.tangential_method, hosted);
   return fault.failed() ? fault : solve_wheel(contact, hosted, slopes);
 }
 
@@ -304,7 +305,7 @@ int32_t wrc_contact_region_damage(wrc_contact* handle, int32_t index, wrc_damage
                 .shakedown_limit = found.shakedown_limit,
                 .fatigue_index = found.fatigue_index,
                 .local_fatigue_index = found.local_fatigue_index,
-                .available = WRC_AVAILABLE_TRACTIONS,
+                .available = wrc::wheel_gives_fields(contact) ? uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U,
                 .reserved = 0},
                damage);
     return WRC_OK;
@@ -318,6 +319,7 @@ int32_t wrc_contact_region_field(wrc_contact* handle, int32_t index, int32_t fie
     if (status != WRC_OK) return status;
     if (field < 0 || field >= static_cast<int32_t>(wrc::RegionField::count_)) return WRC_ERROR_UNSUPPORTED;
     const auto which = static_cast<wrc::RegionField>(field);
+    if (wrc::of_tractions(which) && !wrc::wheel_gives_fields(contact)) return WRC_ERROR_UNSUPPORTED;
     const auto strips = static_cast<uint64_t>(wrc::region_strip_count(contact, index));
     const auto cells = static_cast<uint64_t>(contact.model->options.sizes.cells);
     if (count < strips * (wrc::over_cells(which) ? cells : 1)) return WRC_ERROR_BUFFER;

@@ -6,8 +6,8 @@
 
 namespace wrc::abi {
 
-/// What the caller asks for, checked.
-Fault read_hosted(const wrc_wheel_input* theirs, HostedWheel& hosted);
+/// What the caller asks for, checked; `method`: the one that reads its friction.
+Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted);
 
 /// struct_size of the result is that of today's struct; write() keeps the caller's.
 wrc_wrench wrench_of(const HostedWrench& hosted);

@@ -319,7 +319,8 @@ Fault solve_normal(Contact& contact, const Load& load) {
   problem.kernels = contact.model->kernels;
 
   Strips strips = all_strips(contact);
-  Fault fault = options.normal_method->solve(contact, problem, strips);
+  Fault fault = options.normal_method->planar ? options.normal_method->planar(problem, strips, contact.normal)
+                                              : options.normal_method->solve(contact, problem, strips);
   if (!fault.failed() && strips.count > 0 && !carries_load(strips))
     fault = {.status = WRC_ERROR_LOAD,
              .field = "gap",

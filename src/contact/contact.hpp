@@ -234,7 +234,7 @@ static_assert(sizeof(Contact) ==
                   sizeof(DamageNumbers) + sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
-              2 * sizeof(std::int32_t) + 15 * sizeof(double) +
+              4 * sizeof(std::int32_t) + 15 * sizeof(double) +
                   most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the
@@ -291,8 +291,8 @@ struct PlacedWheel {
   double rail[2] = {};       ///< y and z of the displaced origin of the rail's profile [m]
 };
 
-/// WRC_ERROR_UNSUPPORTED where the model has no surfaces: no profiles, or another normal method. The problem
-/// points to `hosted` where friction has a law.
+/// WRC_ERROR_UNSUPPORTED where the model has no surfaces: no profiles, or such as cannot be cut into strips.
+/// The problem points to `hosted` where friction has a law.
 Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed);
 
 /// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
@@ -337,11 +337,18 @@ enum class RegionField : std::int32_t {
   count_
 };
 constexpr bool over_cells(RegionField field) { return field < RegionField::strip_s; }
+constexpr bool of_tractions(RegionField field) {
+  return (field >= RegionField::traction_x && field <= RegionField::fatigue_index) ||
+         field == RegionField::strip_power;
+}
 
 /// What is asked of a region of the last solve_wheel(), with which nothing of its results changes
 /// (wheel_regions.cpp).
 Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& ellipse);
+/// Numbers made of tractions are there where the last solve has them.
 void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
+/// Did the strips of the last solve roll on their own, not as whole patches?
+bool wheel_gives_fields(const Contact& contact);
 std::int32_t region_strip_count(const Contact& contact, std::int32_t index);
 /// One value per strip, or per cell at cell * strips + strip.
 void region_field(Contact& contact, std::int32_t index, RegionField field, double* values);

@@ -62,28 +62,29 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
 constexpr NormalMethod normal_methods[] = {
     {.is = WRC_ENUMERATOR(WRC_NORMAL_HERTZ),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_hertz(problem, strips, c.normal); }},
+     .planar = solve_hertz},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_KIK_PIOTROWSKI),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_kik_piotrowski(problem, {}, strips, c.normal); }},
+     .planar = [](const NormalProblem& problem, Strips& strips,
+                  NormalSolution& solution) { return solve_kik_piotrowski(problem, {}, strips, solution); }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_ekp(problem, {EkpScale::area}, strips, c.normal); }},
+     .planar =
+         [](const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
+           return solve_ekp(problem, {EkpScale::area}, strips, solution);
+         }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP_ELLIPSE),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_ekp(problem, {EkpScale::ellipse}, strips, c.normal); }},
+     .planar =
+         [](const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
+           return solve_ekp(problem, {EkpScale::ellipse}, strips, solution);
+         }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_ANALYN),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_analyn(problem, strips, c.normal); }},
+     .planar = solve_analyn},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIPES),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .solve = [](Contact& c, const NormalProblem& problem,
-                 Strips& strips) { return solve_stripes(problem, strips, c.normal); }},
+     .planar = solve_stripes},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIP_HALFSPACE),
      .reads = {Option::max_sweeps, Option::warm_start},  // the load is met to rounding
      .half_space = true,
@@ -96,17 +97,21 @@ constexpr TangentialMethod tangential_methods[] = {
      .reads = {Option::patch_model, Option::traction_bound, Option::flexibility, Option::slope_fall},
      .gives_tractions = true,
      .gives_derivatives = true,
+     .over_strips = true,
+     .strips = SurfaceRollingMethod::fastsim,
      .solve = fastsim},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FASTRIP),
      .reads = Option::patch_model,
      .gives_tractions = true,
+     .over_strips = true,
+     .strips = SurfaceRollingMethod::fastrip,
      .workspace = fastrip_workspace,
      .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
                  TangentialSensitivities*) { return fastrip(c, fields, fault); }},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_STRIP_FASTSIM),
      .gives_tractions = true,
      .gives_derivatives = true,
-     .on_surface = true,
+     .over_strips = true,
      .solve = strip_fastsim},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_COARSE_HALFSPACE),
      .gives_tractions = true,
@@ -174,5 +179,26 @@ const NormalMethod* normal_method(std::int32_t value) { return row(normal_method
 const TangentialMethod* tangential_method(std::int32_t value) { return row(tangential_methods, value); }
 
 const char* readers_of(Option option) { return sentences[static_cast<std::size_t>(option)].text; }
+
+SurfaceMethods surface_methods(const ModelOptions& options) {
+  const NormalMethod& normal = *options.normal_method;
+  const TangentialMethod& tangential = *options.tangential_method;
+  SurfaceMethods methods;
+  methods.planar = {normal.planar, options.sizes.strips, options.max_iterations, options.load_tolerance};
+  methods.strips = tangential.strips;
+  methods.parabolic = options.traction_bound == TractionBound::parabolic;
+  if (tangential.over_strips && tangential.strips == SurfaceRollingMethod::strip_fastsim) return methods;
+  const PatchModel& shape = options.patch_model;
+  methods.by_region = !(tangential.over_strips && shape.of_sdec && !shape.on_ellipse &&
+                        options.flexibility == FlexibilityForm::separate &&
+                        options.traction_bound != TractionBound::ellipsoidal);
+  methods.region = {.solve = tangential.solve,
+                    .model = shape,
+                    .bound = options.traction_bound,
+                    .form = options.flexibility};
+  if (tangential.workspace)
+    methods.region.workspace_bytes = tangential.workspace(most_overlapping_strips, options.sizes.cells);
+  return methods;
+}
 
 }  // namespace wrc

@@ -6,6 +6,7 @@
 
 #include "base/fault.hpp"
 #include "normal/problem.hpp"
+#include "surface/surface_model.hpp"
 #include "tangential/problem.hpp"
 #include "tangential/rolling_contact.hpp"
 
@@ -47,7 +48,9 @@ struct Enumerator {
 struct NormalMethod {
   Enumerator is;  ///< of enum wrc_normal_method
   OptionSet reads{};
-  /// Needs the influence table in the model; with profiles such a model also solves a wheel on a rail.
+  /// The whole method; on a rail's surface it is applied patch by patch.
+  Fault (*planar)(const NormalProblem& problem, Strips& strips, NormalSolution& solution) = nullptr;
+  /// In its stead, a method that has its own way on a surface: needs the influence table in the model.
   bool half_space = false;
   std::int64_t (*workspace)(std::int32_t strips) = nullptr;  ///< in the contact [bytes]; nullptr: none
   /// Fills contact.normal, too.
@@ -59,7 +62,11 @@ struct TangentialMethod {
   OptionSet reads{};
   bool gives_tractions = false;    ///< and the slip of every cell; otherwise forces only
   bool gives_derivatives = false;  ///< otherwise differences stand in
-  bool on_surface = false;         ///< what a wheel on a rail rolls with
+  /// Its way over the strips of a surface, each with its own slip and coefficients, with the patch model
+  /// WRC_PATCH_MODEL_PATCH_SDEC, separate flexibilities and a bound of each strip's load; otherwise it is
+  /// applied patch by patch.
+  bool over_strips = false;
+  SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
   std::int64_t (*workspace)(std::int32_t strips,
                             std::int32_t cells) = nullptr;  ///< in the contact [bytes]; nullptr: none
   TangentialForces (*solve)(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
@@ -72,5 +79,10 @@ const TangentialMethod* tangential_method(std::int32_t value);
 
 /// "only ... read it", for the refusal of an option that the chosen methods do not read.
 const char* readers_of(Option option);
+
+struct ModelOptions;
+
+/// What a wheel on a rail is solved with by a model of these options. Tables are the caller's to add.
+SurfaceMethods surface_methods(const ModelOptions& options);
 
 }  // namespace wrc

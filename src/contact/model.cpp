@@ -96,10 +96,8 @@ std::size_t table_bytes(const ModelOptions& options) {
   return sizeof(float) * force_table_size(options.force_table_axes);
 }
 
-/// Contact on the rail's surface goes with the strip half-space solver.
-bool has_surface(const ModelOptions& options) {
-  return options.wheel.kind != ProfileSource::Kind::none && options.normal_method->half_space;
-}
+/// With profiles there is contact on the rail's surface.
+bool has_surface(const ModelOptions& options) { return options.wheel.kind != ProfileSource::Kind::none; }
 
 RailSectionSource section(const ModelOptions& options, std::int32_t k) {
   return options.sections.read(options.sections.given, k);
@@ -136,7 +134,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
   sizes.surface_workspace_bytes = surface_workspace_bytes(
-      node_count(options.wheel), options.sizes.cells,
+      node_count(options.wheel), surface_methods(options), options.sizes.cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 
@@ -210,22 +208,28 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
   RailSection* sections = nullptr;
   fault = take_sections(options, section_memory, sections);
   if (fault.failed()) return fault;
-  return make_surface_model({.wheel = wheel,
-                             .rail = rail,
-                             .rail_inclination = options.track.rail_inclination,
-                             .rail_origin_y = model.bodies[0].rail.origin_y,
-                             .rail_origin_z = model.bodies[0].rail.origin_z,
-                             .nominal_radius = options.wheelset.nominal_radius,
-                             .sections = options.sections.count,
-                             .section = sections,
-                             .radius = options.radius,
-                             .roller_curvature = options.roller_curvature,
-                             .material = options.material,
-                             .influence = model.influence,
-                             .kernels = model.kernels,
-                             .ellipse = &model.linear_theory.ellipse(),
-                             .grid = &model.march_grid},
-                            surface, model.surface);
+  SurfaceMethods methods = surface_methods(options);
+  methods.region.linear_theory = &model.linear_theory;
+  methods.region.force_table = &model.force_table;
+  fault = make_surface_model({.wheel = wheel,
+                              .rail = rail,
+                              .rail_inclination = options.track.rail_inclination,
+                              .rail_origin_y = model.bodies[0].rail.origin_y,
+                              .rail_origin_z = model.bodies[0].rail.origin_z,
+                              .nominal_radius = options.wheelset.nominal_radius,
+                              .sections = options.sections.count,
+                              .section = sections,
+                              .radius = options.radius,
+                              .roller_curvature = options.roller_curvature,
+                              .material = options.material,
+                              .influence = model.influence,
+                              .kernels = model.kernels,
+                              .ellipse = &model.linear_theory.ellipse(),
+                              .grid = &model.march_grid,
+                              .methods = methods},
+                             surface, model.surface);
+  // planar stages do without what has no surface
+  return options.normal_method->half_space ? fault : Fault{};
 }
 
 /// Of the numbers of the configuration, of the profiles as they were placed and of the force table: what the

@@ -95,7 +95,7 @@ struct Model {
   MarchGrid march_grid;                        ///< along each strip
   const Kernels* kernels = nullptr;            ///< of the instruction set; everything else has this pointer
   ForceTable force_table;                      ///< with Option::force_table
-  const SurfaceModel* surface = nullptr;       ///< with profiles and NormalMethod::half_space
+  const SurfaceModel* surface = nullptr;       ///< with profiles
   ArrayLayout layout;                          ///< of every contact of this model
   std::uint64_t configuration = 0;             ///< equal in models that give equal results
 };

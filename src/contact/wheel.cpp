@@ -94,8 +94,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
         .status = WRC_ERROR_UNSUPPORTED,
         .field = "contact",
         .cause = model.has_geometry
-                     ? "a wheel on a rail needs a model of config.normal.method = "
-                       "WRC_NORMAL_STRIP_HALFSPACE"
+                     ? "a wheel on a rail needs profiles that can be cut into strips by arc length"
                      : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
   }
   const SurfaceModel& surface = *model.surface;
@@ -150,6 +149,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
   if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
   problem.slope_reduction = hosted.friction.slope_reduction;
+  problem.slope = hosted.friction.slope;
   problem.damping = hosted.damping;
   if (surface.varying.faces > 0 || roller) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;
@@ -177,12 +177,12 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   PlacedWheel placed;
   Fault fault = place_wheel(contact, hosted, placed);
   if (fault.failed()) return fault;
-  if (!model.options.tangential_method->on_surface) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = "contact",
-        .cause =
-            "wrc_contact_wrench needs a model of config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM"};
+  if (slopes && !model.surface->methods.differentiable()) {
+    const bool normal = model.surface->methods.planar.solve != nullptr;
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = normal ? model.options.normal_method->is.name : model.options.tangential_method->is.name,
+            .cause = normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
+                            : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone"};
   }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));

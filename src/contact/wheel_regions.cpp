@@ -159,11 +159,14 @@ void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage) 
   damage.shakedown_limit = shakedown_limit(point.utilised_friction);
   damage.fatigue_index = fatigue_index(point);
 
+  if (!wheel_gives_fields(contact)) return;
   AssessedCells cells;
   assess(contact, run, cells);
   damage.peak_power_density = cells.worst.peak_power_density;
   damage.local_fatigue_index = cells.worst.fatigue_index;
 }
+
+bool wheel_gives_fields(const Contact& contact) { return kept_strips(contact).by_region == 0.0; }
 
 std::int32_t region_strip_count(const Contact& contact, std::int32_t index) {
   return strips_of(kept_strips(contact), contact.wheel.wrench.region[index]).count;

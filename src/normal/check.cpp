@@ -82,7 +82,7 @@ Fault begin_solution(const NormalProblem& problem, Strips& output, NormalSolutio
   solution = {};
   const Fault fault = check_normal_problem(problem, output);
   if (fault.status != WRC_OK) return fault;
-  touch.lowest = minimum(problem.gap);
+  touch.lowest = problem.touch ? *problem.touch : minimum(problem.gap);
   touch.row = interpolate(problem.gap, touch.lowest.y);
   return {};
 }

@@ -23,6 +23,8 @@ struct NormalProblem {
   double normal_force = 0.0;  ///< [N], prescribed == load
   double approach = 0.0;      ///< [m], prescribed == approach: how far the bodies are pressed together beyond
                               ///< first touch (gap minimum taken as zero)
+  const GapMinimum* touch = nullptr;  ///< where they touch first, for methods that solve a patch about that
+                                      ///< point; nullptr: at the gap's minimum
   double deepest =
       std::numeric_limits<double>::max();  ///< approach the rows are good for, if they do not end
                                            ///< before [m]; beyond, the solution goes on linearly

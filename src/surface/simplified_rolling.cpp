@@ -25,6 +25,8 @@ Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::in
 void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, const TangentialFields& fields,
            SurfaceRollingForces& forces) {
   const double G = in.shear_modulus;
+  const bool parabolic = in.parabolic && !joint;
+  const double of_peak = parabolic ? 3.0 * pi / 8.0 : 1.0;  // parabola and semi-ellipse of one area
   for (std::int32_t j = 0; j < in.count; ++j) {
     const double l = std::max(in.half_length[j], least_strip_length);
     const Creepage slips = slips_of(in, a, j);
@@ -34,7 +36,7 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
       const double common = common_flexibility(L, l, l, 0.0, slips);
       L = {common, common, common, common};
     }
-    const double bound = a.load[j] > 0.0 ? in.friction[j] * in.peak[j] : 0.0;
+    const double bound = a.load[j] > 0.0 ? of_peak * in.friction[j] * in.peak[j] : 0.0;
     const double scale = bound > 0.0 ? l / bound : 0.0, turn = slips.spin * l / L.l23;
     a.bound[j] = bound;
     a.growth_x[j] = slips.longitudinal / L.l11 * scale;
@@ -44,7 +46,8 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
     a.turn_y[j] = L.l22 * bound / l;
   }
   auto task = surface_task<simd::SurfaceMarchTask>(in, a, fields, forces);
-  task.parabolic = false;
+  task.parabolic = parabolic;
+  if (parabolic) task.shape = &in.grid->parabolic;
   task.rate = a.curvature;
   task.soft_x = a.turn_x;
   task.soft_y = a.turn_y;

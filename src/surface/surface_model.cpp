@@ -69,6 +69,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->kernels = bodies.kernels;
   model->coefficients = StripCoefficientTable(*bodies.ellipse);
   model->grid = bodies.grid;
+  model->methods = bodies.methods;
   made = model;
   return {};
 }

@@ -11,7 +11,9 @@
 #include "patch/material.hpp"
 #include "surface/out_of_round.hpp"
 #include "surface/overlap.hpp"
+#include "surface/planar_normal.hpp"
 #include "surface/rail_strips.hpp"
+#include "surface/region_rolling.hpp"
 #include "surface/surface_normal.hpp"
 #include "surface/surface_rolling.hpp"
 #include "surface/varying_rail.hpp"
@@ -20,6 +22,18 @@
 #include "tangential/march/march_grid.hpp"
 
 namespace wrc {
+
+/// What a wheel on a rail is solved with.
+struct SurfaceMethods {
+  PlanarNormal planar;  ///< without `solve`: strips in half-space equilibrium on the surface
+  SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
+  bool parabolic = false;  ///< SurfaceRollingInput
+  RegionRolling
+      region;  ///< with `solve`: patch by patch where by_region, or the slope of the creep curve falls
+  bool by_region = false;
+
+  bool differentiable() const { return !planar.solve && !region.solve; }
+};
 
 /// The bodies, right-hand, as the caller gave them.
 struct SurfaceBodies {
@@ -38,6 +52,7 @@ struct SurfaceBodies {
   const Kernels* kernels = nullptr;
   const KalkerTable* ellipse = nullptr;  ///< of the material's Poisson ratio
   const MarchGrid* grid = nullptr;
+  SurfaceMethods methods;
 };
 
 struct SurfaceModel {
@@ -54,6 +69,7 @@ struct SurfaceModel {
   const Kernels* kernels = nullptr;
   StripCoefficientTable coefficients;
   const MarchGrid* grid = nullptr;
+  SurfaceMethods methods;
 };
 
 /// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.
@@ -66,6 +82,7 @@ struct KeptStrips {
   double speed = 0.0;            ///< what slips are over: divisor of rolling_reference() [m/s]
   double backwards = 0.0;        ///< 1: the wheel rolls against x
   double rolls = 0.0;            ///< 1: there is friction
+  double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
   double slope_reduction = 1.0;  ///< of a layer between the bodies
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
   double x = 0.0;       ///< of the wheel's reference point, from that of the host [m]
@@ -103,8 +120,9 @@ struct SurfaceState {
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
                                 std::int32_t section_nodes, const RadiusTable& radius);
 std::int64_t surface_state_bytes();
-/// Of a solve, and of fields over cells.
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells, bool varying);
+/// Of a solve, and of fields over so many cells along a strip.
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
+                                     std::int32_t cells, bool varying);
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
@@ -116,15 +134,16 @@ inline bool varies(const SurfaceModel& model) {
 
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
-/// `slopes`, if given: the wrench with its derivatives; at the border where the overlap is deeper than what
-/// is solved. `by_track`: those by distance and angle in place of its first two (wrench_slopes.hpp).
+/// `slopes`, if given: the wrench with its derivatives, of methods that are differentiable(); at the border
+/// where the overlap is deeper than what is solved. `by_track`: those by distance and angle in place of its
+/// first two (wrench_slopes.hpp).
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
                           void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr,
                           SeenWrench* by_track = nullptr) noexcept;
 
 /// Tractions and slips over the cells of `count` kept strips from `first` on, which are one region or
 /// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, of the way it
-/// rolls.
+/// rolls. Not of patches that rolled as wholes.
 KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
                      std::int32_t count, void* workspace) noexcept;
 

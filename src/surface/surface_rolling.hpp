@@ -39,7 +39,8 @@ namespace wrc {
 /// How the strips are rolled. Every one takes the strips' own slips and coefficients.
 enum class SurfaceRollingMethod {
   strip_fastsim,
-  fastsim,  ///< FASTSIM with separate flexibilities and the bound mu p; power is what the march dissipates
+  fastsim,  ///< FASTSIM with separate flexibilities, the bound mu p or the parabola of the same force in each
+            ///< strip (`parabolic`); power is what the march dissipates
   fastrip,  ///< strip theory where a strip sticks, directions of FASTSIM with the common flexibility
             ///< where it slips (tangential/methods/fastrip.hpp); all four fields must be given
 };
@@ -63,6 +64,7 @@ struct SurfaceRollingInputOf {
   const StripCoefficientTable* coefficients = nullptr;  ///< of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;                      ///< cells along each strip
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
+  bool parabolic = false;  ///< bound of FASTSIM
   const SurfaceCalibration* calibration = &fitted_surface_calibration;
 };
 using SurfaceRollingInput = SurfaceRollingInputOf<double>;

@@ -25,7 +25,8 @@ constexpr std::int32_t most_load_steps = 30;
 constexpr double deepest_overlap = 2e-3;
 
 /// Cuts the workspace; returns the bytes it takes.
-std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, bool varying, Work& w) {
+std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& methods, std::int32_t cells,
+                 bool varying, Work& w) {
   auto* const begin = static_cast<double*>(memory);
   double* at = begin;
   const auto doubles = [&at](std::int64_t n) {
@@ -63,6 +64,12 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, std::int32_t cells, bo
   if (varying) {
     o.lean = doubles(most);
     w.rail_strips = doubles(rail_strip_doubles(most_strips_of_a_rail));
+  }
+  w.along = w.planar = w.region = nullptr;
+  if (methods.planar.solve) w.planar = doubles(planar_normal_doubles(most, methods.planar));
+  if (methods.region.solve) {
+    w.along = doubles(most);
+    w.region = doubles(region_rolling_doubles(most, methods.region));
   }
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
 }
@@ -188,21 +195,41 @@ void find_friction(const FrictionLaw& law, double speed, std::int32_t count, Wor
   }
 }
 
+/// Does the whole of a patch roll at a time?
+bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
+  return model.methods.region.solve && (model.methods.by_region || in.slope.falls());
+}
+
 /// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
 /// slip along x and spin, change sign, and so do their forces.
-void roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, Work& w,
-          const TangentialFields& fields, SurfaceRollingForces forces) {
+Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, Work& w,
+           const TangentialFields& fields, SurfaceRollingForces forces) {
   const auto mirror = [&](double* a) {
     for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
   };
-  const auto rolls = rolling_input<double>(model, in, count, w);
+  const SurfaceMethods& methods = model.methods;
+  auto rolls = rolling_input<double>(model, in, count, w);
+  rolls.method = methods.strips;
+  rolls.parabolic = methods.parabolic;
   if (backwards) {
     mirror(w.slip_x);
     mirror(w.spin);
   }
-  roll_on_surface(rolls, w.rolling, fields, forces);
+  Fault fault;
+  if (rolls_by_region(model, in)) {
+    for (std::int32_t k = 0; k < count; ++k) {
+      const double x = w.pressure.centre[w.candidate[k]];
+      w.along[k] = backwards ? -x : x;
+    }
+    fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
+                           forces);
+  } else {
+    const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
+    roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);
+  }
   if (backwards)
     for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
+  return fault;
 }
 
 /// The strips in contact, and their sums.
@@ -257,7 +284,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, Work& w) {
 
 /// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to.
 RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen,
-                             const Loaded& loaded, Work& w) {
+                             const Loaded& loaded, Work& w, Fault& fault) {
   // the mean of the speeds at which wheel and rail material pass through the contact
   double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
   if (seen.rail_turning != 0.0) rolling_speed -= seen.rail_turning * loaded.below / loaded.load;
@@ -272,10 +299,10 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   if (!(in.friction > 0.0)) return reference;
   if (in.law) find_friction(*in.law, speed, loaded.count, w);
   const bool backwards = w.backwards;
-  roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz});
+  keep_worst(fault, roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz}));
   const double other = reference.other_way;
   if (!(other > 0.0)) return reference;
-  roll(model, in, loaded.count, !backwards, w, {}, {w.other_fx, w.other_fy, w.other_mz});
+  keep_worst(fault, roll(model, in, loaded.count, !backwards, w, {}, {w.other_fx, w.other_fy, w.other_mz}));
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
     w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
@@ -421,6 +448,27 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const Work& 
   return {};
 }
 
+/// Pressures at the overlaps, by the model's method.
+Fault press(const SurfaceModel& model, Work& w, SurfaceStart& start, const SurfaceNormalOptions& options,
+            Wrench& out) {
+  if (model.methods.planar.solve) {
+    const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
+                                                    *model.kernels, w.planar, w.pressure);
+    out.sweeps += planar.iterations;
+    out.leaps = planar.leaps ? 1 : 0;
+    return planar.fault;
+  }
+  const SurfaceNormalResult normal =
+      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
+                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
+  out.sweeps += normal.sweeps;
+  if (normal.converged) return {};
+  return {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+}
+
+/// Strips nearer than this to the wheel are candidates [m].
+double margin_of(const SurfaceModel& model) { return model.methods.planar.solve ? planar_margin : 0.0; }
+
 /// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
 /// the overlaps at this height stand in w.overlaps already.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, Work& w,
@@ -431,25 +479,21 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   out.sweeps = sweeps_before;
   out.height = height;
   const Seen seen = w.seen = see(model, in, height);
-  if (!found) find(model, in, seen, 0.0, w);
-  const SurfaceNormalResult normal =
-      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
-                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
-  out.sweeps += normal.sweeps;
-  Fault fault;
-  if (!normal.converged)
-    fault = {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+  if (!found) find(model, in, seen, margin_of(model), w);
+  Fault fault = press(model, w, start, options, out);
+  if (fault.failed()) return fault;
   const Loaded loaded = take_loaded_strips(in, seen, w);
   w.loaded = 0;
   if (loaded.count == 0)
     return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
-  const RollingReference reference = roll_strips(model, in, seen, loaded, w);
+  const RollingReference reference = roll_strips(model, in, seen, loaded, w, fault);
   w.loaded = loaded.count;
   w.speed = reference.divisor;
   keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
   keep_worst(fault, extrapolated(model, loaded, w));
   if (in.friction > 0.0 && reference.other_way > 0.0)
     keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
+  if (model.methods.region.solve) out.power = larger(out.power, 0.0);
   return fault;
 }
 
@@ -460,7 +504,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
   for (int n = 0; n < most_steps; ++n) {
     const Seen seen = see(model, in, height);
     Overlaps& o = w.overlaps;
-    find(model, in, seen, 0.0, w);
+    find(model, in, seen, margin_of(model), w);
     double rise = 0.0;
     for (std::int32_t i = 0; i < o.count; ++i) {
       const double down = larger(seen.cosine * o.nz[i] + seen.sine * o.ny[i], 0.1);
@@ -722,7 +766,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
   const double searched = out.height;
   if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
     // overlaps are those of the solution again: derivatives are made of them
-    find(model, in, w.seen, 0.0, w);
+    find(model, in, w.seen, margin_of(model), w);
     return found;
   }
 
@@ -771,12 +815,13 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, Work& w
 }
 
 /// What the last solve left in `w`, for later.
-void keep_strips(const WheelOnRail& in, const Work& w, KeptStrips& kept) {
+void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w, KeptStrips& kept) {
   const std::int32_t n = w.loaded;
   kept.count = n;
   kept.speed = n > 0 ? w.speed : 0.0;
   kept.backwards = n > 0 && w.backwards ? 1.0 : 0.0;
   kept.rolls = in.friction > 0.0 ? 1.0 : 0.0;
+  kept.by_region = rolls_by_region(model, in) ? 1.0 : 0.0;
   kept.slope_reduction = in.slope_reduction;
   kept.factor = w.factor;
   kept.x = in.wheel.position[0];
@@ -807,16 +852,17 @@ void keep_strips(const WheelOnRail& in, const Work& w, KeptStrips& kept) {
 
 }  // namespace
 
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, std::int32_t cells, bool varying) {
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
+                                     std::int32_t cells, bool varying) {
   Work w;
   alignas(64) static double nothing[1];
-  return cut(nothing, most_curve_pieces(wheel_nodes), cells, varying, w);
+  return cut(nothing, most_curve_pieces(wheel_nodes), methods, cells, varying, w);
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool warm, SurfaceState& state,
                           void* workspace, Wrench& out, SeenWrench* slopes, SeenWrench* by_track) noexcept {
   Work w;
-  cut(workspace, model.wheel.curve.pieces, model.grid->cells, varies(model), w);
+  cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
   const Fault outside = place_rail(model, in, w);
   warm = warm && state.set > 0.0;
   SurfaceStart start{state.length_squared, state.shift, warm};
@@ -831,7 +877,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     state.height = in.wheel.position[2];
   }
   state.set = start.set ? 1.0 : 0.0;
-  keep_strips(in, w, state.kept);
+  keep_strips(model, in, w, state.kept);
   if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::place, *slopes));
   if (by_track && varies(model))
     keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::track, *by_track));
@@ -844,7 +890,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
 KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
                      std::int32_t count, void* workspace) noexcept {
   Work w;
-  cut(workspace, model.wheel.curve.pieces, model.grid->cells, varies(model), w);
+  cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
   const struct {
     const double* from;
     double* to;

@@ -17,6 +17,7 @@
 
 #include "base/fault.hpp"
 #include "tangential/friction/friction.hpp"
+#include "tangential/rolling_contact.hpp"
 
 namespace wrc {
 
@@ -49,6 +50,7 @@ struct WheelOnRail {
       0.0;             ///< of the wheel's reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;  ///< of the wheel about its axle, right-hand rule [rad]
   double slope_reduction = 1.0;  ///< of the creep curve by a layer between the bodies, 0..1
+  SlopeFall slope;               ///< what it does as slip grows
   double damping = 0.0;          ///< Hunt and Crossley [s/m]
 };
 
@@ -77,6 +79,8 @@ struct Wrench {
   double steepest_angle = 0.0;  ///< largest angle of a strip in contact, the rail's roll included [rad]
   std::int32_t regions = 0;
   std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
+  std::int32_t leaps = 0;   ///< 1: by a planar method where it leaps (PlanarResult)
+  std::int32_t unused = 0;  ///< no padding
   SurfaceRegion region[most_surface_regions];
 };
 

@@ -27,15 +27,16 @@ struct WheelWork {
   Overlaps overlaps;
   OverlapScratch scratch;
   SurfacePressure pressure;
-  Seen seen;        ///< of the last solve
-  double* normal;   ///< scratch of the normal problem
-  double* rolling;  ///< scratch of rolling
-  double* slopes;   ///< of derivatives
+  Seen seen;                        ///< of the last solve
+  double* normal;                   ///< scratch of the normal problem
+  double* rolling;                  ///< scratch of rolling
+  double* slopes;                   ///< of derivatives
+  double *planar, *region, *along;  ///< scratch of methods that know planes and patches
   // over the strips in contact
   double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
       *other_fx, *other_fy, *other_mz;
   std::int32_t* candidate;  ///< of a strip in contact
-  TangentialFields fields;  ///< over their cells, on request
+  TangentialFields fields;  ///< over their cells, on request; scratch of FaStrip
   // of the last solve
   std::int32_t loaded;  ///< strips in contact
   double speed;         ///< what their slips are over [m/s]

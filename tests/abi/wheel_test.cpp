@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "presets.hpp"
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrc/wrc_api.h"
@@ -353,7 +354,9 @@ TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
   const Matrix upright = about_x(wheel.roll) * about_z(wheel.yaw);
   wheel.roll = wheel.yaw = 0.0;
   wheel.rotation = upright.data();
-  wheel.z = 0.7e-3;
+  wheel.z = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
   expect_works();
   const wrc_wrench rolled = wrench;
 
@@ -702,20 +705,116 @@ TEST_F(WheelOnRail, FrictionMayDependOnThePlaceAndOnTheSlidingSpeed) {
   friction.kind = WRC_FRICTION_CONSTANT;
 }
 
-TEST_F(WheelOnRail, OtherMethodsSayThatTheyHaveNoWheelStep) {
-  config.normal.method = WRC_NORMAL_EKP;
-  create();
-  expect_refused(WRC_ERROR_UNSUPPORTED, {"WRC_NORMAL_STRIP_HALFSPACE"});
-  config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
-  config.tangential.method = WRC_TANGENTIAL_FASTSIM;
-  create();
-  expect_refused(WRC_ERROR_UNSUPPORTED, {"WRC_TANGENTIAL_STRIP_FASTSIM"});
-  config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
+TEST_F(WheelOnRail, NeedsProfiles) {
   config.wheel = config.rail = wrc_profile_default();
   config.track = wrc_config_default().track;
   create();
   expect_refused(WRC_ERROR_UNSUPPORTED, {"profiles"});
 }
+
+/// Every normal method with the default's rolling, and every way of rolling with the default's pressures.
+class WheelByMethods : public WheelOnRail, public testing::WithParamInterface<int32_t> {
+ protected:
+  void SetUp() override {
+    const bool normal = GetParam() < normal_methods - 1;
+    if (normal) config.normal.method = GetParam();
+    if (!normal) choose_tangential(config, GetParam() - normal_methods + 1);
+    create();
+  }
+};
+
+TEST_P(WheelByMethods, GivesNearlyTheDefaultsWrench) {
+  wheel.z = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  wrc_wrench other = wrc_wrench_default();
+  const int32_t status = step();
+  ASSERT_TRUE(status == WRC_OK || status == WRC_FLAG_TABLE_RANGE) << error();
+  other = wrench;
+  config.normal = wrc_config_default().normal;
+  config.tangential = wrc_config_default().tangential;
+  create();
+  ASSERT_EQ(step(), WRC_OK);
+  const double friction_limit = 0.3 * wrench.normal_force;
+  EXPECT_NEAR(other.normal_force, wrench.normal_force, 0.15 * wrench.normal_force);
+  EXPECT_NEAR(other.force[0], wrench.force[0], 0.2 * friction_limit);
+  EXPECT_NEAR(other.force[1], wrench.force[1], 0.15 * friction_limit + 0.1 * std::abs(wrench.force[1]));
+  EXPECT_NEAR(other.area, wrench.area, 0.3 * wrench.area);
+  EXPECT_NEAR(other.power, wrench.power, 0.6 * wrench.power);
+  EXPECT_GE(other.power, 0.0);
+}
+
+TEST_P(WheelByMethods, LeftWheelIsTheMirrorImageAndBackwardsForwardsTheOtherWay) {
+  for (const double way : {1.0, -1.0}) {
+    for (double* each : {&wheel.velocity[0], &wheel.angular_velocity[1]}) *each = way * std::abs(*each);
+    wheel.angular_velocity[1] = -wheel.angular_velocity[1];
+    step();
+    const wrc_wrench right = wrench;
+    mirror();
+    step();
+    for (int i = 0; i < 3; ++i) {
+      const double sign = i == 1 ? -1.0 : 1.0;
+      EXPECT_NEAR(wrench.force[i], sign * right.force[i], 1e-9 * right.normal_force) << i;
+      EXPECT_NEAR(wrench.moment[i], -sign * right.moment[i], 1e-9 * right.normal_force) << i;
+    }
+    EXPECT_NEAR(wrench.power, right.power, 1e-6 * right.power + 1e-6);
+    mirror();
+  }
+}
+
+TEST_P(WheelByMethods, CarriesALoadAndGivesItBack) {
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  wheel.z = 0.0;
+  ASSERT_GE(step(), 0) << error();
+  EXPECT_NEAR(wrench.force[2], -80e3, 1.0);
+  wheel.z = wrench.z;
+  input.prescribed = WRC_PRESCRIBE_HEIGHT;
+  input.vertical_load = 0.0;
+  ASSERT_GE(step(), 0) << error();
+  EXPECT_NEAR(wrench.force[2], -80e3, 10.0);
+}
+
+/// About where the two lobes of the tread change places: one lowest point would leap by kilonewtons.
+TEST_P(WheelByMethods, DoesNotLeapWhereTheLowestPointDoes) {
+  rail = wrc_rail_state_default();
+  wheel.roll = wheel.yaw = 0.0;
+  wheel.z = 0.238e-3;
+  Vector before{}, last{};
+  double jump = 0.0;
+  constexpr int steps = 160;
+  for (int i = 0; i < steps; ++i) {
+    wheel.y = 0.2155e-3 + 8e-6 * i / steps;
+    ASSERT_GE(step(), 0);
+    EXPECT_EQ(wrench.leaps, 0U);
+    const Vector force = vector_of(wrench.force);
+    if (i > 1) jump = std::max(jump, length(force - last - (last - before)) / wrench.normal_force);
+    before = last;
+    last = force;
+  }
+  EXPECT_GT(wrench.normal_force, 30e3);
+  EXPECT_LT(jump, 2e-3);
+}
+
+TEST_P(WheelByMethods, DerivativesAreRefusedByName) {
+  wrc_wrench_sensitivities found{};
+  const bool normal = GetParam() < normal_methods - 1;
+  const bool the_default = !normal && GetParam() - normal_methods + 1 == preset_strip_fastsim;
+  const int32_t status = wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found);
+  EXPECT_EQ(status, the_default ? WRC_OK : WRC_ERROR_UNSUPPORTED);
+  if (the_default) return;
+  ReferenceWheel::expect_words(error(),
+                               {normal ? "WRC_NORMAL_STRIP_HALFSPACE" : "WRC_TANGENTIAL_STRIP_FASTSIM"});
+  ReferenceWheel::expect_words(error(), {normal ? "WRC_NORMAL_" : "WRC_TANGENTIAL_"});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WheelByMethods,
+                         testing::Range<int32_t>(0, normal_methods - 1 + tangential_methods),
+                         [](const testing::TestParamInfo<int32_t>& tested) {
+                           const int32_t preset = tested.param - normal_methods + 1;
+                           return std::string(preset < 0 ? normal_names[tested.param]
+                                                         : presets[preset].identifier);
+                         });
 
 TEST_F(WheelOnRail, NullAndWrongSizesAreRefused) {
   EXPECT_EQ(wrc_contact_wrench(nullptr, &input, &wrench), WRC_ERROR_NULL);

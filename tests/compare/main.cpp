@@ -2,6 +2,7 @@
 ///
 ///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
 ///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
+///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
 #include <cstdio>
 #include <cstdlib>
@@ -31,6 +32,7 @@ struct Kind {
   Report (*cases)(const Csv&, const Options&);
   Length length;  ///< that it takes
   const char* columns;
+  bool methods = false;  ///< --only names pairs of methods
 };
 
 constexpr Kind kinds[] = {
@@ -57,13 +59,14 @@ constexpr Kind kinds[] = {
      nullptr,
      compare::compare_wheelset,
      {"--smoothing", &Options::smoothing},
-     "those of wheelset_cases.csv or worn_cases.csv: pose to wrench, height prescribed"},
+     "those of wheelset_cases.csv or worn_cases.csv: pose to wrench, height prescribed",
+     true},
     {"conformal", nullptr, compare::compare_conformal, none,
      "those of conformal_cases.csv: pose to wrench, load prescribed"},
     {"scan", nullptr, compare::compare_scan, none,
-     "those of scan_cases.csv: smoothness along lines through pose space, no reference needed"},
+     "those of scan_cases.csv: smoothness along lines through pose space, no reference needed", true},
     {"loop", nullptr, compare::compare_loop, none,
-     "those of loop_cases.csv: work round closed paths, no reference needed"},
+     "those of loop_cases.csv: work round closed paths, no reference needed", true},
     {"exact-wheel",
      nullptr,
      compare::compare_exact_wheel,
@@ -83,6 +86,9 @@ void usage(FILE* to) {
       "wheelset, conformal, scan, loop, exact-wheel, whose profiles lie in profiles/ beside FILE, instead of "
       "--only:\n"
       "--case N[,N]: these cases alone\n"
+      "--only NORMAL+TANGENTIAL[,...] (wheelset, scan, loop): in the default's stead a wheel on a rail with "
+      "these\n"
+      "        methods, by the identifiers of wrc_methods.h, as in hertz+fastsim,ekp+strip_fastsim\n"
       "--list: every case as well, with its error and forces\n"
       "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
       "--cell MM (exact-wheel): cells of the exact solver [0.2]\n");
@@ -135,8 +141,8 @@ int main(int argc, char** argv) {
     double value = 0.0;
     if (words[i] == "--json") {
       json = true;
-    } else if (words[i] == "--only" && kind->variants && has_value) {
-      only = split(words[++i]);
+    } else if (words[i] == "--only" && (kind->variants || kind->methods) && has_value) {
+      only = options.only = split(words[++i]);
     } else if (words[i] == "--list" && kind->cases) {
       options.list = true;
     } else if (words[i] == "--case" && kind->cases && has_value) {

@@ -20,7 +20,10 @@ struct Load {
 Load load_of(WheelCase& at, const Solver& solver) {
   const int32_t status = at.solve(solver);
   Load load;
-  load.spoilt = status == WRC_FLAG_NO_CONTACT ? WRC_OK : status;
+  // nor does a shape beyond a table, or a patch wider than its overlap, spoil what methods for planes find
+  const bool harmless =
+      status == WRC_FLAG_NO_CONTACT || status == WRC_FLAG_TABLE_RANGE || status == WRC_FLAG_PATCH_AT_EDGE;
+  load.spoilt = harmless ? WRC_OK : status;
   for (std::size_t i = 0; i < 3; ++i) {
     load.component[i] = at.wrench.force[i];
     load.component[i + 3] = at.wrench.moment[i] / moment_arm;
@@ -110,9 +113,11 @@ Report compare_scan(const Csv& file, const Options& options) {
   Report report;
   report.kind = "scan";
   report.numbered = true;
-  report.variants = {"cold", "warm"};
-  report.default_variant = "cold";
-  report.measures = {"jump", "jump_tread", "warm_from_cold"};
+  const bool standard = options.only.empty();
+  report.variants = standard ? Names{"cold", "warm"} : options.only;
+  report.default_variant = report.variants.front();
+  report.measures = {"jump", "jump_tread"};
+  if (standard) report.measures.emplace_back("warm_from_cold");
   static constexpr const char* names[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
   Pairs pairs(file);
   for (std::size_t row = 0; row < file.rows(); ++row) {
@@ -120,9 +125,12 @@ Report compare_scan(const Csv& file, const Options& options) {
     if (!options.wanted(static_cast<long>(number))) continue;
     ++report.rows;
     std::vector<Load> cold;
-    for (const bool warm : {false, true}) {
-      const std::vector<Load> loads = scan(file, row, pairs.of(pair_of(file, row)), warm);
-      auto& errors = report.errors[warm ? "warm" : "cold"];
+    for (const std::string& variant : report.variants) {
+      const bool warm = variant == "warm";
+      PairOptions pair = pair_of(file, row);
+      if (!standard) choose_methods(variant, pair);
+      const std::vector<Load> loads = scan(file, row, pairs.of(pair), warm);
+      auto& errors = report.errors[variant];
       std::size_t where = 0, component = 0;
       const double jump = largest_jump(loads, where, component);
       double steepest = 0.0;
@@ -133,7 +141,7 @@ Report compare_scan(const Csv& file, const Options& options) {
         std::size_t spoilt = 0;
         for (const Load& each : loads) spoilt += each.spoilt != WRC_OK ? 1 : 0;
         std::printf("%4zu %-4s jump %.3e at step %zu in %s, steepest strip %.3f rad, moves %s", number,
-                    warm ? "warm" : "cold", jump, where, names[component], steepest,
+                    variant.c_str(), jump, where, names[component], steepest,
                     file.text(row, "moves").c_str());
         if (spoilt > 0) std::printf(", %zu steps %s", spoilt, wrc_status_name(loads[where].spoilt));
         std::printf("\n");
@@ -164,17 +172,21 @@ Report compare_loop(const Csv& file, const Options& options) {
   Report report;
   report.kind = "loop";
   report.numbered = true;
-  report.variants = {"as given", "steps halved"};
-  report.default_variant = "as given";
+  const bool standard = options.only.empty();
+  report.variants = standard ? Names{"as given", "steps halved"} : options.only;
+  report.default_variant = report.variants.front();
   report.measures = {"loop"};
   Pairs pairs(file);
   for (std::size_t row = 0; row < file.rows(); ++row) {
     const auto number = static_cast<std::size_t>(file(row, "case"));
     if (!options.wanted(static_cast<long>(number))) continue;
     ++report.rows;
-    const Solver& solver = pairs.of(pair_of(file, row));
-    WheelCase at = wheel_case(file, row);
-    for (const std::size_t finer : {1U, 2U}) {
+    for (std::size_t variant = 0; variant < report.variants.size(); ++variant) {
+      const std::size_t finer = standard ? variant + 1 : 1;
+      PairOptions pair = pair_of(file, row);
+      if (!standard) choose_methods(report.variants[variant], pair);
+      const Solver& solver = pairs.of(pair);
+      WheelCase at = wheel_case(file, row);
       const std::size_t steps = finer * static_cast<std::size_t>(file(row, "steps"));
       std::vector<Load> loads;
       std::vector<Vector> poses;
@@ -189,7 +201,7 @@ Report compare_loop(const Csv& file, const Options& options) {
         if (loads.back().spoilt != WRC_OK) spoilt = loads.back().spoilt;
       }
       const double error = spoilt != WRC_OK ? 1.0 : loop_error(loads, poses);
-      report.errors[report.variants[finer - 1]]["loop"].add(number, error);
+      report.errors[report.variants[variant]]["loop"].add(number, error);
       if (options.list)
         std::printf("%4zu %5zu steps: %.3e %s\n", number, steps, error, wrc_status_name(spoilt));
     }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "presets.hpp"
+
 namespace compare {
 
 std::vector<CaseRows> case_rows(const Csv& file) {
@@ -50,8 +52,9 @@ const Pairs::Points& Pairs::points(const std::string& name) {
 }
 
 const Solver& Pairs::of(const PairOptions& options) {
-  auto& solver = solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson,
-                           options.radius, options.smoothing, options.side}];
+  auto& solver =
+      solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson, options.radius,
+                options.smoothing, options.side, options.normal, options.tangential}];
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
@@ -72,8 +75,27 @@ const Solver& Pairs::of(const PairOptions& options) {
   config.track.rail_origin = 0.7605325577;
   config.wheel = profile_of(options.wheel);
   config.rail = profile_of(options.rail);
+  if (options.normal >= 0) {
+    config.normal.method = options.normal;
+    choose_tangential(config, options.tangential);
+  }
   solver = std::make_unique<Solver>(config, options.side);
   return *solver;
+}
+
+void choose_methods(const std::string& name, PairOptions& options) {
+  std::string known;
+  for (int32_t normal = 0; normal < normal_methods; ++normal) {
+    for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
+      const std::string here = std::string(normal_names[normal]) + "+" + presets[tangential].identifier;
+      known += "\n  " + here;
+      if (here != name) continue;
+      options.normal = normal;
+      options.tangential = tangential;
+      return;
+    }
+  }
+  throw std::runtime_error("no variant '" + name + "'; known are" + known);
 }
 
 PairOptions pair_of(const Csv& file, std::size_t row) {

@@ -42,7 +42,12 @@ struct PairOptions {
   double shear_modulus = 82e9, poisson = 0.28, radius = 0.46;  ///< [Pa], [-], [m]
   double smoothing = 0.0;                                      ///< [m]
   int32_t side = WRC_SIDE_RIGHT;
+  int32_t normal = -1,
+          tangential = -1;  ///< WRC_NORMAL_... and number of a published method; < 0: the default
 };
+
+/// Methods by the name NORMAL+TANGENTIAL; throws std::runtime_error where it is none.
+void choose_methods(const std::string& name, PairOptions& options);
 
 /// The contacts of a file, each pair of profiles made once.
 class Pairs {
@@ -58,7 +63,7 @@ class Pairs {
 
   std::string folder_;
   std::map<std::string, Points> points_;
-  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t>,
+  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
            std::unique_ptr<Solver>>
       solvers_;
 };

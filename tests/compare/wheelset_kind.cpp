@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -56,7 +57,12 @@ Vector pressure_centre(const Csv& file, std::size_t row) {
 constexpr double least_share = 0.01;  // of the normal force: smaller patches are a few cells of the reference
 constexpr double same_setting = 1e-6;         // relative difference below which sep and blend are the same
 constexpr double steep = 0.4, beyond = 1.15;  // contact angles [rad]
-const char* const variant = "strip_halfspace on the surface";
+const std::string standard = "strip_halfspace on the surface";
+
+/// Methods by name; those of the standard are the default's.
+void choose(const std::string& variant, PairOptions& pair) {
+  if (variant != standard) choose_methods(variant, pair);
+}
 
 /// Distance of each patch of the reference that counts from the nearest region of ours [mm].
 std::vector<double> centre_errors(const Csv& file, const CaseRows& rows,
@@ -77,14 +83,29 @@ std::vector<double> centre_errors(const Csv& file, const CaseRows& rows,
   return errors;
 }
 
+/// Time of a solution [us], the least of 9.
+double time_of(WheelCase& at, const Solver& solver) {
+  double least = 1e9;
+  for (int i = 0; i < 9; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    at.solve(solver);
+    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+    least = std::min(least, time.count());
+  }
+  return least;
+}
+
 /// The solution of a case beside its exact reference. Where patches solved on their own (sep) and patches as
 /// one (blend) differ, the truth lies between: an error is what lies beyond both; measures with _sep are
 /// against the former alone.
-void add_case(const Csv& file, const CaseRows& rows, Pairs& pairs, bool list, Report& report) {
+void add_case(const Csv& file, const CaseRows& rows, const std::string& variant, Pairs& pairs, bool list,
+              Report& report) {
   const auto number = static_cast<std::size_t>(rows.number);
   const CaseRows sep = setting_rows(file, rows, "sep"), blend = setting_rows(file, rows, "blend");
   if (sep.first == sep.last) return;
-  const Solver& solver = pairs.of(pair_of(file, sep.first));
+  PairOptions pair = pair_of(file, sep.first);
+  choose(variant, pair);
+  const Solver& solver = pairs.of(pair);
   WheelCase solved = wheel_case(file, sep.first);
   const int32_t status = solved.solve(solver);
   const double angle = largest(file, sep, "delta_track_rad");
@@ -99,6 +120,7 @@ void add_case(const Csv& file, const CaseRows& rows, Pairs& pairs, bool list, Re
   }
 
   auto& errors = report.errors[variant];
+  if (report.units.count("time") > 0) errors["time"].add(number, time_of(solved, solver));
   const Reference separate = reference_of(file, sep);
   const Reference blended = blend.first == blend.last ? separate : reference_of(file, blend);
   const bool differ = length(difference(separate.force, blended.force)) > same_setting * separate.scale;
@@ -147,7 +169,8 @@ void add_case(const Csv& file, const CaseRows& rows, Pairs& pairs, bool list, Re
 }
 
 /// The noisy profiles of a case, smoothed, beside the exact profiles' reference.
-void add_noisy_case(const Csv& file, const CaseRows& rows, Pairs& pairs, double smoothing, Report& report) {
+void add_noisy_case(const Csv& file, const CaseRows& rows, const std::string& variant, Pairs& pairs,
+                    double smoothing, Report& report) {
   if (!file.has("smooth_Lfilt_mm")) return;
   std::size_t noisy = rows.first;
   while (noisy < rows.last && file(noisy, "smooth_Lfilt_mm") == 0.0) ++noisy;
@@ -155,6 +178,7 @@ void add_noisy_case(const Csv& file, const CaseRows& rows, Pairs& pairs, double 
   const auto number = static_cast<std::size_t>(rows.number);
   PairOptions pair = pair_of(file, noisy);
   pair.smoothing = smoothing;
+  choose(variant, pair);
   const Solver& solver = pairs.of(pair);
   WheelCase solved = wheel_case(file, noisy);
   const int32_t status = solved.solve(solver);
@@ -170,13 +194,17 @@ Report compare_wheelset(const Csv& file, const Options& options) {
   Report report;
   report.kind = "wheelset";
   report.numbered = true;
-  report.variants = {variant};
-  report.default_variant = variant;
+  report.variants = options.only.empty() ? Names{standard} : options.only;
+  report.default_variant = report.variants.front();
   report.measures = {
       "force",    "force_sep",  "force_blend", "force_flat",    "force_steep",       "force_steeper",
       "moment",   "moment_sep", "point",       "normal_force",  "normal_force_sep",  "area",
       "area_sep", "power",      "power_sep",   "peak_pressure", "peak_pressure_sep", "force_noisy"};
   report.units["point"] = "mm";
+  if (!options.only.empty()) {
+    report.measures.emplace_back("time");
+    report.units["time"] = "us";
+  }
   Pairs pairs(file);
   if (options.list) {
     std::printf(
@@ -186,8 +214,10 @@ Report compare_wheelset(const Csv& file, const Options& options) {
   for (const CaseRows& rows : case_rows(file)) {
     if (!options.wanted(rows.number)) continue;
     ++report.rows;
-    add_case(file, rows, pairs, options.list, report);
-    add_noisy_case(file, rows, pairs, options.smoothing, report);
+    for (const std::string& variant : report.variants) {
+      add_case(file, rows, variant, pairs, options.list, report);
+      add_noisy_case(file, rows, variant, pairs, options.smoothing, report);
+    }
   }
   return report;
 }

@@ -42,11 +42,14 @@ class Pair {
     bodies.kernels = &kernels_for(InstructionSet::baseline);
     bodies.ellipse = &ellipse_;
     bodies.grid = &grid_;
-    model_memory_.resize(surface_model_bytes(bodies.wheel.count, bodies.rail.count) / sizeof(double) + 1);
+    model_memory_.resize(
+        surface_model_bytes(bodies.wheel.count, bodies.rail.count, 0, 0, {}) / sizeof(double) + 1);
     if (make_surface_model(bodies, model_memory_.data(), model_).failed())
       throw std::string("the wheel on the rail cannot be made");
-    workspace_.resize(static_cast<std::size_t>(surface_workspace_bytes(bodies.wheel.count)) / sizeof(double) +
-                      1);
+    workspace_.resize(
+        static_cast<std::size_t>(surface_workspace_bytes(bodies.wheel.count, {}, grid_.cells, false)) /
+            sizeof(double) +
+        1);
   }
 
   const SurfaceModel& model() const { return *model_; }

@@ -362,6 +362,26 @@ void add_plain_calls(Plan& plan) {
   rollers.rail = plan.profiles[1];
   rollers.roller_curvature = 2.0;
   plan.jobs.push_back({"rollers", rolling, {}, {}, run_rollers});
+  const auto add_methods = [&plan](int32_t normal, int32_t tangential) {
+    wrc_config& other = plan.models.emplace_back(wrc_config_default());
+    other.wheel = plan.profiles[0];
+    other.rail = plan.profiles[1];
+    other.normal.method = normal;
+    choose_tangential(other, tangential);
+    other.grid.strips = 28;
+    other.grid.cells = 16;
+    const bool of_normal = tangential == preset_strip_fastsim;
+    plan.jobs.push_back(
+        {of_normal ? "wheel on rail, other normal methods" : "wheel on rail, other ways to roll",
+         plan.models.size() - 1,
+         {},
+         {},
+         run_wheels});
+  };
+  for (int32_t normal = 0; normal < WRC_NORMAL_STRIP_HALFSPACE; ++normal)
+    add_methods(normal, preset_strip_fastsim);
+  for (int32_t tangential = 0; tangential < tangential_methods; ++tangential)
+    if (tangential != preset_strip_fastsim) add_methods(WRC_NORMAL_STRIP_HALFSPACE, tangential);
 }
 
 Plan golden_plan() {

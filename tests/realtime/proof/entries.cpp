@@ -175,13 +175,6 @@ int32_t tangential_patch(Wheel& wheel) {
   return wrc_contact_tangential(wheel.contact, &ellipse, &wheel.creepage, &friction, &wheel.output.forces);
 }
 
-/// A wheel on a rail as far as the methods have one: a refusal for the methods is as it should be.
-int32_t wheel_status(const Wheel& wheel, int32_t status) {
-  const bool solved =
-      wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
-  return !solved && (status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_SEQUENCE) ? WRC_OK : status;
-}
-
 /// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
 wrc_wheel_input wheel_input(const Wheel& wheel) {
   wrc_wheel_input input = wrc_wheel_input_default();
@@ -207,14 +200,17 @@ int32_t wheel_step(Wheel& wheel) {
   const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   int32_t of_batch = 0;
   wrc_contact_wrench_batch(&wheel.contact, 1, &input, sizeof input, &wrench, sizeof wrench, &of_batch);
-  return wheel_status(wheel, std::min(status, of_batch));
+  return std::min(status, of_batch);
 }
 
 int32_t wheel_sensitivities(Wheel& wheel) {
   const wrc_wheel_input input = wheel_input(wheel);
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
-  return wheel_status(wheel, wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found));
+  const int32_t status = wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+  const bool the_default =
+      wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
+  return !the_default && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;  // it is the default's alone
 }
 
 /// A wheel with a flat on a rail that changes, made before any measurement.
@@ -256,13 +252,13 @@ int32_t wheel_step_flat(Wheel& wheel) {
   in[5] = 40.0;
   in[9] = -87.0;
   in[17] = 0.3;
-  return wheel_status(wheel, wrc_contact_wrench_flat(wheel.contact, in, out));
+  return wrc_contact_wrench_flat(wheel.contact, in, out);
 }
 
 int32_t wheel_region(Wheel& wheel) {
   wrc_region region = wrc_region_default();
   const int32_t status = wrc_contact_region(wheel.contact, 0, &region);
-  return wheel_status(wheel, status == WRC_ERROR_RANGE ? WRC_OK : status);  // apart: there is none
+  return status == WRC_ERROR_RANGE ? WRC_OK : status;  // apart: there is none
 }
 
 int32_t wheel_region_results(Wheel& wheel) {
