@@ -137,6 +137,8 @@ TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
   // Work space of the wheel step lies behind the two copies of the state; without it they are all there is.
   wrc_config plain = config;
   plain.normal.method = WRC_NORMAL_EKP;
+  plain.wheel = plain.rail = wrc_profile_default();
+  plain.track = wrc_config_default().track;
   wrc_model* without = nullptr;
   uint64_t state = 0, whole = 0;
   ASSERT_EQ(wrc_model_create(&plain, nullptr, &without), WRC_OK);
