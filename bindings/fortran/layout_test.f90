@@ -835,8 +835,8 @@ contains
       distance(c_loc(a), c_loc(a%regions)), layout_wrc_wrench(3))
     call same('wrc_wrench', 'iterations', &
       distance(c_loc(a), c_loc(a%iterations)), layout_wrc_wrench(4))
-    call same('wrc_wrench', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wrench(5))
+    call same('wrc_wrench', 'leaps', &
+      distance(c_loc(a), c_loc(a%leaps)), layout_wrc_wrench(5))
     call same('wrc_wrench', 'force', &
       distance(c_loc(a), c_loc(a%force)), layout_wrc_wrench(6))
     call same('wrc_wrench', 'moment', &

@@ -1983,6 +1983,8 @@ class Wrench(s.Struct):
     Members:
       regions: separate regions in contact: Contact.region()
       iterations: of the normal problem, all of the call
+      leaps: 1: a normal method for planes has been applied to a patch with several lowest points, about as
+          deep as each other: forces leap where the lowest changes; 0: no such patch
       force [N]: on the wheel, track axes
       moment [N m]: on the wheel about its reference point, track axes
       rail_force [N]: on the rail, track axes: -force
@@ -2002,7 +2004,7 @@ class Wrench(s.Struct):
     struct_size: int
     regions: int
     iterations: int
-    reserved: int
+    leaps: int
     force: np.ndarray = s.Array('force', 16, (3,), c.c_double)  # type: ignore[assignment]
     moment: np.ndarray = s.Array('moment', 40, (3,), c.c_double)  # type: ignore[assignment]
     rail_force: np.ndarray = s.Array('rail_force', 64, (3,), c.c_double)  # type: ignore[assignment]
@@ -2014,12 +2016,12 @@ class Wrench(s.Struct):
     power: float
     steepest_angle: float
     _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size',)
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('regions', c.c_int32),
         ('iterations', c.c_int32),
-        ('reserved', c.c_uint32),
+        ('leaps', c.c_uint32),
         ('_force', c.c_double * 3),
         ('_moment', c.c_double * 3),
         ('_rail_force', c.c_double * 3),
@@ -3127,7 +3129,16 @@ class ContactCalls(_l.Handle):
 
     def wrench(self, input: WheelInput, *, out: Optional[Wrench] = None) -> Wrench:
         """The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the
-            results of the stages of wrc.h in the same contact, nor they its. Theory manual, section 9.
+            results of the stages of wrc.h in the same contact, nor they its. Any methods will do. The
+            defaults, NormalMethod.STRIP_HALFSPACE and TangentialMethod.STRIP_FASTSIM, know no patch and are
+            what the accuracy and the smoothness of this call are stated for. The other normal methods are
+            applied patch by patch to the surface unrolled, patches that grow together being joined smoothly;
+            their forces act along the strips' own normals. FASTSIM and FaStrip roll strip by strip, each with
+            its own slip and coefficients, with PatchModel.PATCH_SDEC, Flexibility.SEPARATE and a bound other
+            than TractionBound.ELLIPSOIDAL, and without friction.slope_fall; in every other form, as the
+            coarse half-space and the force table, they roll patch by patch with the means of the strips'
+            slips over the load, on the ellipse or double ellipse with the moments of that load
+            (config.tangential.regularisation is not used). Theory manual, section 9.
 
         input: what to solve
         out: the result; None: a new one
@@ -3138,9 +3149,9 @@ class ContactCalls(_l.Handle):
             nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
             Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
             the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
-            the field side carry nothing); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED
-            (a model without profiles or of other methods, or friction zones in a contact frame), _LOAD (the
-            load cannot be carried at this pose).
+            the field side carry nothing); Status.FLAG_TABLE_RANGE (of methods that know patches);
+            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles, or
+            friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
         """
         if out is None:
             out = Wrench._new()

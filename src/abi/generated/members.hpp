@@ -1302,7 +1302,7 @@ struct Description<wrc_wrench> {
       {.name = "struct_size", .offset = offsetof(wrc_wrench, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "regions", .offset = offsetof(wrc_wrench, regions), .type = Type::int32, .rule = Rule::none},
       {.name = "iterations", .offset = offsetof(wrc_wrench, iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_wrench, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "leaps", .offset = offsetof(wrc_wrench, leaps), .type = Type::uint32, .rule = Rule::none},
       {.name = "force", .offset = offsetof(wrc_wrench, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
       {.name = "moment", .offset = offsetof(wrc_wrench, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
       {.name = "rail_force", .offset = offsetof(wrc_wrench, rail_force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
