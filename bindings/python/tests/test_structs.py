@@ -58,8 +58,13 @@ def test_choices_by_member_number_and_name():
     for given in (wrc.ProfileKind.PROFILE_60E1, 3, "60E1", "profile_60e1"):
         config.rail.kind = given
         assert config.rail.kind is wrc.ProfileKind.PROFILE_60E1
-    with pytest.raises(ValueError, match="'S1002'"):
+    with pytest.raises(ValueError, match="did you mean 'S1002'"):
         config.wheel.kind = "S1003"
+    with pytest.raises(ValueError, match="choose 'NONE', 'POINTS'"):
+        config.wheel.kind = "round"
+    with pytest.raises(ValueError, match=r"read by wrc.read_profile\('worn.whl'\)"):
+        config.set(wheel="worn.whl")
+    assert wrc.Profile(y=[0.0, 1.0], z=[0.0, 0.0]).kind is wrc.ProfileKind.POINTS
     assert str(wrc.Side.LEFT) == "LEFT" and wrc.Forces(available=1).available == wrc.Available.TRACTIONS
 
 
@@ -123,3 +128,10 @@ def test_arrays_of_structs_share_memory():
 
 def test_the_library_is_the_version_the_package_says():
     assert wrc.build_info().startswith(f"wrc {wrc.__version__},")
+
+
+def test_errors_cross_processes():
+    for error in (wrc.Error(-4, "too much"), wrc.Cancelled(-13, "stopped"), wrc.ProfileError("a.txt", 3, "is odd")):
+        back = pickle.loads(pickle.dumps(error))
+        assert type(back) is type(error) and str(back) == str(error) and vars(back) == vars(error)
+        assert type(error).__module__ == "wrc"

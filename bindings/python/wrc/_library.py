@@ -18,15 +18,22 @@ class Error(ValueError):
     status: a wrc.Status, for example wrc.Status.ERROR_RANGE
     """
 
+    __module__ = "wrc"
+
     def __init__(self, status: int, text: str):
         from ._interface import Status
 
         self.status = Status.of(status)
         super().__init__(text)
 
+    def __reduce__(self) -> Any:
+        return type(self), (int(self.status), str(self))
+
 
 class Cancelled(Error):
     """A progress function asked the exact solver to stop."""
+
+    __module__ = "wrc"
 
 
 def _load() -> c.CDLL:

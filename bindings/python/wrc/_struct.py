@@ -39,7 +39,9 @@ def _choice(kind: Any, value: Any) -> Any:
         for name, member in names.items():
             if wanted == name or name.endswith("_" + wanted) and wanted[:1].isdigit():
                 return member
-        raise ValueError(f"{value!r} is no {kind.__name__}: choose {', '.join(repr(name) for name in names)}")
+        near = difflib.get_close_matches(wanted, names, 1)
+        raise ValueError(f"{value!r} is no {kind.__name__}: " + (f"did you mean {near[0]!r}?" if near else
+                         f"choose {', '.join(repr(name) for name in names)}"))
     try:
         return kind(value)
     except ValueError:
@@ -215,6 +217,8 @@ class Struct(c.Structure):
         """Sets members by name; nested structs by a struct, by a dict of their members, or a profile by the name of its
         kind. Arrays that belong together (a profile's y and z) are set by one call. Gives the struct itself."""
         kind = type(self)
+        if "y" in values and "kind" not in values and "kind" in kind.members() and values["y"] is not None:
+            values["kind"] = "POINTS"  # of a profile
         arrays = [name for name in values if isinstance(getattr(kind, name, None), Pointer)]
         for name in arrays:
             getattr(kind, name).put(self, None, ())
@@ -230,6 +234,8 @@ class Struct(c.Structure):
                 elif hasattr(value, "as_struct"):
                     setattr(self, name, value.as_struct())
                 elif isinstance(value, str) and hasattr(type(now), "kind"):
+                    if "." in value or "/" in value:
+                        raise ValueError(f"{value!r} is no built-in shape; a file is read by wrc.read_profile({value!r})")
                     now.kind = value  # type: ignore[attr-defined]
                 else:
                     raise TypeError(f"{kind.__name__}.{name} is a wrc.{type(now).__name__} or a dict of its members, "

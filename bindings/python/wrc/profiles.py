@@ -26,9 +26,14 @@ _SIMPACK_NUMBERS = ("approx.smooth", "point.dist.min", "shift.y", "shift.z", "ro
 class ProfileError(ValueError):
     """A profile file that cannot be used: its text begins with file and line."""
 
+    __module__ = "wrc"
+
     def __init__(self, path: Any, line: Optional[int], why: str):
-        self.path, self.line = str(path), line
+        self.path, self.line, self.why = str(path), line, why
         super().__init__(f"{path}:{line}: {why}" if line else f"{path}: {why}")
+
+    def __reduce__(self) -> Any:
+        return type(self), (self.path, self.line, self.why)
 
 
 @dataclasses.dataclass
@@ -90,7 +95,7 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[str] = Non
     ending = os.path.splitext(path)[1].lower()
     body = body or BODIES.get(ending)
     if body not in ("wheel", "rail"):
-        raise ProfileError(path, None, f"is it of a wheel or a rail? Its ending does not say: pass body=\"wheel\" or \"rail\", not {body!r}")
+        raise ProfileError(path, None, f"is it of a wheel or a rail? Its ending does not say: pass body=\"wheel\" or \"rail\"" + (f", not {body!r}" if body else ""))
     if unit is not None and unit not in UNITS:
         raise ProfileError(path, None, f"there is no unit {unit!r}: choose {', '.join(UNITS)}")
     with open(path, encoding="utf-8", errors="replace") as file:
