@@ -19,8 +19,10 @@ static void done(const char* call, int32_t status) {
 }
 #define DO(call) done(#call, call)
 
-static void* aligned(uint64_t bytes, uint64_t alignment) { /* memory of one's own; never freed here */
-  char* memory = malloc((size_t)(bytes + alignment));
+static void* of_malloc[2]; /* where the memory below began */
+
+static void* aligned(int which, uint64_t bytes, uint64_t alignment) {
+  char* memory = of_malloc[which] = malloc((size_t)(bytes + alignment));
   if (!memory) exit(EXIT_FAILURE);
   return memory + (alignment - (uintptr_t)memory % alignment) % alignment;
 }
@@ -171,7 +173,7 @@ int main(void) {
     fprintf(stderr, "another interface: %s\n", wrc_build_info());
     return EXIT_FAILURE;
   }
-  /* In memory of one's own: nothing to destroy. */
+  /* In memory of one's own: there is nothing to destroy, and the memory goes last. */
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
@@ -179,9 +181,9 @@ int main(void) {
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   DO(wrc_model_size(&config, &bytes, &alignment));
-  DO(wrc_model_init(&config, aligned(bytes, alignment), bytes, &model));
+  DO(wrc_model_init(&config, aligned(0, bytes, alignment), bytes, &model));
   DO(wrc_contact_size(model, &bytes, &alignment));
-  DO(wrc_contact_init(model, WRC_SIDE_RIGHT, aligned(bytes, alignment), bytes, &contact));
+  DO(wrc_contact_init(model, WRC_SIDE_RIGHT, aligned(1, bytes, alignment), bytes, &contact));
   asked = contact;
   wrc_view y, z;
   DO(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, NULL));
@@ -191,5 +193,6 @@ int main(void) {
   states(model, contact);
   wheel_on_rail(contact);
   exact_bodies();
+  for (int i = 0; i < 2; ++i) free(of_malloc[i]);
   return EXIT_SUCCESS;
 }
