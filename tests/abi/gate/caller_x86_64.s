@@ -41,43 +41,43 @@ bits:
 main:
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3560, %rsp
+	subq	$3608, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$799, (%rax)
+	cmpl	$807, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
-	movl	$41, %ecx
+	movl	$44, %ecx
 	movl	$0, %eax
 	movq	%rbp, %rdi
 	rep stosq
-	movl	$328, (%rsp)
+	movl	$352, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
-	leaq	3216(%rsp), %rdi
-	movl	$41, %ecx
+	leaq	3248(%rsp), %rdi
+	movl	$44, %ecx
 	movq	%rbp, %rsi
 	rep movsq
-	movl	$2, 3224(%rsp)
-	movl	$4, 3256(%rsp)
-	movl	$40, 3416(%rsp)
-	movl	$2, 3464(%rsp)
-	movq	$0, 3208(%rsp)
-	movq	$0, 3200(%rsp)
-	leaq	3208(%rsp), %rdx
-	leaq	3216(%rsp), %rdi
+	movl	$2, 3256(%rsp)
+	movl	$4, 3288(%rsp)
+	movl	$40, 3464(%rsp)
+	movl	$2, 3512(%rsp)
+	movq	$0, 3240(%rsp)
+	movq	$0, 3232(%rsp)
+	leaq	3240(%rsp), %rdx
+	leaq	3248(%rsp), %rdi
 	movl	$0, %esi
 	call	wrc_model_create@PLT
 	testl	%eax, %eax
 	js	.L7
-	leaq	3200(%rsp), %rcx
+	leaq	3232(%rsp), %rcx
 	movl	$0, %edx
 	movl	$1, %esi
-	movq	3208(%rsp), %rdi
+	movq	3240(%rsp), %rdi
 	call	*192(%rbx)
 	testl	%eax, %eax
 	js	.L8
@@ -92,7 +92,7 @@ main:
 	movl	$216, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_input_init@PLT
-	leaq	2976(%rsp), %rdi
+	leaq	3008(%rsp), %rdi
 	movl	$54, %ecx
 	movq	%rbx, %rsi
 	rep movsl
@@ -103,34 +103,34 @@ main:
 	movl	$344, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_output_init@PLT
-	leaq	2624(%rsp), %rdi
+	leaq	2656(%rsp), %rdi
 	movl	$43, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC1(%rip), %rax
-	movq	%rax, 2984(%rsp)
+	movq	%rax, 3016(%rsp)
 	movq	.LC2(%rip), %rax
-	movq	%rax, 3024(%rsp)
+	movq	%rax, 3056(%rsp)
 	movq	.LC3(%rip), %rax
-	movq	%rax, 3064(%rsp)
+	movq	%rax, 3096(%rsp)
 	movq	.LC4(%rip), %rax
-	movq	%rax, 3104(%rsp)
-	leaq	2624(%rsp), %rdx
-	leaq	2976(%rsp), %rsi
-	movq	3200(%rsp), %rdi
+	movq	%rax, 3136(%rsp)
+	leaq	2656(%rsp), %rdx
+	leaq	3008(%rsp), %rsi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	testl	%eax, %eax
 	jne	.L9
-	movsd	2640(%rsp), %xmm0
+	movsd	2672(%rsp), %xmm0
 	leaq	.LC5(%rip), %rdi
 	call	bits
-	movsd	2784(%rsp), %xmm0
+	movsd	2816(%rsp), %xmm0
 	leaq	.LC6(%rip), %rdi
 	call	bits
-	movsd	2840(%rsp), %xmm0
+	movsd	2872(%rsp), %xmm0
 	leaq	.LC7(%rip), %rdi
 	call	bits
-	movsd	2904(%rsp), %xmm0
+	movsd	2936(%rsp), %xmm0
 	leaq	.LC8(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -141,44 +141,44 @@ main:
 	movl	$208, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_patch_init@PLT
-	leaq	2416(%rsp), %rdi
+	leaq	2448(%rsp), %rdi
 	movl	$52, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	2416(%rsp), %rdx
+	leaq	2448(%rsp), %rdx
 	movl	$0, %esi
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_patch@PLT
 	testl	%eax, %eax
 	jne	.L10
-	leaq	2368(%rsp), %rcx
+	leaq	2400(%rsp), %rcx
 	movl	$3, %edx
 	movl	$0, %esi
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_field@PLT
 	testl	%eax, %eax
 	jne	.L11
-	movsd	2440(%rsp), %xmm0
+	movsd	2472(%rsp), %xmm0
 	leaq	.LC9(%rip), %rdi
 	call	bits
-	movq	2384(%rsp), %rax
+	movq	2416(%rsp), %rax
 	shrq	%rax
-	imulq	2400(%rsp), %rax
-	imulq	$3, 2392(%rsp), %rdx
+	imulq	2432(%rsp), %rax
+	imulq	$3, 2424(%rsp), %rdx
 	addq	%rdx, %rax
-	movq	2368(%rsp), %rdx
+	movq	2400(%rsp), %rdx
 	movsd	(%rdx,%rax,8), %xmm0
 	leaq	.LC10(%rip), %rdi
 	call	bits
-	movl	$35, %ecx
+	movl	$40, %ecx
 	movl	$0, %eax
 	movq	%rbx, %rdi
 	rep stosq
-	movl	$280, (%rsp)
+	movl	$320, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wheel_input_init@PLT
 	leaq	2080(%rsp), %rdi
-	movl	$35, %ecx
+	movl	$40, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	leaq	4(%rsp), %rdx
@@ -206,7 +206,7 @@ main:
 	leaq	848(%rsp), %rcx
 	leaq	1920(%rsp), %rdx
 	leaq	2080(%rsp), %rsi
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_wrench_sensitivities@PLT
 	testl	%eax, %eax
 	jne	.L12
@@ -233,7 +233,7 @@ main:
 	rep movsl
 	leaq	656(%rsp), %rdx
 	movl	$0, %esi
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_region@PLT
 	testl	%eax, %eax
 	jne	.L13
@@ -241,26 +241,26 @@ main:
 	leaq	.LC18(%rip), %rdi
 	call	bits
 	movq	.LC19(%rip), %rax
-	movq	%rax, 3024(%rsp)
-	leaq	2624(%rsp), %rdx
-	leaq	2976(%rsp), %rsi
-	movq	3200(%rsp), %rdi
+	movq	%rax, 3056(%rsp)
+	leaq	2656(%rsp), %rdx
+	leaq	3008(%rsp), %rsi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	movl	$9, %ebp
 	cmpl	$-4, %eax
 	jne	.L3
 	leaq	352(%rsp), %rsi
 	movl	$300, %edx
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %ebp
 	testl	%eax, %eax
 	jne	.L15
 	leaq	352(%rsp), %rdi
 	call	puts@PLT
-	movq	3200(%rsp), %rdi
+	movq	3232(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	3208(%rsp), %rdi
+	movq	3240(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	jmp	.L3
 .L5:
@@ -273,7 +273,7 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3560, %rsp
+	addq	$3608, %rsp
 	popq	%rbx
 	popq	%rbp
 	ret
