@@ -602,14 +602,17 @@ typedef struct wrc_damage {
   uint32_t reserved;          /**< 0 */
 } wrc_damage;
 
-/** Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
+/** Parameters of the wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
  * unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels. Theory manual,
  * section 6.
  *  - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144 (1991)), over the wheel's diameter.
  *  - Sheffield: depth per metre rolled from T-gamma per area (R8T wheel on UIC60 900A; Braghin et al. 2006).
- *  - Archard: depth per second, k p v / hardness with the map of Jendel (Wear 253 (2002)). */
+ *  - Archard: depth per second, k p v / hardness with the map of Jendel (Wear 253 (2002)).
+ *  - Power law: depth per second, power_coefficient / density * q (q / power_reference)^(power_exponent - 1), q the
+ *    frictional power density. With exponent 1 mass is worn in proportion to energy: the mild regime of Zobory
+ *    (VSD 28 (1997)), which ends at 4 W/mm^2. */
 typedef struct wrc_wear_laws {
-  uint32_t struct_size;                /**< sizeof this struct, 160 or more */
+  uint32_t struct_size;                /**< sizeof this struct, 184 or more */
   uint32_t reserved;                   /**< 0 */
   double t_gamma_mild_end; /**< T-gamma up to which wear is mild, 1e-3..1e9 N [100] */
   double t_gamma_severe_start; /**< T-gamma from which it is severe, 1e-3..1e9 N, not below t_gamma_mild_end [200] */
@@ -633,6 +636,10 @@ typedef struct wrc_wear_laws {
   double archard_severe_end; /**< sliding velocity up to which it is severe, 0..1000 m/s, not below archard_severe_start
                                   [0.7] */
   double seizure_pressure; /**< share of the hardness, 0..1000 [0.8] */
+  double power_coefficient; /**< mass worn per energy at power_reference, 0..1 kg/J [7e-10]. Did you pass microgram/J? */
+  double power_exponent; /**< of the frictional power density, 0.25..4 [1] */
+  double power_reference; /**< power density at which power_coefficient holds, 1..1e12 W/m^2 [4e6]. Too small: did you pass
+                               W/mm^2? */
 } wrc_wear_laws;
 
 /** Wear of the last wrc_contact_tangential. */
@@ -640,6 +647,7 @@ typedef struct wrc_wear {
   double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
   double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
   double largest_depth_velocity; /**< Archard: depth per second in contact of the worst cell [m/s] */
+  double largest_power_depth_velocity; /**< power law: the same [m/s] */
 } wrc_wear;
 
 /** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
@@ -1125,6 +1133,13 @@ WRC_API int32_t wrc_linear_coefficients(double a_over_b, double psi, double pois
  * @param[out] load_factor p0/k; 0 on failure
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
 WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
+
+/** The same of a circular point contact, for material that hardens kinematically: below the surface up to mu_a = 0.22,
+ * 1 / mu_a beyond. Theory manual, section 6.
+ * @param utilisation mu_a, 0..10
+ * @param[out] load_factor p0/k; 0 on failure
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
+WRC_API int32_t wrc_shakedown_limit_point(double utilisation, double* load_factor);
 
 /* ------------------------------------------------------------------------------------------------ wheel on rail */
 

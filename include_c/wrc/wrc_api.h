@@ -133,6 +133,17 @@ struct wrc_api {
   int32_t (*contact_stresses)(wrc_contact*, int32_t, const double*, uint32_t, wrc_stress_peaks*, wrc_stresses*);
     /**< wrc_contact_stresses() */
   int32_t (*frame_motion_init)(wrc_frame_motion*); /**< wrc_frame_motion_init() */
+  int32_t (*shakedown_limit_point)(double, double*); /**< wrc_shakedown_limit_point() */
+  int32_t (*damage_bins_init)(wrc_damage_bins*); /**< wrc_damage_bins_init() */
+  int32_t (*fatigue_laws_init)(wrc_fatigue_laws*); /**< wrc_fatigue_laws_init() */
+  int32_t (*accumulation_init)(wrc_accumulation*); /**< wrc_accumulation_init() */
+  int32_t (*contact_accumulate)(wrc_contact*, const wrc_accumulation*, wrc_damage_bins*, wrc_damage_bins*, wrc_damage_totals*);
+    /**< wrc_contact_accumulate() */
+  int32_t (*damage_merge)(wrc_damage_bins*, const wrc_damage_bins*); /**< wrc_damage_merge() */
+  int32_t (*damage_values)(const wrc_damage_bins*, int32_t, double*); /**< wrc_damage_values() */
+  int32_t (*whole_life_damage)(const wrc_fatigue_laws*, double, double*); /**< wrc_whole_life_damage() */
+  int32_t (*model_arc_places)(const wrc_model*, int32_t, uint32_t, const double*, double*, double*);
+    /**< wrc_model_arc_places() */
 };
 
 #endif /* WRC_API_H */

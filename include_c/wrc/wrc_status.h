@@ -24,6 +24,7 @@
   X(WRC_FLAG_CLIMBING, 9, "friction on a steep face lets no height carry the load, or several")          \
   X(WRC_FLAG_BEYOND_SECTIONS, 10, "the rail has no section that far along the track: the nearest is used") \
   X(WRC_FLAG_UNLIKE_MATERIALS, 11, "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out") \
+  X(WRC_FLAG_SUM_OVERFLOW, 12, "a sum of bins passed its range: what they hold is worthless")              \
   X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
   X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is not that of a known version of the struct")              \
   X(WRC_ERROR_NOT_FINITE, -3, "a value is NaN or infinite")                                             \

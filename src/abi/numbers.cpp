@@ -4,6 +4,21 @@
 #include "damage/fatigue.hpp"
 #include "theory/sdec.hpp"
 
+namespace wrc::abi {
+namespace {
+
+std::int32_t limit(double utilisation, double* load_factor, double (*of)(double)) {
+  if (load_factor == nullptr) return WRC_ERROR_NULL;
+  *load_factor = 0.0;
+  const FloatingPointScope scope;
+  const Fault fault = check(utilisation, "utilisation", "", 0.0, 10.0);
+  if (!fault.failed()) *load_factor = of(utilisation);
+  return fault.status;
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
 namespace abi = wrc::abi;
 using wrc::Fault;
 
@@ -34,13 +49,11 @@ int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc
 }
 
 int32_t wrc_shakedown_limit(double utilisation, double* load_factor) {
-  if (load_factor == nullptr) return WRC_ERROR_NULL;
-  *load_factor = 0.0;
-  const abi::FloatingPointScope scope;
-  const Fault fault = abi::check(utilisation, "utilisation", "", 0.0, 10.0);
-  if (fault.failed()) return fault.status;
-  *load_factor = wrc::shakedown_limit(utilisation);
-  return WRC_OK;
+  return abi::limit(utilisation, load_factor, wrc::shakedown_limit);
+}
+
+int32_t wrc_shakedown_limit_point(double utilisation, double* load_factor) {
+  return abi::limit(utilisation, load_factor, wrc::shakedown_limit_of_point);
 }
 
 }  // extern "C"

@@ -1,4 +1,4 @@
-/// Wear by three laws: parameters checked and translated, results handed back.
+/// Wear by the laws: parameters checked and translated, results handed back.
 #include "abi/wear.hpp"
 
 #include "abi/call.hpp"
@@ -23,8 +23,6 @@ Fault check_order(const wrc_wear_laws& laws) {
                             laws.archard_severe_start)});
 }
 
-}  // namespace
-
 WearLaws laws_of(const wrc_wear_laws& checked) {
   WearLaws laws;
   laws.t_gamma.t1 = checked.t_gamma_mild_end;
@@ -46,7 +44,21 @@ WearLaws laws_of(const wrc_wear_laws& checked) {
   laws.archard.v1 = checked.archard_severe_start;
   laws.archard.v2 = checked.archard_severe_end;
   laws.archard.seizure_pressure = checked.seizure_pressure;
+  laws.power.coefficient = checked.power_coefficient;
+  laws.power.exponent = checked.power_exponent;
+  laws.power.reference = checked.power_reference;
+  laws.power.density = checked.density;
   return laws;
+}
+
+}  // namespace
+
+Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& laws) {
+  wrc_wear_laws ours;
+  Fault fault = read_or_defaults(theirs, name, ours);
+  if (!fault.failed()) fault = check_order(ours);
+  if (!fault.failed()) laws = laws_of(ours);
+  return fault;
 }
 
 }  // namespace wrc::abi
@@ -54,16 +66,16 @@ WearLaws laws_of(const wrc_wear_laws& checked) {
 extern "C" int32_t wrc_contact_wear(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
   namespace abi = wrc::abi;
   return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
-    wrc_wear_laws ours;
+    wrc::WearLaws ours;
     wrc::WearNumbers numbers;
-    wrc::Fault outcome = abi::read_or_defaults(laws, "laws", ours);
-    if (!outcome.failed()) outcome = abi::check_order(ours);
-    if (!outcome.failed()) outcome = wrc::assess_wear(contact, abi::laws_of(ours), numbers);
+    wrc::Fault outcome = abi::read_wear_laws(laws, "laws", ours);
+    if (!outcome.failed()) outcome = wrc::assess_wear(contact, ours, numbers);
     if (outcome.failed()) return outcome;
     wrc_wear result = abi::defaults<wrc_wear>();
     result.worn_area_rate = numbers.worn_area_rate;
     result.largest_depth_rate = numbers.largest_depth_rate;
     result.largest_depth_velocity = numbers.largest_depth_velocity;
+    result.largest_power_depth_velocity = numbers.largest_power_depth_velocity;
     abi::write(result, wear);
     return outcome;
   });

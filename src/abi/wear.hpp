@@ -1,12 +1,13 @@
 /// Wear laws across the boundary.
 #pragma once
 
+#include "abi/structs.hpp"
 #include "contact/contact.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {
 
-/// The caller's parameters, whose members have been checked.
-WearLaws laws_of(const wrc_wear_laws& checked);
+/// The caller's parameters, checked; NULL: the published ones.
+Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& laws);
 
 }  // namespace wrc::abi

@@ -12,6 +12,7 @@
 
 #include "base/fault.hpp"
 #include "contact/model.hpp"
+#include "damage/bins.hpp"
 #include "damage/flash_temperature.hpp"
 #include "damage/stress.hpp"
 #include "damage/wear.hpp"
@@ -41,18 +42,12 @@ struct DamageNumbers {
   double local_fatigue_index = 0.0;  ///< largest of the cells, no_fatigue_index without cells [-]
 };
 
-/// The wear laws in one place, each with its own parameters.
-struct WearLaws {
-  TGammaWearLaw t_gamma;
-  SheffieldWearLaw sheffield;
-  ArchardWearLaw archard;
-};
-
-/// Wear of one contact by three laws.
+/// Wear of one contact by the laws.
 struct WearNumbers {
-  double worn_area_rate = 0.0;          ///< by T-gamma [m^2/m]
-  double largest_depth_rate = 0.0;      ///< Sheffield [m/m]
-  double largest_depth_velocity = 0.0;  ///< Archard [m/s]
+  double worn_area_rate = 0.0;                ///< by T-gamma [m^2/m]
+  double largest_depth_rate = 0.0;            ///< Sheffield [m/m]
+  double largest_depth_velocity = 0.0;        ///< Archard [m/s]
+  double largest_power_depth_velocity = 0.0;  ///< power law [m/s]
 };
 
 /// Temperatures in one contact.
@@ -376,6 +371,26 @@ struct BodyStresses {
 /// largest of these.
 Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
                     StressPeaks* levels, BodyStresses& stresses);
+
+/// What the last results of the contact, of the stages or of a wheel on a rail, do in a time
+/// (accumulation.cpp).
+struct Accumulation {
+  bool of_wheel_on_rail = true;
+  double duration = 0.0;  ///< [s]
+  double distance = 0.0;  ///< along the track where it begins [m]
+  WearLaws wear;
+  WholeLifeLaw whole_life;
+};
+
+/// What was added to each set of bins.
+struct DamageTotals {
+  double sum[damage_sums] = {};
+  double largest_pressure = 0.0, largest_traction = 0.0;  ///< [Pa]
+};
+
+/// Adds to the bins of wheel and rail; nullptr: not wanted.
+Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+                 const DamageBins* rail, DamageTotals& totals);
 
 /// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
 /// work on a copy: the contact stays as it is.

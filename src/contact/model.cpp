@@ -39,6 +39,12 @@ std::size_t scratch_size(const ProfileSource& source) {
 
 std::size_t doubles(const ProfileSource& source) { return profile_doubles(node_count(source)); }
 
+/// Doubles of the arc lengths of both bodies.
+std::size_t arcs(const ModelOptions& options) {
+  return static_cast<std::size_t>(node_count(options.wheel)) +
+         static_cast<std::size_t>(node_count(options.rail));
+}
+
 /// Cuts the nodes of one profile from the arrays behind the model.
 ProfileMemory cut(double*& arrays, std::int32_t nodes) {
   const ProfileMemory memory = profile_memory(nodes, arrays);
@@ -275,7 +281,7 @@ std::size_t model_bytes(const ModelOptions& options) {
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
   return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
          table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + 3 * profiles + scratch);
+         sizeof(double) * (march_grid_size(options.sizes.cells) + 3 * profiles + scratch + arcs(options));
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -312,8 +318,13 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
+    double* const arc = arrays;
+    arrays += arcs(options);
     const Fault fault = take_bodies(options, arrays, surface, sections, *model);
     if (fault.failed()) return fault;
+    const Bodies& right = model->bodies[static_cast<int>(Side::right)];
+    model->arc[0] = measure(right.wheel.profile, right.wheel.origin_y, arc);
+    model->arc[1] = measure(right.rail.profile, right.rail.origin_y, arc + node_count(options.wheel));
   }
   model->configuration = fingerprint(*model);
   made = model;

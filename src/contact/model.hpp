@@ -8,6 +8,7 @@
 #include "base/fault.hpp"
 #include "contact/layout.hpp"
 #include "damage/flash_temperature.hpp"
+#include "geometry/arc_length.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
@@ -88,6 +89,7 @@ struct Model {
   ModelOptions options;  ///< profile sources and file name cleared: no pointer of the caller is kept
   bool has_geometry = false;
   Bodies bodies[2];              ///< right and left; meaningful with has_geometry
+  MeasuredProfile arc[2];        ///< arc lengths of the right-hand wheel and rail
   double wheel_deviation = 0.0;  ///< largest distance of a given point from the smoothed curve [m]
   double rail_deviation = 0.0;   ///< see wheel_deviation
   const InfluenceTables* influence = nullptr;  ///< with NormalMethod::half_space

@@ -366,6 +366,8 @@ Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
         const double depth_rate = wear_depth_rate(laws.sheffield, work);
         sum += depth_rate;
         wear.largest_depth_rate = std::max(wear.largest_depth_rate, depth_rate);
+        wear.largest_power_depth_velocity = std::max(
+            wear.largest_power_depth_velocity, wear_depth_velocity(laws.power, contact.rolling.speed * work));
         wear.largest_depth_velocity =
             std::max(wear.largest_depth_velocity,
                      wear_depth_velocity(laws.archard, pressure[at],

@@ -23,4 +23,17 @@ double shakedown_limit(double friction) {
   return 1.0 / std::max(in_depth, friction);
 }
 
+double shakedown_limit_of_point(double friction) {
+  constexpr double surface_first = 0.22;  // where both are 4.5
+  if (friction > surface_first) return 1.0 / friction;
+  const double square = friction * friction;
+  return 1.0 / std::max(0.2139 + square * (0.1 + 0.25 * square), friction);
+}
+
+double whole_life_damage(const WholeLifeLaw& law, double t_gamma) {
+  if (!(t_gamma > law.start)) return 0.0;
+  return t_gamma < law.peak_at ? law.peak * (t_gamma - law.start) / (law.peak_at - law.start)
+                               : law.peak * (law.end - t_gamma) / (law.end - law.peak_at);
+}
+
 }  // namespace wrc

@@ -32,8 +32,24 @@ double fatigue_index(const ShakedownPoint& point);
 /// By Melan's theorem only tau_xz cannot be cancelled by residual stresses, so p0 / k = p0 / max |tau_xz|,
 /// with tau_xz from the closed-form stresses under a sliding line contact. For mu >= 0.367 its maximum is the
 /// traction at the surface, p0 / k = 1 / mu, the curve FI = 0; below, it lies in the depth and is fitted by
-/// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %. A circular contact starts higher, at about 4.7 for
-/// mu = 0 (literature value, unconfirmed here).
+/// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %.
 double shakedown_limit(double friction);
+
+/// The same of a circular contact, for material that hardens kinematically: below the surface p0 / k = 1 /
+/// the largest radius of a ball about the path of the deviatoric stress as the load rolls by, found
+/// numerically for nu = 0.3 (tools/calibration/shakedown_point.py: 4.68 for mu = 0, 4.52 for mu = 0.25) and
+/// fitted by 1 / (0.2139 + 0.1 mu^2 + 0.25 mu^4) within 0.1 %; from mu = 0.22 on the surface comes first, 1 /
+/// mu, as for the line.
+double shakedown_limit_of_point(double friction);
+
+/// Damage of one passage by T-gamma, the Whole Life Rail Model (Burstow, RSSB T115, 2004; values remembered,
+/// unconfirmed): zero up to `start`, rising to `peak` at `peak_at`, falling through zero at `end` and on.
+struct WholeLifeLaw {
+  double start = 0.0, peak_at = 1.0, end = 2.0;  ///< T-gamma [N]
+  double peak = 0.0;                             ///< [-]; 1 is a crack
+};
+
+/// t_gamma [N], finite.
+double whole_life_damage(const WholeLifeLaw& law, double t_gamma);
 
 }  // namespace wrc

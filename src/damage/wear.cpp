@@ -1,5 +1,7 @@
 #include "damage/wear.hpp"
 
+#include "base/elementary.hpp"
+
 namespace wrc {
 
 double worn_area_rate(const TGammaWearLaw& law, double t_gamma, double wheel_diameter) {
@@ -20,12 +22,24 @@ double wear_depth_rate(const SheffieldWearLaw& law, double t_gamma_density) {
   return rate * 1e-3 / law.density;
 }
 
-double wear_depth_velocity(const ArchardWearLaw& law, double pressure, double sliding_velocity) {
+double wear_coefficient(const ArchardWearLaw& law, double pressure, double sliding_velocity) {
   const double by_speed = sliding_velocity < law.v1    ? law.mild_low_speed
                           : sliding_velocity <= law.v2 ? law.severe
                                                        : law.mild_high_speed;
-  const double k = pressure > law.seizure_pressure * law.hardness ? law.seizure : by_speed;
-  return k * pressure * sliding_velocity / law.hardness;
+  return pressure > law.seizure_pressure * law.hardness ? law.seizure : by_speed;
+}
+
+double wear_depth_velocity(const ArchardWearLaw& law, double pressure, double sliding_velocity) {
+  return wear_coefficient(law, pressure, sliding_velocity) * pressure * sliding_velocity / law.hardness;
+}
+
+double wear_depth_velocity(const PowerWearLaw& law, double power_density) {
+  if (!(power_density > 0.0)) return 0.0;
+  const double proportional = law.coefficient / law.density * power_density;
+  if (law.exponent == 1.0) return proportional;
+  const double least = 1e-30 * law.reference;  // far below any density that wears
+  const double ratio = (power_density > least ? power_density : least) / law.reference;
+  return proportional * natural_exp((law.exponent - 1.0) * natural_log(ratio));
 }
 
 }  // namespace wrc

@@ -1,4 +1,4 @@
-/// Wear laws: material removed by frictional work, in three forms in use on railways.
+/// Wear laws: material removed by frictional work, in four forms in use on railways.
 ///
 /// The published constants are the defaults of wrc_wear_laws; all depend on the pair of steels.
 #pragma once
@@ -48,8 +48,32 @@ struct ArchardWearLaw {
   double seizure_pressure = 0.0;  ///< of the hardness [-]
 };
 
+/// The map's k [-] at a pressure [Pa] and a sliding velocity [m/s].
+double wear_coefficient(const ArchardWearLaw& law, double pressure, double sliding_velocity);
+
 /// Depth lost by a point of the surface per second in contact [m/s]: k p v / H; pressure [Pa],
 /// sliding_velocity [m/s].
 double wear_depth_velocity(const ArchardWearLaw& law, double pressure, double sliding_velocity);
+
+/// A power law of frictional power density q: depth per second k / density q (q / reference)^(exponent - 1);
+/// with exponent 1 mass in proportion to energy, the mild regime of Zobory (VSD 28 (1997) 221; value
+/// unconfirmed).
+struct PowerWearLaw {
+  double coefficient = 0.0;  ///< k [kg/J]
+  double exponent = 1.0;     ///< [-]
+  double reference = 1.0;    ///< [W/m^2]
+  double density = 1.0;      ///< of the worn material [kg/m^3]
+};
+
+/// Depth lost by a point of the surface per second in contact [m/s]; power_density [W/m^2].
+double wear_depth_velocity(const PowerWearLaw& law, double power_density);
+
+/// All of them, each with its own parameters.
+struct WearLaws {
+  TGammaWearLaw t_gamma;
+  SheffieldWearLaw sheffield;
+  ArchardWearLaw archard;
+  PowerWearLaw power;
+};
 
 }  // namespace wrc

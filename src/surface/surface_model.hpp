@@ -80,6 +80,7 @@ inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_str
 struct KeptStrips {
   double count = 0.0;
   double speed = 0.0;            ///< what slips are over: divisor of rolling_reference() [m/s]
+  double rolling_speed = 0.0;    ///< [m/s]; < 0 against x
   double backwards = 0.0;        ///< 1: the wheel rolls against x
   double rolls = 0.0;            ///< 1: there is friction
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
@@ -98,6 +99,8 @@ struct KeptStrips {
   double spin[most_overlapping_strips] = {};                                          ///< [1/m]
   double friction[most_overlapping_strips] = {};                                      ///< [-]
   double fx[most_overlapping_strips] = {}, fy[most_overlapping_strips] = {};  ///< without the factor [N]
+  double power[most_overlapping_strips] = {};    ///< frictional, without the factor [W]
+  double y_wheel[most_overlapping_strips] = {};  ///< where they touch the wheel, its profile's coordinate [m]
 };
 
 /// Over the cells of some of them, element (cell i, strip j) at i * strips + j; without the factor.

@@ -289,6 +289,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
   if (seen.rail_turning != 0.0) rolling_speed -= seen.rail_turning * loaded.below / loaded.load;
   const RollingReference reference = rolling_reference(rolling_speed);
+  w.rolling_speed = rolling_speed;
   w.backwards = rolling_speed < 0.0;
   const double speed = reference.divisor;
   for (std::int32_t k = 0; k < loaded.count; ++k) {
@@ -347,6 +348,11 @@ void close(const WheelOnRail& in, const Seen& seen, OpenRegion& open, Wrench& ou
   open = {};
 }
 
+/// Frictional power of the k-th strip in contact [W].
+double power_of(const Work& w, std::int32_t k, double speed) {
+  return -speed * (w.fx[k] * w.slip_x[k] + w.fy[k] * w.slip_y[k] + w.mz[k] * w.spin[k]);
+}
+
 /// Adds the k-th strip in contact to the region it belongs to.
 void add_strip(const Work& w, std::int32_t k, double speed, OpenRegion& open, Wrench& out) {
   SurfaceRegion& r = *open.region;
@@ -376,7 +382,7 @@ void add_strip(const Work& w, std::int32_t k, double speed, OpenRegion& open, Wr
   out.area += area;
   r.peak_pressure = std::max(r.peak_pressure, w.peak[k]);
   out.peak_pressure = std::max(out.peak_pressure, w.peak[k]);
-  const double power = -speed * (w.fx[k] * w.slip_x[k] + w.fy[k] * w.slip_y[k] + w.mz[k] * w.spin[k]);
+  const double power = power_of(w, k, speed);
   r.power += power;
   out.power += power;
 }
@@ -819,19 +825,24 @@ void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w
   const std::int32_t n = w.loaded;
   kept.count = n;
   kept.speed = n > 0 ? w.speed : 0.0;
+  kept.rolling_speed = n > 0 ? w.rolling_speed : 0.0;
   kept.backwards = n > 0 && w.backwards ? 1.0 : 0.0;
   kept.rolls = in.friction > 0.0 ? 1.0 : 0.0;
   kept.by_region = rolls_by_region(model, in) ? 1.0 : 0.0;
   kept.slope_reduction = in.slope_reduction;
   kept.factor = w.factor;
   kept.x = in.wheel.position[0];
+  const Overlaps& o = w.overlaps;
+  const auto& r = w.seen.pose.rotation;
   for (std::int32_t k = 0; k < n; ++k) {
-    const std::int32_t j = w.overlaps.strip[w.candidate[k]];
+    const std::int32_t i = w.candidate[k], j = o.strip[i];
     kept.strip[k] = j;
     kept.y[k] = w.rail.y[j];
     kept.z[k] = w.rail.z[j];
     kept.angle[k] = strip_angle(w.rail, j);
-    kept.centre[k] = w.pressure.centre[w.candidate[k]];
+    kept.centre[k] = w.pressure.centre[i];
+    kept.power[k] = power_of(w, k, w.speed);
+    kept.y_wheel[k] = r[0][1] * o.centre[i] + r[1][1] * o.wy[i] + r[2][1] * o.wz[i];
   }
   const struct {
     const double* from;

@@ -38,8 +38,9 @@ struct WheelWork {
   std::int32_t* candidate;  ///< of a strip in contact
   TangentialFields fields;  ///< over their cells, on request; scratch of FaStrip
   // of the last solve
-  std::int32_t loaded;  ///< strips in contact
-  double speed;         ///< what their slips are over [m/s]
+  std::int32_t loaded;   ///< strips in contact
+  double speed;          ///< what their slips are over [m/s]
+  double rolling_speed;  ///< [m/s]; < 0 backwards
   bool backwards;
   double factor;  ///< on its pressures and tractions
 };

@@ -102,7 +102,11 @@ TEST(Fatigue, ShakedownCurveFollowsFromTheStressesOfALineContact) {
   EXPECT_NEAR(shakedown_limit(0.0), 4.0, 1e-12);
 }
 
-WearLaws published_wear_laws() { return abi::laws_of(abi::defaults<wrc_wear_laws>()); }
+WearLaws published_wear_laws() {
+  WearLaws laws;
+  EXPECT_EQ(abi::read_wear_laws(nullptr, "laws", laws).status, WRC_OK);
+  return laws;
+}
 
 TEST(Wear, TGammaLawHasItsPublishedBranches) {
   const TGammaWearLaw law = published_wear_laws().t_gamma;
@@ -126,6 +130,17 @@ TEST(Wear, ArchardFollowsTheMap) {
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 1e9, 0.1), law.mild_low_speed * 1e9 * 0.1 / law.hardness);
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 1e9, 0.5), law.severe * 1e9 * 0.5 / law.hardness);
   EXPECT_DOUBLE_EQ(wear_depth_velocity(law, 2.5e9, 0.5), law.seizure * 2.5e9 * 0.5 / law.hardness);
+}
+
+TEST(Wear, PowerLawIsProportionalUnlessAskedOtherwise) {
+  PowerWearLaw law = published_wear_laws().power;
+  EXPECT_NEAR(wear_depth_velocity(law, 1e6), 7e-10 * 1e6 / 7850.0, 1e-22);
+  law.exponent = 2.5;
+  EXPECT_NEAR(wear_depth_velocity(law, 4e6), 7e-10 * 4e6 / 7850.0, 1e-20);
+  EXPECT_NEAR(wear_depth_velocity(law, 16e6) / wear_depth_velocity(law, 4e6), 32.0, 1e-12);
+  law.exponent = 0.25;
+  EXPECT_EQ(wear_depth_velocity(law, 0.0), 0.0);
+  EXPECT_LT(wear_depth_velocity(law, 1e-200), 1e-20);
 }
 
 }  // namespace

@@ -25,10 +25,30 @@ inline expected<double> try_shakedown_limit(double utilisation) noexcept { retur
 #ifdef WRC_EXCEPTIONS
 inline double shakedown_limit(double utilisation) { return detail::value_or_throw(try_shakedown_limit(utilisation)); }
 #endif
+/** wrc_shakedown_limit_point() */
+inline status shakedown_limit_point(double utilisation, double& load_factor) noexcept { return wrc_shakedown_limit_point(utilisation, &load_factor); }
+inline expected<double> try_shakedown_limit_point(double utilisation) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return shakedown_limit_point(utilisation, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline double shakedown_limit_point(double utilisation) { return detail::value_or_throw(try_shakedown_limit_point(utilisation)); }
+#endif
 /** wrc_contact_wrench_batch() */
 inline status contact_wrench_batch(span<wrc_contact* const> contacts, span<const wrc_wheel_input> inputs, span<wrc_wrench> wrenches, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(wrenches, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_wrench_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), wrenches.data(), detail::stride(wrenches), statuses.data()); }
 /** wrc_flash_temperature() */
 inline status flash_temperature(std::uint32_t count, double cell, const double* power_density, double speed, const wrc_heat_properties* wheel, const wrc_heat_properties& rail, double* rise) noexcept { return wrc_flash_temperature(count, cell, power_density, speed, wheel, &rail, rise); }
+/** wrc_damage_merge() */
+inline status damage_merge(wrc_damage_bins& into, const wrc_damage_bins& from) noexcept { return wrc_damage_merge(&into, &from); }
+/** wrc_damage_values() */
+inline status damage_values(const wrc_damage_bins& bins, std::int32_t quantity, double& values) noexcept { return wrc_damage_values(&bins, quantity, &values); }
+inline expected<double> try_damage_values(const wrc_damage_bins& bins, std::int32_t quantity) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return damage_values(bins, quantity, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline double damage_values(const wrc_damage_bins& bins, std::int32_t quantity) { return detail::value_or_throw(try_damage_values(bins, quantity)); }
+#endif
+/** wrc_whole_life_damage() */
+inline status whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma, double& damage) noexcept { return wrc_whole_life_damage(laws, t_gamma, &damage); }
+inline expected<double> try_whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return whole_life_damage(laws, t_gamma, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline double whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma) { return detail::value_or_throw(try_whole_life_damage(laws, t_gamma)); }
+#endif
 /** wrc_exact_normal() */
 inline status exact_normal(const wrc_exact_normal_problem& problem, wrc_exact_normal_solution& solution, span<char> text) noexcept { return wrc_exact_normal(&problem, &solution, text.data(), text.size()); }
 /** wrc_exact_rolling() */
@@ -65,6 +85,8 @@ class model_calls {
 #ifdef WRC_EXCEPTIONS
   std::uint64_t contact_portable_size() const { return detail::value_or_throw(try_contact_portable_size()); }
 #endif
+  /** wrc_model_arc_places() */
+  status arc_places(std::int32_t body, std::uint32_t count, const double* arc, double* y, double* z) const noexcept { return wrc_model_arc_places(handle_, body, count, arc, y, z); }
   /** wrc_profile_contact_functions() */
   status profile_contact_functions(const wrc_contact_functions_problem& problem, wrc_contact_functions& functions, span<char> text) const noexcept { return wrc_profile_contact_functions(handle_, &problem, &functions, text.data(), text.size()); }
 
@@ -193,6 +215,8 @@ class contact_calls {
 #endif
   /** wrc_contact_stresses() */
   status stresses(std::int32_t body, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses) noexcept { return wrc_contact_stresses(handle_, body, depths, count, levels, stresses); }
+  /** wrc_contact_accumulate() */
+  status accumulate(const wrc_accumulation& accumulation, wrc_damage_bins* wheel, wrc_damage_bins* rail, wrc_damage_totals* totals) noexcept { return wrc_contact_accumulate(handle_, &accumulation, wheel, rail, totals); }
   /** wrc_exact_gap() */
   status exact_gap(const wrc_grid& grid, double* gap) noexcept { return wrc_exact_gap(handle_, &grid, gap); }
   /** wrc_exact_check() */

@@ -1,0 +1,177 @@
+/// Damage along the line: bins of the caller checked and filled.
+#include <algorithm>
+#include <cstring>
+
+#include "abi/call.hpp"
+#include "abi/wear.hpp"
+
+namespace wrc::abi {
+namespace {
+
+static_assert(sizeof(DamageBin) == sizeof(wrc_damage_bin) &&
+              offsetof(DamageBin, largest_pressure) == offsetof(wrc_damage_bin, largest_pressure) &&
+              offsetof(DamageBin, overflow) == offsetof(wrc_damage_bin, overflow));
+static_assert(int{damage_sums} == WRC_DAMAGE_SUMS && int{sum_time} == WRC_DAMAGE_TIME);
+
+/// Bins of the caller; their struct may be of an older size, the bins themselves are as they are.
+Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bins) {
+  wrc_damage_bins ours;
+  const Fault fault = read(theirs, name, ours);
+  if (fault.failed()) return fault;
+  if (ours.bin == nullptr) return {.status = WRC_ERROR_NULL, .of = name, .field = "bin"};
+  bins.across = {ours.first, ours.width, static_cast<std::int64_t>(ours.count)};
+  bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.rows)};
+  constexpr std::int64_t most = 100000000;
+  if (bins.outside() > most)
+    return {.status = WRC_ERROR_RANGE,
+            .of = name,
+            .field = "rows * count",
+            .value = static_cast<double>(bins.outside()),
+            .unit = "",
+            .low = 1.0,
+            .high = static_cast<double>(most),
+            .cause = "these are too many bins"};
+  if (bins.along.count > 1 && !(bins.along.length > 0.0))
+    return {.status = WRC_ERROR_RANGE,
+            .of = name,
+            .field = "row_length",
+            .value = ours.row_length,
+            .unit = "m",
+            .low = 1e-3,
+            .high = 1e9,
+            .cause = "more rows than one need a length"};
+  bins.bin = reinterpret_cast<DamageBin*>(ours.bin);
+  return {};
+}
+
+Fault read_fatigue_laws(const wrc_fatigue_laws* theirs, const char* name, WholeLifeLaw& law) {
+  wrc_fatigue_laws ours;
+  Fault fault = read_or_defaults(theirs, name, ours);
+  if (fault.failed()) return fault;
+  const auto above = [&](Member member, double value, double low) {
+    member.low = low;
+    return value > low ? Fault{} : refuse(member, name, value);
+  };
+  fault = first_of(
+      {above(member<wrc_fatigue_laws>("whole_life_peak_at"), ours.whole_life_peak_at, ours.whole_life_start),
+       above(member<wrc_fatigue_laws>("whole_life_end"), ours.whole_life_end, ours.whole_life_peak_at)});
+  law = {.start = ours.whole_life_start,
+         .peak_at = ours.whole_life_peak_at,
+         .end = ours.whole_life_end,
+         .peak = ours.whole_life_peak};
+  return fault;
+}
+
+Fault read_accumulation(const wrc_accumulation* theirs, Accumulation& accumulation) {
+  wrc_accumulation ours;
+  Fault fault = read(theirs, "accumulation", ours);
+  if (!fault.failed()) fault = read_wear_laws(ours.wear, "accumulation.wear", accumulation.wear);
+  if (!fault.failed())
+    fault = read_fatigue_laws(ours.fatigue, "accumulation.fatigue", accumulation.whole_life);
+  if (fault.failed()) return fault;
+  accumulation.of_wheel_on_rail = ours.source == WRC_DAMAGE_OF_WRENCH;
+  accumulation.duration = ours.duration;
+  accumulation.distance = ours.distance;
+  return fault;
+}
+
+bool same_axis(const Axis& a, const Axis& b) {
+  return a.first == b.first && a.length == b.length && a.count == b.count;
+}
+
+}  // namespace
+}  // namespace wrc::abi
+
+namespace abi = wrc::abi;
+using wrc::Fault;
+
+extern "C" {
+
+int32_t wrc_contact_accumulate(wrc_contact* handle, const wrc_accumulation* accumulation,
+                               wrc_damage_bins* wheel, wrc_damage_bins* rail, wrc_damage_totals* totals) {
+  return abi::call(handle, abi::clear(totals), [&](const wrc::Contact& contact) {
+    wrc::Accumulation ours;
+    wrc::DamageBins on_wheel, on_rail;
+    wrc::DamageTotals found;
+    Fault outcome = abi::read_accumulation(accumulation, ours);
+    if (!outcome.failed() && wheel != nullptr) outcome = abi::read_bins(wheel, "wheel", on_wheel);
+    if (!outcome.failed() && rail != nullptr) outcome = abi::read_bins(rail, "rail", on_rail);
+    if (!outcome.failed())
+      outcome = wrc::accumulate(contact, ours, wheel != nullptr ? &on_wheel : nullptr,
+                                rail != nullptr ? &on_rail : nullptr, found);
+    if (outcome.failed() || totals == nullptr) return outcome;
+    wrc_damage_totals result{};
+    std::copy_n(found.sum, WRC_DAMAGE_SUMS, result.sum);
+    result.largest_pressure = found.largest_pressure;
+    result.largest_traction = found.largest_traction;
+    abi::write(result, totals);
+    return outcome;
+  });
+}
+
+int32_t wrc_damage_merge(wrc_damage_bins* into, const wrc_damage_bins* from) {
+  const abi::FloatingPointScope scope;
+  wrc::DamageBins ours, theirs;
+  const Fault fault =
+      abi::first_of({abi::read_bins(into, "into", ours), abi::read_bins(from, "from", theirs)});
+  if (fault.failed()) return fault.status;
+  if (!abi::same_axis(ours.across, theirs.across) || !abi::same_axis(ours.along, theirs.along))
+    return WRC_ERROR_RANGE;
+  return wrc::merge(ours, theirs) ? WRC_OK : WRC_FLAG_SUM_OVERFLOW;
+}
+
+int32_t wrc_damage_values(const wrc_damage_bins* bins, int32_t quantity, double* values) {
+  const abi::FloatingPointScope scope;
+  wrc::DamageBins ours;
+  const Fault fault = abi::read_bins(bins, "bins", ours);
+  if (fault.failed()) return fault.status;
+  if (values == nullptr) return WRC_ERROR_NULL;
+  if (quantity < 0 || quantity > WRC_DAMAGE_LARGEST_TRACTION) return WRC_ERROR_UNSUPPORTED;
+  bool in_range = true;
+  for (int64_t k = 0; k <= ours.outside(); ++k) {
+    const wrc::DamageBin& bin = ours.bin[k];
+    if (quantity < WRC_DAMAGE_SUMS) {
+      values[k] = number(bin.sum[quantity]) / wrc::damage_scale[quantity];
+      in_range = in_range && (bin.overflow >> quantity & 1U) == 0;
+    } else {
+      values[k] = quantity == WRC_DAMAGE_LARGEST_PRESSURE ? bin.largest_pressure : bin.largest_traction;
+    }
+  }
+  return in_range ? WRC_OK : WRC_FLAG_SUM_OVERFLOW;
+}
+
+int32_t wrc_whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma, double* damage) {
+  if (damage == nullptr) return WRC_ERROR_NULL;
+  *damage = 0.0;
+  const abi::FloatingPointScope scope;
+  wrc::WholeLifeLaw law;
+  const Fault fault = abi::first_of(
+      {abi::read_fatigue_laws(laws, "laws", law), abi::check(t_gamma, "t_gamma", "N", 0.0, 1e9)});
+  if (!fault.failed()) *damage = wrc::whole_life_damage(law, t_gamma);
+  return fault.status;
+}
+
+int32_t wrc_model_arc_places(const wrc_model* handle, int32_t body, uint32_t count, const double* arc,
+                             double* y, double* z) {
+  const abi::FloatingPointScope scope;
+  for (double* each : {y, z})
+    if (each != nullptr) std::fill_n(each, count, 0.0);
+  if (!abi::valid(handle) || arc == nullptr) return WRC_ERROR_NULL;
+  if (body != WRC_BODY_WHEEL && body != WRC_BODY_RAIL) return WRC_ERROR_UNSUPPORTED;
+  const wrc::Model& model = *handle->model;
+  if (!model.has_geometry) return WRC_ERROR_SEQUENCE;
+  for (uint32_t i = 0; i < count; ++i)
+    if (!std::isfinite(arc[i])) return WRC_ERROR_NOT_FINITE;
+  const wrc::Bodies& right = model.bodies[static_cast<int>(wrc::Side::right)];
+  const wrc::MeasuredProfile& measured = model.arc[body == WRC_BODY_WHEEL ? 0 : 1];
+  const double origin_y = body == WRC_BODY_WHEEL ? right.wheel.origin_y : right.rail.origin_y;
+  const double origin_z = body == WRC_BODY_WHEEL ? 0.0 : right.rail.origin_z;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double at = place_at(measured, arc[i]);
+    if (y != nullptr) y[i] = at - origin_y;
+    if (z != nullptr) z[i] = evaluate(*measured.profile, at).z - origin_z;
+  }
+  return WRC_OK;
+}
+
+}  // extern "C"

@@ -1,0 +1,190 @@
+/// From the strips of a contact to the bins of its bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr int on_wheel = 0, on_rail = 1;
+
+/// Adds strips, patch by patch.
+class Adder {
+ public:
+  Adder(const Contact& contact, const Accumulation& accumulation, double speed, double way,
+        const DamageBins* wheel, const DamageBins* rail, DamageTotals& totals)
+      : bins_{wheel, rail},
+        totals_(totals),
+        laws_{.wear = accumulation.wear,
+              .whole_life = accumulation.whole_life,
+              .shear_yield = contact.model->options.shear_yield,
+              .wheel_diameter = 2.0 * contact.model->options.wheelset.nominal_radius} {
+    patch_.duration = accumulation.duration;
+    patch_.distance = std::abs(speed) * accumulation.duration;
+    from_ = accumulation.distance - (way < 0.0 ? patch_.distance : 0.0);
+  }
+
+  /// What the strips that follow share; `speed`: that slips refer to.
+  void begin_patch(double speed, double power) {
+    patch_.speed = speed;
+    patch_.power = power;
+  }
+
+  void take(const DamagingStrip& strip) {
+    const Contribution c = contribution_of(strip, patch_, laws_);
+    for (int body : {on_wheel, on_rail}) {
+      if (bins_[body])
+        in_range_ =
+            add(c, strip.place[body], strip.width, from_, from_ + patch_.distance, *bins_[body]) && in_range_;
+    }
+    for (int i = 0; i < damage_sums; ++i) totals_.sum[i] += c.sum[i];
+    totals_.largest_pressure = std::max(totals_.largest_pressure, c.pressure);
+    totals_.largest_traction = std::max(totals_.largest_traction, c.traction);
+  }
+
+  Fault outcome() const {
+    return in_range_ ? Fault{} : Fault{.status = WRC_FLAG_SUM_OVERFLOW, .field = "accumulation"};
+  }
+
+ private:
+  const DamageBins* bins_[2];
+  DamageTotals& totals_;
+  DamageLaws laws_;
+  DamagingPatch patch_;
+  double from_ = 0.0;
+  bool in_range_ = true;
+};
+
+/// The contact plane of the stages over one body's profile.
+struct PlaneOver {
+  MeasuredProfile measured;
+  double y0, z0, cosine, sine;
+
+  /// `at`: the contact point on the right-hand profile.
+  PlaneOver(const MeasuredProfile& profile, double at) : measured(profile), y0(at) {
+    const ProfilePoint point = evaluate(*profile.profile, at);
+    z0 = point.z;
+    cosine = 1.0 / std::sqrt(1.0 + point.slope * point.slope);
+    sine = point.slope * cosine;
+  }
+
+  /// Arc length of the profile's point over `y` of the contact plane.
+  double arc(double y) const {
+    double at = y0 + cosine * y;
+    for (int n = 0; n < 4; ++n) {
+      const ProfilePoint point = evaluate(*measured.profile, at);
+      const double run = cosine + sine * point.slope;  // small where the profile turns away from the plane
+      const double over = cosine * (at - y0) + sine * (point.z - z0);
+      at += std::clamp((y - over) / std::max(run, 0.1), -0.02, 0.02);
+    }
+    return arc_at(measured, at);
+  }
+};
+
+/// The resultant of a strip's tractions [N]; element (cell i) at i * strips.
+double traction_of(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips, double cell) {
+  double x = 0.0, y = 0.0;
+  for (std::int32_t i = 0; i < cells; ++i) {
+    x += tx[i * strips];
+    y += ty[i * strips];
+  }
+  return cell * std::sqrt(x * x + y * y);
+}
+
+Fault add_stages(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+                 const DamageBins* rail, DamageTotals& totals) {
+  if (contact.reached < Stage::damage)
+    return {.status = WRC_ERROR_SEQUENCE, .field = "damage", .cause = "call wrc_contact_damage first"};
+  if (!gives_fields(contact))
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.tangential.method",
+            .cause = "this method has no tractions: choose another"};
+  if (!contact.posed)
+    return {.status = WRC_ERROR_SEQUENCE,
+            .field = "contact point",
+            .cause = "bins lie on profiles: the stages must begin with wrc_contact_geometry"};
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  const Model& model = *contact.model;
+  const Bodies& right = model.bodies[static_cast<int>(Side::right)];
+  const PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},
+                              {model.arc[on_rail], right.rail.origin_y + contact.point.y_rail}};
+  const double outward = contact.side == Side::right ? 1.0 : -1.0;
+  const Creepage& creepage = contact.creepage;
+  const std::int32_t cells = model.options.sizes.cells;
+  Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.way, wheel, rail, totals);
+  for (std::int32_t p = 0; p < contact.patches; ++p) {
+    const Patch& patch = contact.patch[p];
+    const std::int32_t first = patch.region_first, count = patch.region_count;
+    const auto strips = [&](Array which) { return array(contact, which) + first; };
+    const auto fields = [&](Array which) {
+      return array(contact, which) + static_cast<std::ptrdiff_t>(first) * cells;
+    };
+    const double *y = strips(Array::region_y), *width = strips(Array::region_width),
+                 *centre = strips(Array::region_centre), *half = strips(Array::region_half_length),
+                 *peak = strips(Array::region_peak), *power = strips(Array::strip_power),
+                 *friction = strips(Array::strip_friction);
+    const double *tx = fields(Array::traction_x), *ty = fields(Array::traction_y);
+    double whole_power = 0.0;
+    for (std::int32_t j = 0; j < count; ++j) whole_power += power[j] * width[j];
+    adder.begin_patch(contact.rolling.speed, whole_power);
+    for (std::int32_t j = 0; j < count; ++j) {
+      const double sx = creepage.longitudinal - creepage.spin * y[j];
+      const double sy = creepage.lateral + creepage.spin * centre[j], turning = creepage.spin * half[j];
+      adder.take({.place = {plane[on_wheel].arc(outward * y[j]), plane[on_rail].arc(outward * y[j])},
+                  .width = width[j],
+                  .half_length = half[j],
+                  .peak = peak[j],
+                  .friction = friction[j],
+                  .sliding = contact.rolling.speed * std::sqrt(sx * sx + sy * sy + turning * turning / 3.0),
+                  .traction = traction_of(tx + j, ty + j, cells, count, 2.0 * half[j] / cells * width[j]),
+                  .power = power[j] * width[j]});
+    }
+  }
+  return adder.outcome();
+}
+
+Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+                        const DamageBins* rail, DamageTotals& totals) {
+  if (contact.wheel_solved == 0)
+    return {.status = WRC_ERROR_SEQUENCE, .field = "wrench", .cause = "call wrc_contact_wrench first"};
+  const Model& model = *contact.model;
+  const SurfaceModel& surface = *model.surface;
+  const KeptStrips& kept = reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
+  const auto count = static_cast<std::int32_t>(kept.count);
+  if (count == 0) return {.status = WRC_FLAG_NO_CONTACT};
+  const Bodies& right = model.bodies[static_cast<int>(Side::right)];
+  const Wrench& wrench = contact.wheel.wrench;
+  Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);
+  std::int32_t region = -1, end = 0;  // of the region, in strips of the rail
+  for (std::int32_t k = 0; k < count; ++k) {
+    const auto j = static_cast<std::int32_t>(kept.strip[k]);
+    if (j >= end && region + 1 < wrench.regions) {
+      end = wrench.region[++region].first + wrench.region[region].count;
+      adder.begin_patch(kept.speed, wrench.region[region].power);
+    }
+    const double turning = kept.spin[k] * kept.half_length[k];
+    adder.take({.place = {arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k]),
+                          arc_at(model.arc[on_rail], right.rail.origin_y + surface.rail.y[j])},
+                .width = surface.rail.width[j],
+                .half_length = kept.half_length[k],
+                .peak = kept.factor * kept.peak[k],
+                .friction = kept.friction[k],
+                .sliding = kept.speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] +
+                                                  kept.slip_y[k] * kept.slip_y[k] + turning * turning / 3.0),
+                .traction = kept.factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
+                .power = kept.factor * kept.power[k]});
+  }
+  return adder.outcome();
+}
+
+}  // namespace
+
+Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+                 const DamageBins* rail, DamageTotals& totals) {
+  totals = {};
+  return accumulation.of_wheel_on_rail ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)
+                                       : add_stages(contact, accumulation, wheel, rail, totals);
+}
+
+}  // namespace wrc

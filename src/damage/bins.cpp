@@ -1,0 +1,153 @@
+#include "damage/bins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.hpp"
+
+namespace wrc {
+namespace {
+
+/// Share of an interval, and the number of what it lies on; -1: beside.
+struct Share {
+  std::int64_t index;
+  double part;
+};
+
+/// The shares of an interval of an axis, one after the other: before its first, each of its own, behind its
+/// last.
+class Shares {
+ public:
+  Shares(const Axis& axis, double from, double to) {
+    if (!(axis.length > 0.0)) {
+      next_ = last_ = 0;
+      return;
+    }
+    const double most = static_cast<double>(axis.count);
+    from_ = (from - axis.first) / axis.length;
+    to_ = std::max(from_, (to - axis.first) / axis.length);
+    count_ = axis.count;
+    next_ = static_cast<std::int64_t>(std::clamp(std::floor(from_), -1.0, most));
+    last_ = static_cast<std::int64_t>(std::clamp(std::floor(to_), -1.0, most));
+    width_ = to_ - from_;
+  }
+
+  bool next(Share& share) {
+    while (next_ <= last_) {
+      const std::int64_t at = next_++;
+      if (!(width_ > 0.0)) {  // a point, or an axis that holds everything
+        share = {at == last_ && at < count_ ? at : -1, at == last_ ? 1.0 : 0.0};
+        if (share.part > 0.0) return true;
+        continue;
+      }
+      const double low = at < 0 ? from_ : std::max(from_, static_cast<double>(at));
+      const double high = at >= count_ ? to_ : std::min(to_, static_cast<double>(at + 1));
+      share = {at < count_ ? at : -1, (high - low) / width_};
+      if (share.part > 0.0) return true;
+    }
+    return false;
+  }
+
+ private:
+  double from_ = 0.0, to_ = 0.0, width_ = 0.0;
+  std::int64_t next_ = 0, last_ = -1, count_ = 1;
+};
+
+/// Adds a whole number to a sum of a bin.
+bool add_whole(DamageBin& bin, int sum, const WholeNumber& number) {
+  const WholeNumber before = bin.sum[sum];
+  bin.sum[sum] = plus(before, number);
+  if (!left_range(before, number, bin.sum[sum])) return true;
+  bin.overflow |= std::uint64_t{1} << sum;
+  return false;
+}
+
+}  // namespace
+
+Contribution contribution_of(const DamagingStrip& strip, const DamagingPatch& patch, const DamageLaws& laws) {
+  Contribution c;
+  const double distance = patch.distance, area = 2.0 * strip.half_length * strip.width;
+  const double t_gamma = patch.speed > 0.0 ? std::max(0.0, patch.power) / patch.speed : 0.0;
+  const double load = 0.25 * pi * strip.peak * area;
+  const double ratio = load > 0.0 ? strip.traction / load : 0.0;
+  c.pressure = strip.peak;
+  c.traction = ratio * strip.peak;
+  c.sum[sum_work] = strip.power * patch.duration;
+  c.sum[sum_whole_life] = whole_life_damage(laws.whole_life, t_gamma) * distance * strip.width;
+  if (strip.peak > 0.0)
+    c.sum[sum_surface_fatigue] =
+        std::max(0.0, ratio - laws.shear_yield / strip.peak) * distance * strip.width;
+  c.sum[sum_time] = patch.duration * strip.width;
+  // A strip that sticks may have a trace of power of the other sign.
+  if (!(strip.power > 0.0 && area > 0.0 && patch.power > 0.0 && patch.speed > 0.0)) return c;
+  const WearLaws& wear = laws.wear;
+  c.sum[sum_wear_t_gamma] = pi * laws.wheel_diameter *
+                            worn_area_rate(wear.t_gamma, t_gamma, laws.wheel_diameter) * distance *
+                            (strip.power / patch.power);
+  c.sum[sum_wear_sheffield] =
+      wear_depth_rate(wear.sheffield, strip.power / (patch.speed * area)) * area * distance;
+  // Slipping cells have the traction friction * pressure: work over friction is pressure times way.
+  if (strip.friction > 0.0)
+    c.sum[sum_wear_archard] = wear_coefficient(wear.archard, strip.peak, strip.sliding) /
+                              wear.archard.hardness * strip.power / strip.friction * patch.duration;
+  c.sum[sum_wear_power] = wear_depth_velocity(wear.power, strip.power / area) * area * patch.duration;
+  return c;
+}
+
+bool add(const Contribution& contribution, double place, double width, double from, double to,
+         const DamageBins& bins) {
+  bool in_range = true;
+  WholeNumber left[damage_sums];  // to be given
+  bool given[damage_sums];
+  for (int i = 0; i < damage_sums; ++i) {
+    const double scaled = contribution.sum[i] * damage_scale[i];
+    given[i] = std::abs(scaled) < largest_summand;
+    if (given[i]) {
+      left[i] = whole(scaled);
+    } else {
+      in_range = false;
+    }
+  }
+  DamageBin* last = nullptr;
+  Shares rows(bins.along, from, to);
+  for (Share row{}; rows.next(row);) {
+    Shares places(bins.across, place - 0.5 * width, place + 0.5 * width);
+    for (Share across{}; places.next(across);) {
+      const bool beside = row.index < 0 || across.index < 0;
+      DamageBin& bin = bins.bin[beside ? bins.outside() : row.index * bins.across.count + across.index];
+      const double part = row.part * across.part;
+      for (int i = 0; i < damage_sums; ++i) {
+        if (!given[i]) {
+          bin.overflow |= std::uint64_t{1} << i;
+        } else if (contribution.sum[i] != 0.0) {
+          const WholeNumber share = whole(contribution.sum[i] * damage_scale[i] * part);
+          left[i] = minus(left[i], share);
+          in_range = add_whole(bin, i, share) && in_range;
+        }
+      }
+      bin.largest_pressure = std::max(bin.largest_pressure, contribution.pressure);
+      bin.largest_traction = std::max(bin.largest_traction, contribution.traction);
+      last = &bin;
+    }
+  }
+  if (last != nullptr)  // what rounding left over
+    for (int i = 0; i < damage_sums; ++i)
+      if (given[i]) in_range = add_whole(*last, i, left[i]) && in_range;
+  return in_range;
+}
+
+bool merge(const DamageBins& into, const DamageBins& from) {
+  bool in_range = true;
+  for (std::int64_t k = 0; k <= into.outside(); ++k) {
+    DamageBin& bin = into.bin[k];
+    const DamageBin& other = from.bin[k];
+    bin.overflow |= other.overflow;
+    for (int i = 0; i < damage_sums; ++i) in_range = add_whole(bin, i, other.sum[i]) && in_range;
+    bin.largest_pressure = std::max(bin.largest_pressure, other.largest_pressure);
+    bin.largest_traction = std::max(bin.largest_traction, other.largest_traction);
+    in_range = in_range && bin.overflow == 0;
+  }
+  return in_range;
+}
+
+}  // namespace wrc
