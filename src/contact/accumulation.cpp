@@ -14,16 +14,17 @@ class Adder {
  public:
   Adder(const Contact& contact, const Accumulation& accumulation, double speed, double way,
         const DamageBins* wheel, const DamageBins* rail, DamageTotals& totals)
-      : bins_{wheel, rail},
+      : distance_(std::abs(speed) * accumulation.duration),
+        from_(accumulation.distance - (way < 0.0 ? distance_ : 0.0)),
+        wanted_{wheel != nullptr, rail != nullptr},
+        bins_{{wheel ? *wheel : DamageBins{}, from_, from_ + distance_},
+              {rail ? *rail : DamageBins{}, from_, from_ + distance_}},
         totals_(totals),
         laws_{.wear = accumulation.wear,
               .whole_life = accumulation.whole_life,
               .shear_yield = contact.model->options.shear_yield,
-              .wheel_diameter = 2.0 * contact.model->options.wheelset.nominal_radius} {
-    patch_.duration = accumulation.duration;
-    patch_.distance = std::abs(speed) * accumulation.duration;
-    from_ = accumulation.distance - (way < 0.0 ? patch_.distance : 0.0);
-  }
+              .wheel_diameter = 2.0 * contact.model->options.wheelset.nominal_radius},
+        patch_{.duration = accumulation.duration, .distance = distance_} {}
 
   /// What the strips that follow share; `speed`: that slips refer to.
   void begin_patch(double speed, double power) {
@@ -33,63 +34,80 @@ class Adder {
 
   void take(const DamagingStrip& strip) {
     const Contribution c = contribution_of(strip, patch_, laws_);
-    for (int body : {on_wheel, on_rail}) {
-      if (bins_[body])
-        in_range_ =
-            add(c, strip.place[body], strip.width, from_, from_ + patch_.distance, *bins_[body]) && in_range_;
-    }
+    for (const int body : {on_wheel, on_rail})
+      if (wanted_[body]) bins_[body].take(c, strip.place[body], strip.width);
     for (int i = 0; i < damage_sums; ++i) totals_.sum[i] += c.sum[i];
     totals_.largest_pressure = std::max(totals_.largest_pressure, c.pressure);
     totals_.largest_traction = std::max(totals_.largest_traction, c.traction);
   }
 
-  Fault outcome() const {
-    return in_range_ ? Fault{} : Fault{.status = WRC_FLAG_SUM_OVERFLOW, .field = "accumulation"};
+  Fault finish() {
+    const bool wheel_fits = bins_[on_wheel].finish(), rail_fits = bins_[on_rail].finish();
+    return wheel_fits && rail_fits ? Fault{}
+                                   : Fault{.status = WRC_FLAG_SUM_OVERFLOW, .field = "accumulation"};
   }
 
  private:
-  const DamageBins* bins_[2];
+  double distance_, from_;
+  bool wanted_[2];
+  BinAdder bins_[2];
   DamageTotals& totals_;
   DamageLaws laws_;
   DamagingPatch patch_;
-  double from_ = 0.0;
-  bool in_range_ = true;
 };
 
 /// The contact plane of the stages over one body's profile.
-struct PlaneOver {
-  MeasuredProfile measured;
-  double y0, z0, cosine, sine;
-
+class PlaneOver {
+ public:
   /// `at`: the contact point on the right-hand profile.
-  PlaneOver(const MeasuredProfile& profile, double at) : measured(profile), y0(at) {
-    const ProfilePoint point = evaluate(*profile.profile, at);
-    z0 = point.z;
-    cosine = 1.0 / std::sqrt(1.0 + point.slope * point.slope);
-    sine = point.slope * cosine;
+  PlaneOver(const MeasuredProfile& profile, double at)
+      : measured_(profile), y0_(at), at_(at), piece_(piece_at(*profile.profile, at)) {
+    const ProfilePoint point = evaluate(*profile.profile, at, piece_);
+    z0_ = point.z;
+    cosine_ = 1.0 / std::sqrt(1.0 + point.slope * point.slope);
+    sine_ = point.slope * cosine_;
+    run_ = 1.0 / cosine_;
   }
 
-  /// Arc length of the profile's point over `y` of the contact plane.
-  double arc(double y) const {
-    double at = y0 + cosine * y;
-    for (int n = 0; n < 4; ++n) {
-      const ProfilePoint point = evaluate(*measured.profile, at);
-      const double run = cosine + sine * point.slope;  // small where the profile turns away from the plane
-      const double over = cosine * (at - y0) + sine * (point.z - z0);
-      at += std::clamp((y - over) / std::max(run, 0.1), -0.02, 0.02);
+  /// Arc length of the profile's point over `y` of the contact plane. Strips come side by side: each is
+  /// looked for from the one before.
+  double arc(double y) {
+    constexpr int most_steps = 8;
+    constexpr double close = 5e-6;  // [m]: the next step would be some nanometres
+    at_ += (y - y_) / run_;
+    y_ = y;
+    for (int n = 0; n < most_steps; ++n) {
+      const ProfilePoint point = evaluate(*measured_.profile, at_, piece_);
+      run_ =
+          std::max(cosine_ + sine_ * point.slope, 0.1);  // small where the profile turns away from the plane
+      const double off = y - cosine_ * (at_ - y0_) - sine_ * (point.z - z0_);
+      at_ += std::clamp(off / run_, -0.02, 0.02);
+      if (std::abs(off) < close) break;
     }
-    return arc_at(measured, at);
+    return arc_at(measured_, at_, piece_);
   }
+
+ private:
+  MeasuredProfile measured_;
+  double y0_, z0_ = 0.0, cosine_ = 1.0, sine_ = 0.0, at_;
+  double y_ = 0.0, run_ = 1.0;  // of the strip before
+  std::int32_t piece_;
 };
 
-/// The resultant of a strip's tractions [N]; element (cell i) at i * strips.
-double traction_of(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips, double cell) {
-  double x = 0.0, y = 0.0;
+/// Resultants of the tractions of up to `chunk` strips over the area of a cell [Pa]; element (cell i, strip
+/// j) at i * strips + j.
+constexpr std::int32_t chunk = 64;
+void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips,
+               std::int32_t count, double (&sum)[chunk]) {
+  double x[chunk] = {}, y[chunk] = {};
   for (std::int32_t i = 0; i < cells; ++i) {
-    x += tx[i * strips];
-    y += ty[i * strips];
+    const double *const row_x = tx + i * strips, *const row_y = ty + i * strips;
+    for (std::int32_t j = 0; j < count; ++j) {
+      x[j] += row_x[j];
+      y[j] += row_y[j];
+    }
   }
-  return cell * std::sqrt(x * x + y * y);
+  for (std::int32_t j = 0; j < count; ++j) sum[j] = std::sqrt(x[j] * x[j] + y[j] * y[j]);
 }
 
 Fault add_stages(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
@@ -107,8 +125,8 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const Model& model = *contact.model;
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
-  const PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},
-                              {model.arc[on_rail], right.rail.origin_y + contact.point.y_rail}};
+  PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},
+                        {model.arc[on_rail], right.rail.origin_y + contact.point.y_rail}};
   const double outward = contact.side == Side::right ? 1.0 : -1.0;
   const Creepage& creepage = contact.creepage;
   const std::int32_t cells = model.options.sizes.cells;
@@ -128,7 +146,9 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
     double whole_power = 0.0;
     for (std::int32_t j = 0; j < count; ++j) whole_power += power[j] * width[j];
     adder.begin_patch(contact.rolling.speed, whole_power);
+    double traction[chunk];
     for (std::int32_t j = 0; j < count; ++j) {
+      if (j % chunk == 0) sum_cells(tx + j, ty + j, cells, count, std::min(chunk, count - j), traction);
       const double sx = creepage.longitudinal - creepage.spin * y[j];
       const double sy = creepage.lateral + creepage.spin * centre[j], turning = creepage.spin * half[j];
       adder.take({.place = {plane[on_wheel].arc(outward * y[j]), plane[on_rail].arc(outward * y[j])},
@@ -137,11 +157,11 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
                   .peak = peak[j],
                   .friction = friction[j],
                   .sliding = contact.rolling.speed * std::sqrt(sx * sx + sy * sy + turning * turning / 3.0),
-                  .traction = traction_of(tx + j, ty + j, cells, count, 2.0 * half[j] / cells * width[j]),
+                  .traction = traction[j % chunk] * (2.0 * half[j] / cells * width[j]),
                   .power = power[j] * width[j]});
     }
   }
-  return adder.outcome();
+  return adder.finish();
 }
 
 Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
@@ -157,15 +177,17 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
   const Wrench& wrench = contact.wheel.wrench;
   Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);
   std::int32_t region = -1, end = 0;  // of the region, in strips of the rail
+  std::int32_t wheel_piece = 0, rail_piece = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     const auto j = static_cast<std::int32_t>(kept.strip[k]);
     if (j >= end && region + 1 < wrench.regions) {
-      end = wrench.region[++region].first + wrench.region[region].count;
+      ++region;
+      end = wrench.region[region].first + wrench.region[region].count;
       adder.begin_patch(kept.speed, wrench.region[region].power);
     }
     const double turning = kept.spin[k] * kept.half_length[k];
-    adder.take({.place = {arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k]),
-                          arc_at(model.arc[on_rail], right.rail.origin_y + surface.rail.y[j])},
+    adder.take({.place = {arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k], wheel_piece),
+                          arc_at(model.arc[on_rail], right.rail.origin_y + surface.rail.y[j], rail_piece)},
                 .width = surface.rail.width[j],
                 .half_length = kept.half_length[k],
                 .peak = kept.factor * kept.peak[k],
@@ -175,7 +197,7 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
                 .traction = kept.factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
                 .power = kept.factor * kept.power[k]});
   }
-  return adder.outcome();
+  return adder.finish();
 }
 
 }  // namespace

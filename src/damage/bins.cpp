@@ -94,46 +94,43 @@ Contribution contribution_of(const DamagingStrip& strip, const DamagingPatch& pa
   return c;
 }
 
-bool add(const Contribution& contribution, double place, double width, double from, double to,
-         const DamageBins& bins) {
-  bool in_range = true;
-  WholeNumber left[damage_sums];  // to be given
-  bool given[damage_sums];
-  for (int i = 0; i < damage_sums; ++i) {
-    const double scaled = contribution.sum[i] * damage_scale[i];
-    given[i] = std::abs(scaled) < largest_summand;
-    if (given[i]) {
-      left[i] = whole(scaled);
-    } else {
-      in_range = false;
-    }
+void BinAdder::take(const Contribution& contribution, double place, double width) {
+  Shares places(bins_.across, place - 0.5 * width, place + 0.5 * width);
+  for (Share share{}; places.next(share);) {
+    if (share.index != at_) flush();
+    at_ = share.index;
+    for (int i = 0; i < damage_sums; ++i) open_.sum[i] += share.part * contribution.sum[i];
+    open_.pressure = std::max(open_.pressure, contribution.pressure);
+    open_.traction = std::max(open_.traction, contribution.traction);
   }
-  DamageBin* last = nullptr;
-  Shares rows(bins.along, from, to);
+}
+
+void BinAdder::flush() {
+  if (at_ == -2) return;
+  Shares rows(bins_.along, from_, to_);
   for (Share row{}; rows.next(row);) {
-    Shares places(bins.across, place - 0.5 * width, place + 0.5 * width);
-    for (Share across{}; places.next(across);) {
-      const bool beside = row.index < 0 || across.index < 0;
-      DamageBin& bin = bins.bin[beside ? bins.outside() : row.index * bins.across.count + across.index];
-      const double part = row.part * across.part;
-      for (int i = 0; i < damage_sums; ++i) {
-        if (!given[i]) {
-          bin.overflow |= std::uint64_t{1} << i;
-        } else if (contribution.sum[i] != 0.0) {
-          const WholeNumber share = whole(contribution.sum[i] * damage_scale[i] * part);
-          left[i] = minus(left[i], share);
-          in_range = add_whole(bin, i, share) && in_range;
-        }
+    const bool beside = row.index < 0 || at_ < 0;
+    DamageBin& bin = bins_.bin[beside ? bins_.outside() : row.index * bins_.across.count + at_];
+    for (int i = 0; i < damage_sums; ++i) {
+      const double scaled = open_.sum[i] * damage_scale[i] * row.part;
+      if (scaled == 0.0) continue;
+      if (std::abs(scaled) < largest_summand) {
+        in_range_ = add_whole(bin, i, whole(scaled)) && in_range_;
+      } else {
+        bin.overflow |= std::uint64_t{1} << i;
+        in_range_ = false;
       }
-      bin.largest_pressure = std::max(bin.largest_pressure, contribution.pressure);
-      bin.largest_traction = std::max(bin.largest_traction, contribution.traction);
-      last = &bin;
     }
+    bin.largest_pressure = std::max(bin.largest_pressure, open_.pressure);
+    bin.largest_traction = std::max(bin.largest_traction, open_.traction);
   }
-  if (last != nullptr)  // what rounding left over
-    for (int i = 0; i < damage_sums; ++i)
-      if (given[i]) in_range = add_whole(*last, i, left[i]) && in_range;
-  return in_range;
+  open_ = {};
+}
+
+bool BinAdder::finish() {
+  flush();
+  at_ = -2;
+  return in_range_;
 }
 
 bool merge(const DamageBins& into, const DamageBins& from) {

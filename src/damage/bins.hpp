@@ -84,10 +84,26 @@ struct Contribution {
 
 Contribution contribution_of(const DamagingStrip& strip, const DamagingPatch& patch, const DamageLaws& laws);
 
-/// Adds a contribution, spread evenly over `width` about `place` and over the distance `from` .. `to`; each
-/// bin gets its share, and the shares add up to the contribution to the last unit. False: a range was passed.
-bool add(const Contribution& contribution, double place, double width, double from, double to,
-         const DamageBins& bins);
+/// Adds contributions of one step to the bins of one body, spread evenly over a width of the profile and over
+/// the distance `from` .. `to`: each bin gets its share. Shares that fall into one bin one after the other
+/// are added as numbers first, so that a bin's whole numbers are touched once.
+class BinAdder {
+ public:
+  BinAdder(const DamageBins& bins, double from, double to) : bins_(bins), from_(from), to_(to) {}
+  /// By increasing place it is fastest; any order will do.
+  void take(const Contribution& contribution, double place, double width);
+  /// Adds what is left. False: a range was passed.
+  bool finish();
+
+ private:
+  void flush();
+
+  DamageBins bins_;
+  double from_, to_;
+  std::int64_t at_ = -2;  ///< bin of the row that `open_` belongs to; -1: beside; -2: none
+  Contribution open_;
+  bool in_range_ = true;
+};
 
 /// Adds bins of the same axes. False: a range was passed.
 bool merge(const DamageBins& into, const DamageBins& from);

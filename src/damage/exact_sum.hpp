@@ -37,7 +37,11 @@ inline bool left_range(const WholeNumber& a, const WholeNumber& b, const WholeNu
 }
 
 inline double number(const WholeNumber& a) {
-  return static_cast<double>(static_cast<std::int64_t>(a.high)) + static_cast<double>(a.low) * 0x1p-64;
+  if (a.high >> 63 != 0) {  // by its amount, whose digits are those that count
+    const WholeNumber amount = minus({}, a);
+    return -(static_cast<double>(amount.high) + static_cast<double>(amount.low) * 0x1p-64);
+  }
+  return static_cast<double>(a.high) + static_cast<double>(a.low) * 0x1p-64;
 }
 
 }  // namespace wrc

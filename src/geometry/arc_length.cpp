@@ -23,12 +23,13 @@ MeasuredProfile measure(const Profile& profile, double origin, double* arc) {
   for (std::int32_t i = 0; i + 1 < profile.count; ++i)
     arc[i + 1] = arc[i] + length_of(profile, i, profile.y[i + 1] - profile.y[i]);
   const MeasuredProfile measured{&profile, arc};
-  const double shift = arc_at(measured, origin);
+  std::int32_t piece = piece_at(profile, origin);
+  const double shift = arc_at(measured, origin, piece);
   for (std::int32_t i = 0; i < profile.count; ++i) arc[i] -= shift;
   return measured;
 }
 
-double arc_at(const MeasuredProfile& measured, double y) {
+double arc_at(const MeasuredProfile& measured, double y, std::int32_t& piece) {
   const Profile& profile = *measured.profile;
   const std::int32_t last = profile.count - 1;
   for (const std::int32_t end : {0, last}) {
@@ -36,8 +37,8 @@ double arc_at(const MeasuredProfile& measured, double y) {
     if (end == 0 ? beyond < 0.0 : beyond > 0.0)
       return measured.arc[end] + beyond * std::sqrt(1.0 + profile.slope[end] * profile.slope[end]);
   }
-  const std::int32_t i = piece_at(profile, y);
-  return measured.arc[i] + length_of(profile, i, y - profile.y[i]);
+  evaluate(profile, y, piece);
+  return measured.arc[piece] + length_of(profile, piece, y - profile.y[piece]);
 }
 
 double place_at(const MeasuredProfile& measured, double arc) {

@@ -14,8 +14,8 @@ struct MeasuredProfile {
 /// Fills `arc`, 0 at y = origin.
 MeasuredProfile measure(const Profile& profile, double origin, double* arc);
 
-/// Arc length at y; beyond an end along its tangent.
-double arc_at(const MeasuredProfile& measured, double y);
+/// Arc length at y; beyond an end along its tangent. `piece`: as in evaluate().
+double arc_at(const MeasuredProfile& measured, double y, std::int32_t& piece);
 
 /// y at an arc length; beyond an end that end.
 double place_at(const MeasuredProfile& measured, double arc);

@@ -60,7 +60,7 @@ class Line : public testing::Test {
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 1.0 / 40.0;
-    config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
+
     ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
     for (int32_t side = 0; side < 2; ++side)
       ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact[side]), WRC_OK);
@@ -74,6 +74,7 @@ class Line : public testing::Test {
     wrc_wheel_input input = wrc_wheel_input_default();
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 90e3;
+    input.start = WRC_START_ANEW;  // results of the input alone
     input.wheel.y = sign * y;
     input.wheel.yaw = sign * 4e-3;
     input.wheel.velocity[0] = 20.0;

@@ -13,7 +13,7 @@ namespace {
 struct Case {
   const char* name;
   Methods methods;
-  enum { complete, normal, tangential, damage, geometry, wrench, derivatives } part;
+  enum { complete, normal, tangential, damage, geometry, wrench, derivatives, line, wheel_line } part;
 };
 
 constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec, WRC_SIDE_RIGHT, 60, 50};
@@ -32,6 +32,8 @@ constexpr Case cases[] = {
     {"damage_60x50", usual, Case::damage},
     {"wheel_on_rail", defaults, Case::wrench},
     {"wheel_on_rail_derivatives", defaults, Case::derivatives},
+    {"accumulate_60x32", defaults, Case::line},
+    {"accumulate_wheel_on_rail", defaults, Case::wheel_line},
 };
 
 /// A wheel on a rail at 80 to 100 kN; with its derivatives or without.
@@ -48,6 +50,22 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i) {
     wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
   else
     wrc_contact_wrench(wheel.contact, &input, &wrench);
+}
+
+/// Damage of the last results to bins of both bodies.
+void accumulate(Wheel& wheel, int32_t source) {
+  static wrc_damage_bin bin[2][141];
+  wrc_damage_bins bins[2];
+  for (int body = 0; body < 2; ++body) {
+    bins[body] = wrc_damage_bins_default();
+    bins[body].count = 140;
+    bins[body].first = -0.070;
+    bins[body].bin = bin[body];
+  }
+  wrc_accumulation step = wrc_accumulation_default();
+  step.source = source;
+  step.duration = 1e-3;
+  wrc_contact_accumulate(wheel.contact, &step, &bins[0], &bins[1], nullptr);
 }
 
 int32_t instruction_set() {
@@ -86,6 +104,12 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
       case Case::derivatives:
         wheel_on_rail(wheel, part == Case::derivatives, i);
         break;
+      case Case::line:
+        accumulate(wheel, WRC_DAMAGE_OF_STAGES);
+        break;
+      case Case::wheel_line:
+        accumulate(wheel, WRC_DAMAGE_OF_WRENCH);
+        break;
       default:
         wrc_contact_damage(wheel.contact, &wheel.output.damage);
         break;
@@ -108,6 +132,7 @@ int main(int count, char** arguments) {
     wheel.pose.lateral = 4.6e-3;
     wheel.load.normal_force = 80e3;
     if (wheel.step() < 0) return 1;
+    wheel_on_rail(wheel, false, 0);
     measured_steps(wheel, each.part, std::atoi(arguments[2]));
     return 0;
   }

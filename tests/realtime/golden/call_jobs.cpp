@@ -105,6 +105,52 @@ void run_wear(wrc_contact* contact, Hash& hash) {
   }
 }
 
+/// What the last results of a contact do, in bins of both bodies and rows.
+void hash_accumulated(wrc_contact* contact, std::int32_t source, Hash& hash) {
+  wrc_damage_bin wheel_bin[2][61] = {}, rail_bin[81] = {};
+  wrc_damage_bins wheel[2] = {wrc_damage_bins_default(), wrc_damage_bins_default()};
+  wrc_damage_bins rail = wrc_damage_bins_default();
+  for (int k = 0; k < 2; ++k) {
+    wheel[k].count = 60;
+    wheel[k].first = -0.050;
+    wheel[k].width = 1.7e-3;
+    wheel[k].bin = wheel_bin[k];
+  }
+  rail.count = 20;
+  rail.first = -0.040;
+  rail.width = 4e-3;
+  rail.rows = 4;
+  rail.row_first = 1.0;
+  rail.row_length = 0.013;
+  rail.bin = rail_bin;
+  wrc_accumulation step = wrc_accumulation_default();
+  step.source = source;
+  step.duration = 1e-3;
+  step.distance = 1.011;
+  for (int k = 0; k < 2; ++k) {
+    wrc_damage_totals totals{};
+    hash.add(wrc_contact_accumulate(contact, &step, &wheel[k], &rail, &totals));
+    for (double number : totals.sum) hash.add(number);
+    hash.add(totals.largest_pressure);
+    hash.add(totals.largest_traction);
+  }
+  hash.add(wrc_damage_merge(&wheel[0], &wheel[1]));
+  double values[81];
+  for (std::int32_t quantity = 0; quantity <= WRC_DAMAGE_LARGEST_TRACTION; ++quantity) {
+    hash.add(wrc_damage_values(&wheel[0], quantity, values));
+    for (int k = 0; k < 61; ++k) hash.add(values[k]);
+    hash.add(wrc_damage_values(&rail, quantity, values));
+    for (double number : values) hash.add(number);
+  }
+}
+
+void run_accumulation(wrc_contact* contact, Hash& hash) {
+  for (double lateral : {0.0, 5.1e-3, 7e-3}) {
+    hash.add(roll(contact, lateral));
+    hash_accumulated(contact, WRC_DAMAGE_OF_STAGES, hash);
+  }
+}
+
 void run_temperature(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
@@ -241,6 +287,17 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// What they do to the bodies.
+void run_wheel_accumulation(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(7);
+  for (int i = 0; i < 16; ++i) {
+    const wrc_wheel_input input = wheel_on_rail(i, numbers);
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    hash.add(wrc_contact_wrench(contact, &input, nullptr));
+    hash_accumulated(contact, WRC_DAMAGE_OF_WRENCH, hash);
+  }
+}
+
 /// Their derivatives.
 void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -339,12 +396,14 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});
   plan.jobs.push_back({"stresses", model, {}, run_stresses});
+  plan.jobs.push_back({"damage along the line", model, {}, run_accumulation});
   plan.jobs.push_back({"temperature", model, {}, run_temperature});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
+  plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 
   static const AlongTrackBodies bodies;

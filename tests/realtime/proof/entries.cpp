@@ -86,6 +86,49 @@ int32_t wear_numbers(Wheel& wheel) {
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
+/// Damage of the last wrench or step, to 300 bins of the wheel and rows of the rail, and what is done with
+/// bins.
+int32_t accumulate(Wheel& wheel, int32_t source) {
+  static wrc_damage_bin wheel_bin[301], other_bin[301], rail_bin[1001];
+  static double values[1001];
+  wrc_damage_bins bins = wrc_damage_bins_default(), rail = wrc_damage_bins_default();
+  bins.count = 300;
+  bins.first = -0.070;
+  bins.width = 0.5e-3;
+  bins.bin = wheel_bin;
+  wrc_damage_bins other = bins;
+  other.bin = other_bin;
+  rail.count = 100;
+  rail.first = -0.050;
+  rail.rows = 10;
+  rail.row_length = 0.01;
+  rail.bin = rail_bin;
+  wrc_accumulation step = wrc_accumulation_default();
+  step.source = source;
+  step.duration = 1e-3;
+  wrc_damage_totals totals{};
+  const int32_t status = wrc_contact_accumulate(wheel.contact, &step, &bins, &rail, &totals);
+  const int32_t after =
+      std::min(wrc_damage_merge(&other, &bins), std::min(wrc_damage_values(&rail, WRC_DAMAGE_WORK, values),
+                                                         wrc_damage_values(&bins, WRC_DAMAGE_TIME, values)));
+  double damage = 0.0, arc[4] = {-0.03, 0.0, 0.02, 1.0}, y[4], z[4];
+  wrc_whole_life_damage(nullptr, 50.0, &damage);
+  return status < 0  ? status
+         : after < 0 ? after
+                     : wrc_model_arc_places(wheel.model, WRC_BODY_WHEEL, 4, arc, y, z);
+}
+
+int32_t accumulate_stages(Wheel& wheel) {
+  const int32_t status = accumulate(wheel, WRC_DAMAGE_OF_STAGES);
+  // of forces alone, or of what an entry before left in the contact
+  return status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
+}
+
+int32_t accumulate_wheel(Wheel& wheel) {
+  const int32_t status = accumulate(wheel, WRC_DAMAGE_OF_WRENCH);
+  return status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
+}
+
 int32_t temperatures(Wheel& wheel) {
   wrc_temperature temperature = wrc_temperature_default();
   const int32_t status = wrc_contact_temperature(wheel.contact, nullptr, &temperature);
@@ -359,6 +402,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_damage", damage_numbers},
       {"wrc_contact_wear", wear_numbers},
       {"wrc_contact_temperature", temperatures},
+      {"wrc_contact_accumulate, stages", accumulate_stages},
       {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_stresses", stresses},
       {"wrc_contact_sensitivities", sensitivities},
@@ -377,6 +421,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench_sensitivities, along the track", wheel_along_track},
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_region_ellipse, _damage, _field", wheel_region_results},
+      {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
       {"wrc_contact_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
