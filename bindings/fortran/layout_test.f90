@@ -26,8 +26,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_patch(15)
   integer(c_size_t), bind(C) :: layout_wrc_motion(7)
   integer(c_size_t), bind(C) :: layout_wrc_damage(12)
-  integer(c_size_t), bind(C) :: layout_wrc_wear_laws(22)
-  integer(c_size_t), bind(C) :: layout_wrc_wear(4)
+  integer(c_size_t), bind(C) :: layout_wrc_wear_laws(25)
+  integer(c_size_t), bind(C) :: layout_wrc_wear(5)
   integer(c_size_t), bind(C) :: layout_wrc_coefficients(8)
   integer(c_size_t), bind(C) :: layout_wrc_sensitivity(2)
   integer(c_size_t), bind(C) :: layout_wrc_step_sensitivity(3)
@@ -47,6 +47,11 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_stresses(6)
   integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(3)
   integer(c_size_t), bind(C) :: layout_wrc_temperature(11)
+  integer(c_size_t), bind(C) :: layout_wrc_damage_bin(5)
+  integer(c_size_t), bind(C) :: layout_wrc_damage_bins(10)
+  integer(c_size_t), bind(C) :: layout_wrc_fatigue_laws(7)
+  integer(c_size_t), bind(C) :: layout_wrc_accumulation(7)
+  integer(c_size_t), bind(C) :: layout_wrc_damage_totals(4)
   integer(c_size_t), bind(C) :: layout_wrc_grid(7)
   integer(c_size_t), bind(C) :: layout_wrc_materials(5)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
@@ -111,6 +116,11 @@ program layout_test
   call test_wrc_stresses()
   call test_wrc_bulk_temperatures()
   call test_wrc_temperature()
+  call test_wrc_damage_bin()
+  call test_wrc_damage_bins()
+  call test_wrc_fatigue_laws()
+  call test_wrc_accumulation()
+  call test_wrc_damage_totals()
   call test_wrc_grid()
   call test_wrc_materials()
   call test_wrc_exact_normal_problem()
@@ -124,7 +134,7 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 58, ' types compared'
+  print '(i0,a)', 63, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -637,6 +647,12 @@ contains
       distance(c_loc(a), c_loc(a%archard_severe_end)), layout_wrc_wear_laws(21))
     call same('wrc_wear_laws', 'seizure_pressure', &
       distance(c_loc(a), c_loc(a%seizure_pressure)), layout_wrc_wear_laws(22))
+    call same('wrc_wear_laws', 'power_coefficient', &
+      distance(c_loc(a), c_loc(a%power_coefficient)), layout_wrc_wear_laws(23))
+    call same('wrc_wear_laws', 'power_exponent', &
+      distance(c_loc(a), c_loc(a%power_exponent)), layout_wrc_wear_laws(24))
+    call same('wrc_wear_laws', 'power_reference', &
+      distance(c_loc(a), c_loc(a%power_reference)), layout_wrc_wear_laws(25))
   end subroutine
   subroutine test_wrc_wear()
     type(wrc_wear), target :: a
@@ -647,6 +663,8 @@ contains
       distance(c_loc(a), c_loc(a%largest_depth_rate)), layout_wrc_wear(3))
     call same('wrc_wear', 'largest_depth_velocity', &
       distance(c_loc(a), c_loc(a%largest_depth_velocity)), layout_wrc_wear(4))
+    call same('wrc_wear', 'largest_power_depth_velocity', &
+      distance(c_loc(a), c_loc(a%largest_power_depth_velocity)), layout_wrc_wear(5))
   end subroutine
   subroutine test_wrc_coefficients()
     type(wrc_coefficients), target :: a
@@ -975,6 +993,85 @@ contains
       distance(c_loc(a), c_loc(a%wheel_heat)), layout_wrc_temperature(10))
     call same('wrc_temperature', 'rail_heat', &
       distance(c_loc(a), c_loc(a%rail_heat)), layout_wrc_temperature(11))
+  end subroutine
+  subroutine test_wrc_damage_bin()
+    type(wrc_damage_bin), target :: a
+    call same('wrc_damage_bin', 'size', c_sizeof(a), layout_wrc_damage_bin(1))
+    call same('wrc_damage_bin', 'sum', &
+      distance(c_loc(a), c_loc(a%sum)), layout_wrc_damage_bin(2))
+    call same('wrc_damage_bin', 'largest_pressure', &
+      distance(c_loc(a), c_loc(a%largest_pressure)), layout_wrc_damage_bin(3))
+    call same('wrc_damage_bin', 'largest_traction', &
+      distance(c_loc(a), c_loc(a%largest_traction)), layout_wrc_damage_bin(4))
+    call same('wrc_damage_bin', 'overflow', &
+      distance(c_loc(a), c_loc(a%overflow)), layout_wrc_damage_bin(5))
+  end subroutine
+  subroutine test_wrc_damage_bins()
+    type(wrc_damage_bins), target :: a
+    call wrc_init(a)
+    call same('wrc_damage_bins', 'size', c_sizeof(a), layout_wrc_damage_bins(1))
+    call same('wrc_damage_bins', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_damage_bins(2))
+    call same('wrc_damage_bins', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_damage_bins(3))
+    call same('wrc_damage_bins', 'first', &
+      distance(c_loc(a), c_loc(a%first)), layout_wrc_damage_bins(4))
+    call same('wrc_damage_bins', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_damage_bins(5))
+    call same('wrc_damage_bins', 'rows', &
+      distance(c_loc(a), c_loc(a%rows)), layout_wrc_damage_bins(6))
+    call same('wrc_damage_bins', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage_bins(7))
+    call same('wrc_damage_bins', 'row_first', &
+      distance(c_loc(a), c_loc(a%row_first)), layout_wrc_damage_bins(8))
+    call same('wrc_damage_bins', 'row_length', &
+      distance(c_loc(a), c_loc(a%row_length)), layout_wrc_damage_bins(9))
+    call same('wrc_damage_bins', 'bin', &
+      distance(c_loc(a), c_loc(a%bin)), layout_wrc_damage_bins(10))
+  end subroutine
+  subroutine test_wrc_fatigue_laws()
+    type(wrc_fatigue_laws), target :: a
+    call wrc_init(a)
+    call same('wrc_fatigue_laws', 'size', c_sizeof(a), layout_wrc_fatigue_laws(1))
+    call same('wrc_fatigue_laws', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_fatigue_laws(2))
+    call same('wrc_fatigue_laws', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_fatigue_laws(3))
+    call same('wrc_fatigue_laws', 'whole_life_start', &
+      distance(c_loc(a), c_loc(a%whole_life_start)), layout_wrc_fatigue_laws(4))
+    call same('wrc_fatigue_laws', 'whole_life_peak_at', &
+      distance(c_loc(a), c_loc(a%whole_life_peak_at)), layout_wrc_fatigue_laws(5))
+    call same('wrc_fatigue_laws', 'whole_life_end', &
+      distance(c_loc(a), c_loc(a%whole_life_end)), layout_wrc_fatigue_laws(6))
+    call same('wrc_fatigue_laws', 'whole_life_peak', &
+      distance(c_loc(a), c_loc(a%whole_life_peak)), layout_wrc_fatigue_laws(7))
+  end subroutine
+  subroutine test_wrc_accumulation()
+    type(wrc_accumulation), target :: a
+    call wrc_init(a)
+    call same('wrc_accumulation', 'size', c_sizeof(a), layout_wrc_accumulation(1))
+    call same('wrc_accumulation', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_accumulation(2))
+    call same('wrc_accumulation', 'source', &
+      distance(c_loc(a), c_loc(a%source)), layout_wrc_accumulation(3))
+    call same('wrc_accumulation', 'duration', &
+      distance(c_loc(a), c_loc(a%duration)), layout_wrc_accumulation(4))
+    call same('wrc_accumulation', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_accumulation(5))
+    call same('wrc_accumulation', 'wear', &
+      distance(c_loc(a), c_loc(a%wear)), layout_wrc_accumulation(6))
+    call same('wrc_accumulation', 'fatigue', &
+      distance(c_loc(a), c_loc(a%fatigue)), layout_wrc_accumulation(7))
+  end subroutine
+  subroutine test_wrc_damage_totals()
+    type(wrc_damage_totals), target :: a
+    call same('wrc_damage_totals', 'size', c_sizeof(a), layout_wrc_damage_totals(1))
+    call same('wrc_damage_totals', 'sum', &
+      distance(c_loc(a), c_loc(a%sum)), layout_wrc_damage_totals(2))
+    call same('wrc_damage_totals', 'largest_pressure', &
+      distance(c_loc(a), c_loc(a%largest_pressure)), layout_wrc_damage_totals(3))
+    call same('wrc_damage_totals', 'largest_traction', &
+      distance(c_loc(a), c_loc(a%largest_traction)), layout_wrc_damage_totals(4))
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a

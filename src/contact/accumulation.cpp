@@ -169,7 +169,6 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
   if (contact.wheel_solved == 0)
     return {.status = WRC_ERROR_SEQUENCE, .field = "wrench", .cause = "call wrc_contact_wrench first"};
   const Model& model = *contact.model;
-  const SurfaceModel& surface = *model.surface;
   const KeptStrips& kept = reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
   const auto count = static_cast<std::int32_t>(kept.count);
   if (count == 0) return {.status = WRC_FLAG_NO_CONTACT};
@@ -187,8 +186,8 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
     }
     const double turning = kept.spin[k] * kept.half_length[k];
     adder.take({.place = {arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k], wheel_piece),
-                          arc_at(model.arc[on_rail], right.rail.origin_y + surface.rail.y[j], rail_piece)},
-                .width = surface.rail.width[j],
+                          arc_at(model.arc[on_rail], right.rail.origin_y + kept.y[k], rail_piece)},
+                .width = kept.width[k],
                 .half_length = kept.half_length[k],
                 .peak = kept.factor * kept.peak[k],
                 .friction = kept.friction[k],

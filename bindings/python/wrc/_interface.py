@@ -39,6 +39,7 @@ class Status(s.Choice):
     FLAG_CLIMBING = 9
     FLAG_BEYOND_SECTIONS = 10
     FLAG_UNLIKE_MATERIALS = 11
+    FLAG_SUM_OVERFLOW = 12
     ERROR_NULL = -1
     ERROR_STRUCT_SIZE = -2
     ERROR_NOT_FINITE = -3
@@ -68,6 +69,7 @@ STATUS_TEXTS = {
     9: 'friction on a steep face lets no height carry the load, or several',
     10: 'the rail has no section that far along the track: the nearest is used',
     11: "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out",
+    12: 'a sum of bins passed its range: what they hold is worthless',
     -1: 'a required pointer is NULL',
     -2: 'struct_size is not that of a known version of the struct',
     -3: 'a value is NaN or infinite',
@@ -487,6 +489,49 @@ class WrenchInput(s.Choice):
     VERTICAL_LOAD = 16
     DISTANCE = 17
     ANGLE = 18
+
+
+class DamageQuantity(s.Choice):
+    """What bins collect. Sums: a bin's volume over its width (and over a wheel's circumference, or a rail's
+        length) is a depth; a fatigue sum over its width and over the length rolled (or a rail's length) is
+        the index of each passage, added up. Each range is that of a sum; single contributions may be half of
+        it.
+
+    WORK: frictional work [J], +-8e12; over the distance it is T-gamma
+    WEAR_T_GAMMA: volume worn by the T-gamma law [m^3], +-8e6; spread like the work
+    WEAR_SHEFFIELD: the same by Sheffield's law, of each strip's T-gamma over its area
+    WEAR_ARCHARD: the same by Archard's, of each strip's work, peak pressure and sliding velocity
+    WEAR_POWER: the same by the power law, of each strip's power over its area
+    WHOLE_LIFE: Whole Life Rail Model: damage function of the patch's T-gamma, times distance and width [m^2],
+        +-8e6; < 0 where wear removes cracks
+    SURFACE_FATIGUE: positive part of the strip's surface fatigue index |F| / N - k / p0, times distance and
+        width [m^2], +-8e6
+    TIME: contact time times width [s m], +-8e6
+    LARGEST_PRESSURE: not a sum: largest pressure [Pa]
+    LARGEST_TRACTION: not a sum: largest traction [Pa]: |F| / N of a strip times its peak pressure
+    """
+
+    WORK = 0
+    WEAR_T_GAMMA = 1
+    WEAR_SHEFFIELD = 2
+    WEAR_ARCHARD = 3
+    WEAR_POWER = 4
+    WHOLE_LIFE = 5
+    SURFACE_FATIGUE = 6
+    TIME = 7
+    LARGEST_PRESSURE = 8
+    LARGEST_TRACTION = 9
+
+
+class DamageSource(s.Choice):
+    """Which results of a contact are added.
+
+    WRENCH: the last Contact.wrench()
+    STAGES: the last Contact.damage() or Contact.step(), of a pose
+    """
+
+    WRENCH = 0
+    STAGES = 1
 
 
 class Adhesion(s.Choice):
@@ -1497,12 +1542,14 @@ assert c.sizeof(Damage) == 80
 
 
 class WearLaws(s.Struct):
-    """Parameters of three wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them
-        are unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
+    """Parameters of the wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
+        unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
         Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
         wheel on UIC60 900A; Braghin et al. 2006). - Archard: depth per second, k p v / hardness with the map
-        of Jendel (Wear 253 (2002)).
+        of Jendel (Wear 253 (2002)). - Power law: depth per second, power_coefficient / density * q (q /
+        power_reference)^(power_exponent - 1), q the frictional power density. With exponent 1 mass is worn in
+        proportion to energy: the mild regime of Zobory (VSD 28 (1997)), which ends at 4 W/mm^2.
 
     Members:
       t_gamma_mild_end [N]: T-gamma up to which wear is mild (1e-3 .. 1e9; default 100)
@@ -1528,6 +1575,9 @@ class WearLaws(s.Struct):
       archard_severe_end [m/s]: sliding velocity up to which it is severe, not below archard_severe_start (0
           .. 1000; default 0.7)
       seizure_pressure: share of the hardness (0 .. 1000; default 0.8)
+      power_coefficient [kg/J]: mass worn per energy at power_reference (0 .. 1; default 7e-10)
+      power_exponent: of the frictional power density (0.25 .. 4; default 1)
+      power_reference [W/m^2]: power density at which power_coefficient holds (1 .. 1e12; default 4e6)
     """
 
     _c_name_ = 'wrc_wear_laws'
@@ -1553,7 +1603,10 @@ class WearLaws(s.Struct):
     archard_severe_start: float
     archard_severe_end: float
     seizure_pressure: float
-    _units_ = {'t_gamma_mild_end': 'N', 't_gamma_severe_start': 'N', 't_gamma_mild_slope': 'mm^3/(km N)', 't_gamma_plateau': 'mm^3/km', 't_gamma_severe_slope': 'mm^3/(km N)', 't_gamma_severe_offset': 'mm^3/km', 'sheffield_mild_end': 'N/mm^2', 'sheffield_severe_end': 'N/mm^2', 'sheffield_mild_slope': 'microgram/(m N)', 'sheffield_catastrophic_slope': 'microgram/(m N)', 'density': 'kg/m^3', 'hardness': 'Pa', 'archard_severe_start': 'm/s', 'archard_severe_end': 'm/s'}
+    power_coefficient: float
+    power_exponent: float
+    power_reference: float
+    _units_ = {'t_gamma_mild_end': 'N', 't_gamma_severe_start': 'N', 't_gamma_mild_slope': 'mm^3/(km N)', 't_gamma_plateau': 'mm^3/km', 't_gamma_severe_slope': 'mm^3/(km N)', 't_gamma_severe_offset': 'mm^3/km', 'sheffield_mild_end': 'N/mm^2', 'sheffield_severe_end': 'N/mm^2', 'sheffield_mild_slope': 'microgram/(m N)', 'sheffield_catastrophic_slope': 'microgram/(m N)', 'density': 'kg/m^3', 'hardness': 'Pa', 'archard_severe_start': 'm/s', 'archard_severe_end': 'm/s', 'power_coefficient': 'kg/J', 'power_reference': 'W/m^2'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
         ('struct_size', c.c_uint32),
@@ -1577,8 +1630,11 @@ class WearLaws(s.Struct):
         ('archard_severe_start', c.c_double),
         ('archard_severe_end', c.c_double),
         ('seizure_pressure', c.c_double),
+        ('power_coefficient', c.c_double),
+        ('power_exponent', c.c_double),
+        ('power_reference', c.c_double),
     ]
-assert c.sizeof(WearLaws) == 160
+assert c.sizeof(WearLaws) == 184
 
 
 class Wear(s.Struct):
@@ -1588,6 +1644,7 @@ class Wear(s.Struct):
       worn_area_rate [m^2/m]: T-gamma law: area lost from the wheel's section per metre rolled
       largest_depth_rate [m/m]: Sheffield: depth per metre rolled of the worst cell
       largest_depth_velocity [m/s]: Archard: depth per second in contact of the worst cell
+      largest_power_depth_velocity [m/s]: power law: the same
     """
 
     _c_name_ = 'wrc_wear'
@@ -1595,14 +1652,16 @@ class Wear(s.Struct):
     worn_area_rate: float
     largest_depth_rate: float
     largest_depth_velocity: float
-    _units_ = {'worn_area_rate': 'm^2/m', 'largest_depth_rate': 'm/m', 'largest_depth_velocity': 'm/s'}
+    largest_power_depth_velocity: float
+    _units_ = {'worn_area_rate': 'm^2/m', 'largest_depth_rate': 'm/m', 'largest_depth_velocity': 'm/s', 'largest_power_depth_velocity': 'm/s'}
     _hidden_ = ()
     _fields_ = [
         ('worn_area_rate', c.c_double),
         ('largest_depth_rate', c.c_double),
         ('largest_depth_velocity', c.c_double),
+        ('largest_power_depth_velocity', c.c_double),
     ]
-assert c.sizeof(Wear) == 24
+assert c.sizeof(Wear) == 32
 
 
 class Coefficients(s.Struct):
@@ -2269,6 +2328,168 @@ class Temperature(s.Struct):
 assert c.sizeof(Temperature) == 72
 
 
+class DamageBin(s.Struct):
+    """One bin: all zero, nothing was added. Bits are the same whatever the order of additions and merges.
+
+    Members:
+      sum: by DamageQuantity: low and high half of a whole number of 128 bits, two's complement;
+          wrc_damage_values() makes numbers of it
+      largest_pressure [Pa]:
+      largest_traction [Pa]:
+      overflow: bit i: a contribution to sum i, or the sum, passed its range; what it holds is worthless
+    """
+
+    _c_name_ = 'wrc_damage_bin'
+    __slots__ = ()
+    sum: np.ndarray = s.Array('sum', 0, (8, 2), c.c_uint64)  # type: ignore[assignment]
+    largest_pressure: float
+    largest_traction: float
+    overflow: int
+    _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
+    _hidden_ = ()
+    _fields_ = [
+        ('_sum', (c.c_uint64 * 2) * 8),
+        ('largest_pressure', c.c_double),
+        ('largest_traction', c.c_double),
+        ('overflow', c.c_uint64),
+    ]
+assert c.sizeof(DamageBin) == 152
+
+
+class DamageBins(s.Struct):
+    """Bins over the arc length of a profile, 0 at its origin, flange or gauge side negative; of a rail also in
+        rows along the track.
+
+    Members:
+      count: bins of a row (1 .. 1000000; default 0)
+      first [m]: arc length at which the first begins (-1 .. 1; default 0)
+      width [m]: of a bin (1e-5 .. 1; default 1e-3)
+      rows: along the track; rows * count 100000000 at most (1 .. 1000000; default 1)
+      row_first [m]: distance at which the first row begins (-1e9 .. 1e9; default 0)
+      row_length [m]: of a row; 0: one row takes all, whatever the distance (0 or 1e-3 .. 1e9; default 0)
+      bin: rows * count + 1 of the caller, row by row; the last has what lies beside all others. Zeroed before
+          the first use, copied and saved as bytes
+    """
+
+    _c_name_ = 'wrc_damage_bins'
+    __slots__ = ()
+    struct_size: int
+    count: int
+    first: float
+    width: float
+    rows: int
+    reserved: int
+    row_first: float
+    row_length: float
+    bin: Optional[DamageBin] = s.Reference('bin')  # type: ignore[assignment]
+    _units_ = {'first': 'm', 'width': 'm', 'row_first': 'm', 'row_length': 'm'}
+    _hidden_ = ('struct_size', 'reserved')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('count', c.c_uint32),
+        ('first', c.c_double),
+        ('width', c.c_double),
+        ('rows', c.c_uint32),
+        ('reserved', c.c_uint32),
+        ('row_first', c.c_double),
+        ('row_length', c.c_double),
+        ('_bin', c.POINTER(DamageBin)),
+    ]
+assert c.sizeof(DamageBins) == 56
+
+
+class FatigueLaws(s.Struct):
+    """Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to start, rising straight
+        to peak at peak_at, falling straight through zero at end and on below it, where wear wins. For R220
+        and R260 steel; Burstow, RSSB T115 (2004); remembered, unconfirmed. The direction of the creep force,
+        by which the model tells cracks that open, is left to the caller.
+
+    Members:
+      whole_life_start [N]: T-gamma from which cracks start (0 .. 1e6; default 15)
+      whole_life_peak_at [N]: T-gamma of the largest damage, above whole_life_start (1e-3 .. 1e6; default 65)
+      whole_life_end [N]: T-gamma at which wear takes as much as cracks grow, above whole_life_peak_at (1e-3
+          .. 1e6; default 175)
+      whole_life_peak: damage of a passage at whole_life_peak_at; 1 is a crack (0 .. 1; default 1e-5)
+    """
+
+    _c_name_ = 'wrc_fatigue_laws'
+    __slots__ = ()
+    struct_size: int
+    reserved: int
+    whole_life_start: float
+    whole_life_peak_at: float
+    whole_life_end: float
+    whole_life_peak: float
+    _units_ = {'whole_life_start': 'N', 'whole_life_peak_at': 'N', 'whole_life_end': 'N'}
+    _hidden_ = ('struct_size', 'reserved')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('reserved', c.c_uint32),
+        ('whole_life_start', c.c_double),
+        ('whole_life_peak_at', c.c_double),
+        ('whole_life_end', c.c_double),
+        ('whole_life_peak', c.c_double),
+    ]
+assert c.sizeof(FatigueLaws) == 40
+
+
+class Accumulation(s.Struct):
+    """What wrc_contact_accumulate() adds.
+
+    Members:
+      source: DamageSource (default DamageSource.WRENCH)
+      duration [s]: for which the results hold (0 .. 1e6; default 0)
+      distance [m]: along the track where that begins; read where a row of bins has a length (-1e9 .. 1e9;
+          default 0)
+      wear: None: the published ones (default None)
+      fatigue: None: the published ones (default None)
+    """
+
+    _c_name_ = 'wrc_accumulation'
+    __slots__ = ()
+    struct_size: int
+    source: DamageSource = s.Chosen('source', DamageSource)  # type: ignore[assignment]
+    duration: float
+    distance: float
+    wear: Optional[WearLaws] = s.Reference('wear')  # type: ignore[assignment]
+    fatigue: Optional[FatigueLaws] = s.Reference('fatigue')  # type: ignore[assignment]
+    _units_ = {'duration': 's', 'distance': 'm'}
+    _hidden_ = ('struct_size',)
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('_source', c.c_int32),
+        ('duration', c.c_double),
+        ('distance', c.c_double),
+        ('_wear', c.POINTER(WearLaws)),
+        ('_fatigue', c.POINTER(FatigueLaws)),
+    ]
+assert c.sizeof(Accumulation) == 40
+
+
+class DamageTotals(s.Struct):
+    """What one wrc_contact_accumulate() added to each of its sets of bins.
+
+    Members:
+      sum: by DamageQuantity, units there
+      largest_pressure [Pa]:
+      largest_traction [Pa]:
+    """
+
+    _c_name_ = 'wrc_damage_totals'
+    __slots__ = ()
+    sum: np.ndarray = s.Array('sum', 0, (8,), c.c_double)  # type: ignore[assignment]
+    largest_pressure: float
+    largest_traction: float
+    _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
+    _hidden_ = ()
+    _fields_ = [
+        ('_sum', c.c_double * 8),
+        ('largest_pressure', c.c_double),
+        ('largest_traction', c.c_double),
+    ]
+assert c.sizeof(DamageTotals) == 80
+
+
 class Grid(s.Struct):
     """A rectangular grid in the contact frame.
 
@@ -2842,6 +3063,7 @@ _wrc_contact_patch = _l.function(FUNCTIONS, 'wrc_contact_patch', c.c_int32, [c.c
 _wrc_contact_field = _l.function(FUNCTIONS, 'wrc_contact_field', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, c.POINTER(View)])
 _wrc_linear_coefficients = _l.function(FUNCTIONS, 'wrc_linear_coefficients', c.c_int32, [c.c_double, c.c_double, c.c_double, c.POINTER(Coefficients)])
 _wrc_shakedown_limit = _l.function(FUNCTIONS, 'wrc_shakedown_limit', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
+_wrc_shakedown_limit_point = _l.function(FUNCTIONS, 'wrc_shakedown_limit_point', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
 _wrc_wheel_state_init = _l.function(FUNCTIONS, 'wrc_wheel_state_init', c.c_int32, [c.POINTER(WheelState)])
 _wrc_rail_state_init = _l.function(FUNCTIONS, 'wrc_rail_state_init', c.c_int32, [c.POINTER(RailState)])
 _wrc_frame_motion_init = _l.function(FUNCTIONS, 'wrc_frame_motion_init', c.c_int32, [c.POINTER(FrameMotion)])
@@ -2859,9 +3081,17 @@ _wrc_contact_wrench_flat = _l.function(FUNCTIONS, 'wrc_contact_wrench_flat', c.c
 _wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.POINTER(Stresses)])
 _wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
 _wrc_temperature_init = _l.function(FUNCTIONS, 'wrc_temperature_init', c.c_int32, [c.POINTER(Temperature)])
+_wrc_damage_bins_init = _l.function(FUNCTIONS, 'wrc_damage_bins_init', c.c_int32, [c.POINTER(DamageBins)])
+_wrc_fatigue_laws_init = _l.function(FUNCTIONS, 'wrc_fatigue_laws_init', c.c_int32, [c.POINTER(FatigueLaws)])
+_wrc_accumulation_init = _l.function(FUNCTIONS, 'wrc_accumulation_init', c.c_int32, [c.POINTER(Accumulation)])
 _wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
 _wrc_contact_stresses = _l.function(FUNCTIONS, 'wrc_contact_stresses', c.c_int32, [c.c_void_p, c.c_int32, s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses)])
 _wrc_flash_temperature = _l.function(FUNCTIONS, 'wrc_flash_temperature', c.c_int32, [c.c_uint32, c.c_double, s.Numbers(c.c_double), c.c_double, c.POINTER(HeatProperties), c.POINTER(HeatProperties), s.Numbers(c.c_double)])
+_wrc_contact_accumulate = _l.function(FUNCTIONS, 'wrc_contact_accumulate', c.c_int32, [c.c_void_p, c.POINTER(Accumulation), c.POINTER(DamageBins), c.POINTER(DamageBins), c.POINTER(DamageTotals)])
+_wrc_damage_merge = _l.function(FUNCTIONS, 'wrc_damage_merge', c.c_int32, [c.POINTER(DamageBins), c.POINTER(DamageBins)])
+_wrc_damage_values = _l.function(FUNCTIONS, 'wrc_damage_values', c.c_int32, [c.POINTER(DamageBins), c.c_int32, s.Numbers(c.c_double)])
+_wrc_whole_life_damage = _l.function(FUNCTIONS, 'wrc_whole_life_damage', c.c_int32, [c.POINTER(FatigueLaws), c.c_double, s.Numbers(c.c_double)])
+_wrc_model_arc_places = _l.function(FUNCTIONS, 'wrc_model_arc_places', c.c_int32, [c.c_void_p, c.c_int32, c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), s.Numbers(c.c_double)])
 _wrc_get_api = _l.function(FUNCTIONS, 'wrc_get_api', c.c_void_p, [c.c_uint32])
 _wrc_grid_init = _l.function(FUNCTIONS, 'wrc_grid_init', c.c_int32, [c.POINTER(Grid)])
 _wrc_materials_init = _l.function(FUNCTIONS, 'wrc_materials_init', c.c_int32, [c.POINTER(Materials)])
@@ -3348,6 +3578,20 @@ def shakedown_limit(utilisation: float) -> float:
     return load_factor.value
 
 
+def shakedown_limit_point(utilisation: float) -> float:
+    """The same of a circular point contact, for material that hardens kinematically: below the surface up to
+        mu_a = 0.22, 1 / mu_a beyond. Theory manual, section 6.
+
+    utilisation: mu_a, 0..10
+    load_factor: p0/k; 0 on failure
+
+    C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
+    """
+    load_factor = c.c_double()
+    _l.check(_wrc_shakedown_limit_point(utilisation, c.byref(load_factor)))
+    return load_factor.value
+
+
 STRUCTS = {
     'wrc_profile': Profile,
     'wrc_config_material': ConfigMaterial,
@@ -3394,6 +3638,11 @@ STRUCTS = {
     'wrc_stresses': Stresses,
     'wrc_bulk_temperatures': BulkTemperatures,
     'wrc_temperature': Temperature,
+    'wrc_damage_bin': DamageBin,
+    'wrc_damage_bins': DamageBins,
+    'wrc_fatigue_laws': FatigueLaws,
+    'wrc_accumulation': Accumulation,
+    'wrc_damage_totals': DamageTotals,
     'wrc_grid': Grid,
     'wrc_materials': Materials,
     'wrc_exact_normal_problem': ExactNormalProblem,
@@ -3432,6 +3681,8 @@ __all__ = [
     'WheelStart',
     'RegionField',
     'WrenchInput',
+    'DamageQuantity',
+    'DamageSource',
     'Adhesion',
     'Collocation',
     'SurfaceInfluence',
@@ -3481,6 +3732,11 @@ __all__ = [
     'Stresses',
     'BulkTemperatures',
     'Temperature',
+    'DamageBin',
+    'DamageBins',
+    'FatigueLaws',
+    'Accumulation',
+    'DamageTotals',
     'Grid',
     'Materials',
     'ExactNormalProblem',
@@ -3496,4 +3752,5 @@ __all__ = [
     'Conicity',
     'linear_coefficients',
     'shakedown_limit',
+    'shakedown_limit_point',
 ]

@@ -235,6 +235,28 @@ inline constexpr Enumerator wrc_wrench_input_values[] = {
 inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 19,
     "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_VELOCITY (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18)"};
 
+inline constexpr Enumerator wrc_damage_quantity_values[] = {
+    {"WRC_DAMAGE_WORK", WRC_DAMAGE_WORK},
+    {"WRC_DAMAGE_WEAR_T_GAMMA", WRC_DAMAGE_WEAR_T_GAMMA},
+    {"WRC_DAMAGE_WEAR_SHEFFIELD", WRC_DAMAGE_WEAR_SHEFFIELD},
+    {"WRC_DAMAGE_WEAR_ARCHARD", WRC_DAMAGE_WEAR_ARCHARD},
+    {"WRC_DAMAGE_WEAR_POWER", WRC_DAMAGE_WEAR_POWER},
+    {"WRC_DAMAGE_WHOLE_LIFE", WRC_DAMAGE_WHOLE_LIFE},
+    {"WRC_DAMAGE_SURFACE_FATIGUE", WRC_DAMAGE_SURFACE_FATIGUE},
+    {"WRC_DAMAGE_TIME", WRC_DAMAGE_TIME},
+    {"WRC_DAMAGE_LARGEST_PRESSURE", WRC_DAMAGE_LARGEST_PRESSURE},
+    {"WRC_DAMAGE_LARGEST_TRACTION", WRC_DAMAGE_LARGEST_TRACTION},
+};
+inline constexpr Enumeration wrc_damage_quantity{wrc_damage_quantity_values, 10,
+    "see enum wrc_damage_quantity: WRC_DAMAGE_WORK (0), _WEAR_T_GAMMA (1), _WEAR_SHEFFIELD (2), _WEAR_ARCHARD (3), _WEAR_POWER (4), _WHOLE_LIFE (5), _SURFACE_FATIGUE (6), _TIME (7), _LARGEST_PRESSURE (8), _LARGEST_TRACTION (9)"};
+
+inline constexpr Enumerator wrc_damage_source_values[] = {
+    {"WRC_DAMAGE_OF_WRENCH", WRC_DAMAGE_OF_WRENCH},
+    {"WRC_DAMAGE_OF_STAGES", WRC_DAMAGE_OF_STAGES},
+};
+inline constexpr Enumeration wrc_damage_source{wrc_damage_source_values, 2,
+    "see enum wrc_damage_source: WRC_DAMAGE_OF_WRENCH (0), _STAGES (1)"};
+
 inline constexpr Enumerator wrc_adhesion_values[] = {
     {"WRC_ADHESION_COULOMB", WRC_ADHESION_COULOMB},
     {"WRC_ADHESION_FULL", WRC_ADHESION_FULL},
@@ -886,7 +908,7 @@ template <>
 struct Description<wrc_wear_laws> {
   static constexpr const char* name = "wrc_wear_laws";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 160;
+  static constexpr std::size_t first = 184;
   static constexpr wrc_wear_laws defaults = [] {
     wrc_wear_laws value{};
     value.struct_size = sizeof value;
@@ -909,6 +931,9 @@ struct Description<wrc_wear_laws> {
     value.archard_severe_start = 0.2;
     value.archard_severe_end = 0.7;
     value.seizure_pressure = 0.8;
+    value.power_coefficient = 7e-10;
+    value.power_exponent = 1;
+    value.power_reference = 4e6;
     return value;
   }();
   static constexpr Member members[] = {
@@ -933,15 +958,18 @@ struct Description<wrc_wear_laws> {
       {.name = "archard_severe_start", .offset = offsetof(wrc_wear_laws, archard_severe_start), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "m/s"},
       {.name = "archard_severe_end", .offset = offsetof(wrc_wear_laws, archard_severe_end), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "m/s"},
       {.name = "seizure_pressure", .offset = offsetof(wrc_wear_laws, seizure_pressure), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "power_coefficient", .offset = offsetof(wrc_wear_laws, power_coefficient), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "kg/J", .too_small = "did you pass microgram/J?", .too_large = "did you pass microgram/J?"},
+      {.name = "power_exponent", .offset = offsetof(wrc_wear_laws, power_exponent), .type = Type::real, .rule = Rule::range, .low = 0.25, .high = 4},
+      {.name = "power_reference", .offset = offsetof(wrc_wear_laws, power_reference), .type = Type::real, .rule = Rule::range, .low = 1, .high = 1e12, .unit = "W/m^2", .too_small = "did you pass W/mm^2?"},
   };
 };
-static_assert(sizeof(wrc_wear_laws) == 160, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wear_laws) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wear> {
   static constexpr const char* name = "wrc_wear";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
+  static constexpr std::size_t first = 32;
   static constexpr wrc_wear defaults = [] {
     wrc_wear value{};
     return value;
@@ -950,9 +978,10 @@ struct Description<wrc_wear> {
       {.name = "worn_area_rate", .offset = offsetof(wrc_wear, worn_area_rate), .type = Type::real, .rule = Rule::none, .unit = "m^2/m"},
       {.name = "largest_depth_rate", .offset = offsetof(wrc_wear, largest_depth_rate), .type = Type::real, .rule = Rule::none, .unit = "m/m"},
       {.name = "largest_depth_velocity", .offset = offsetof(wrc_wear, largest_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "largest_power_depth_velocity", .offset = offsetof(wrc_wear, largest_power_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
   };
 };
-static_assert(sizeof(wrc_wear) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wear) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_coefficients> {
@@ -1510,6 +1539,113 @@ struct Description<wrc_temperature> {
   };
 };
 static_assert(sizeof(wrc_temperature) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_damage_bin> {
+  static constexpr const char* name = "wrc_damage_bin";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 152;
+  static constexpr wrc_damage_bin defaults = [] {
+    wrc_damage_bin value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "sum", .offset = offsetof(wrc_damage_bin, sum), .type = Type::uint64, .elements = 16, .rule = Rule::none},
+      {.name = "largest_pressure", .offset = offsetof(wrc_damage_bin, largest_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest_traction", .offset = offsetof(wrc_damage_bin, largest_traction), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "overflow", .offset = offsetof(wrc_damage_bin, overflow), .type = Type::uint64, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_damage_bin) == 152, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_damage_bins> {
+  static constexpr const char* name = "wrc_damage_bins";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_damage_bins defaults = [] {
+    wrc_damage_bins value{};
+    value.struct_size = sizeof value;
+    value.width = 1e-3;
+    value.rows = 1;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_damage_bins, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_damage_bins, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000, .too_small = "say how many bins there are", .not_set = "was it set? its default is 0"},
+      {.name = "first", .offset = offsetof(wrc_damage_bins, first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "width", .offset = offsetof(wrc_damage_bins, width), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "rows", .offset = offsetof(wrc_damage_bins, rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000},
+      {.name = "reserved", .offset = offsetof(wrc_damage_bins, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "row_first", .offset = offsetof(wrc_damage_bins, row_first), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "row_length", .offset = offsetof(wrc_damage_bins, row_length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .or_zero = true, .unit = "m", .negative = "rows follow the track"},
+      {.name = "bin", .offset = offsetof(wrc_damage_bins, bin), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_damage_bins) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_fatigue_laws> {
+  static constexpr const char* name = "wrc_fatigue_laws";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_fatigue_laws defaults = [] {
+    wrc_fatigue_laws value{};
+    value.struct_size = sizeof value;
+    value.whole_life_start = 15;
+    value.whole_life_peak_at = 65;
+    value.whole_life_end = 175;
+    value.whole_life_peak = 1e-5;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_fatigue_laws, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_fatigue_laws, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "whole_life_start", .offset = offsetof(wrc_fatigue_laws, whole_life_start), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "N"},
+      {.name = "whole_life_peak_at", .offset = offsetof(wrc_fatigue_laws, whole_life_peak_at), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e6, .unit = "N"},
+      {.name = "whole_life_end", .offset = offsetof(wrc_fatigue_laws, whole_life_end), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e6, .unit = "N"},
+      {.name = "whole_life_peak", .offset = offsetof(wrc_fatigue_laws, whole_life_peak), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_small = "did you pass millionths?", .too_large = "did you pass millionths?"},
+  };
+};
+static_assert(sizeof(wrc_fatigue_laws) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_accumulation> {
+  static constexpr const char* name = "wrc_accumulation";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 40;
+  static constexpr wrc_accumulation defaults = [] {
+    wrc_accumulation value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_accumulation, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "source", .offset = offsetof(wrc_accumulation, source), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_damage_source},
+      {.name = "duration", .offset = offsetof(wrc_accumulation, duration), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "s", .negative = "damage is not undone", .too_large = "did you pass a distance?"},
+      {.name = "distance", .offset = offsetof(wrc_accumulation, distance), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "wear", .offset = offsetof(wrc_accumulation, wear), .type = Type::pointer, .rule = Rule::none},
+      {.name = "fatigue", .offset = offsetof(wrc_accumulation, fatigue), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_accumulation) == 40, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_damage_totals> {
+  static constexpr const char* name = "wrc_damage_totals";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_damage_totals defaults = [] {
+    wrc_damage_totals value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "sum", .offset = offsetof(wrc_damage_totals, sum), .type = Type::real, .elements = 8, .rule = Rule::none},
+      {.name = "largest_pressure", .offset = offsetof(wrc_damage_totals, largest_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest_traction", .offset = offsetof(wrc_damage_totals, largest_traction), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+  };
+};
+static_assert(sizeof(wrc_damage_totals) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {
