@@ -1,6 +1,7 @@
 /// wheel_report - how wrc_contact_wrench() fares on random poses, and what a call takes.
 ///
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
+///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
 ///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels in a batch
 ///
 /// Poses: five pairs of new and worn profiles, both sides, lateral +-15 mm, roll and yaw +-40 mrad, heights
@@ -133,6 +134,80 @@ int poses(const Csv& file, long count, unsigned seed) {
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
 
+/// What a scan of poses saw.
+struct Line {
+  long steps = 0, flagged = 0, falls = 0;
+  double jump = 0.0;  ///< largest half second difference of a force over the larger of normal force and 20 kN
+  double fall = 0.0;  ///< largest fall of the vertical force from one step to the next [N]
+  double force[3][3] = {};  ///< of the last three steps
+
+  void take(int32_t status, const wrc_wrench& wrench) {
+    for (int i = 0; i < 3; ++i) {
+      double* const f = force[i];
+      f[0] = f[1], f[1] = f[2], f[2] = wrench.force[i];
+      if (steps >= 2)
+        jump = std::max(
+            jump, std::fabs(f[0] - 2.0 * f[1] + f[2]) / 2.0 / std::max(wrench.normal_force, least_force));
+    }
+    const double before = load;
+    load = -wrench.force[2];
+    if (steps > 0 && load < before) {
+      ++falls;
+      fall = std::max(fall, before - load);
+    }
+    flagged += status == WRC_OK || status == WRC_FLAG_NO_CONTACT ? 0 : 1;
+    ++steps;
+  }
+  double load = 0.0;  ///< vertical force [N]
+};
+
+/// Heights in 10 nm from just above first touch to 150 kN, and yaw in 1 urad under a flange contact.
+int lines(const Csv& file) {
+  Pairs pairs(file);
+  PairOptions options;
+  options.wheel = pairs_of_profiles[0].wheel;
+  options.rail = pairs_of_profiles[0].rail;
+  wrc_contact* const contact = pairs.of(options).contact();
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wheel_input input = wrc_wheel_input_default();
+  input.start = WRC_START_ANEW;
+  input.friction.coefficient = 0.0;
+  struct {
+    double y, yaw;
+  } constexpr poses[] = {{0.0, 0.0},    {2e-3, 3e-3},    {-5e-3, 0.0},    {5.02e-3, 0.0}, {5.5e-3, 5e-3},
+                         {6.6e-3, 0.0}, {6.6e-3, 15e-3}, {6.6e-3, 17e-3}, {6.6e-3, 19e-3}};
+  long spoilt = 0;
+  for (const auto& pose : poses) {
+    input.wheel.y = pose.y;
+    input.wheel.yaw = pose.yaw;
+    const double touch = height_for(contact, input, 100.0), deepest = height_for(contact, input, 150e3);
+    Line line;
+    for (double z = touch - 5e-6; z < deepest; z += 10e-9) {
+      input.wheel.z = z;
+      line.take(wrc_contact_wrench(contact, &input, &wrench), wrench);
+    }
+    std::printf(
+        "y %5.2f mm, yaw %4.1f mrad: %6ld heights, %ld falls of the vertical force (largest %.1e N), jump "
+        "%.1e, %ld flagged\n",
+        1e3 * pose.y, 1e3 * pose.yaw, line.steps, line.falls, line.fall, line.jump, line.flagged);
+    spoilt += line.flagged + line.falls;
+  }
+  input.wheel.y = 6.6e-3;
+  input.wheel.yaw = 17e-3;
+  for (const double load : {20e3, 80e3}) {
+    input.wheel.z = height_for(contact, input, load);
+    Line line;
+    for (double yaw = 15e-3; yaw < 19e-3; yaw += 1e-6) {
+      input.wheel.yaw = yaw;
+      line.take(wrc_contact_wrench(contact, &input, &wrench), wrench);
+    }
+    std::printf("y 6.60 mm, yaw 15 .. 19 mrad at the height of %.0f kN: %ld yaws, jump %.1e, %ld flagged\n",
+                1e-3 * load, line.steps, line.jump, line.flagged);
+    spoilt += line.flagged;
+  }
+  return spoilt == 0 ? 0 : 1;
+}
+
 /// A wheelset that weaves; heights are those of its load.
 struct Weaving {
   wrc_wheel_input at(wrc_contact* contact, long step) const {
@@ -223,11 +298,12 @@ int main(int argc, char** argv) {
     if (what == "poses")
       return poses(file, argc > 2 ? std::atol(argv[2]) : 20000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
+    if (what == "lines") return lines(file);
     if (what == "times") return times(file, argc > 2 ? std::atol(argv[2]) : 4000);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
-  std::fprintf(stderr, "usage: wheel_report poses [COUNT [SEED]] | times [STEPS]\n");
+  std::fprintf(stderr, "usage: wheel_report poses [COUNT [SEED]] | lines | times [STEPS]\n");
   return 2;
 }
