@@ -18,7 +18,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_gap(10)
   integer(c_size_t), bind(C) :: layout_wrc_load(7)
   integer(c_size_t), bind(C) :: layout_wrc_creepage(7)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(14)
+  integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(3)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(18)
   integer(c_size_t), bind(C) :: layout_wrc_ellipse(6)
   integer(c_size_t), bind(C) :: layout_wrc_normal_solution(16)
   integer(c_size_t), bind(C) :: layout_wrc_strips(8)
@@ -45,7 +46,6 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
   integer(c_size_t), bind(C) :: layout_wrc_stresses(6)
-  integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(3)
   integer(c_size_t), bind(C) :: layout_wrc_temperature(11)
   integer(c_size_t), bind(C) :: layout_wrc_damage_bin(5)
   integer(c_size_t), bind(C) :: layout_wrc_damage_bins(10)
@@ -87,6 +87,7 @@ program layout_test
   call test_wrc_gap()
   call test_wrc_load()
   call test_wrc_creepage()
+  call test_wrc_bulk_temperatures()
   call test_wrc_friction()
   call test_wrc_ellipse()
   call test_wrc_normal_solution()
@@ -114,7 +115,6 @@ program layout_test
   call test_wrc_stress_peak()
   call test_wrc_stress_peaks()
   call test_wrc_stresses()
-  call test_wrc_bulk_temperatures()
   call test_wrc_temperature()
   call test_wrc_damage_bin()
   call test_wrc_damage_bins()
@@ -406,6 +406,15 @@ contains
     call same('wrc_creepage', 'other_way', &
       distance(c_loc(a), c_loc(a%other_way)), layout_wrc_creepage(7))
   end subroutine
+  subroutine test_wrc_bulk_temperatures()
+    type(wrc_bulk_temperatures), target :: a
+    call wrc_init(a)
+    call same('wrc_bulk_temperatures', 'size', c_sizeof(a), layout_wrc_bulk_temperatures(1))
+    call same('wrc_bulk_temperatures', 'wheel', &
+      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_bulk_temperatures(2))
+    call same('wrc_bulk_temperatures', 'rail', &
+      distance(c_loc(a), c_loc(a%rail)), layout_wrc_bulk_temperatures(3))
+  end subroutine
   subroutine test_wrc_friction()
     type(wrc_friction), target :: a
     call wrc_init(a)
@@ -422,20 +431,28 @@ contains
       distance(c_loc(a), c_loc(a%fall_rate)), layout_wrc_friction(6))
     call same('wrc_friction', 'half_speed', &
       distance(c_loc(a), c_loc(a%half_speed)), layout_wrc_friction(7))
+    call same('wrc_friction', 'hot_ratio', &
+      distance(c_loc(a), c_loc(a%hot_ratio)), layout_wrc_friction(8))
+    call same('wrc_friction', 'cold_temperature', &
+      distance(c_loc(a), c_loc(a%cold_temperature)), layout_wrc_friction(9))
+    call same('wrc_friction', 'hot_temperature', &
+      distance(c_loc(a), c_loc(a%hot_temperature)), layout_wrc_friction(10))
+    call same('wrc_friction', 'bulk', &
+      distance(c_loc(a), c_loc(a%bulk)), layout_wrc_friction(11))
     call same('wrc_friction', 'slope_reduction', &
-      distance(c_loc(a), c_loc(a%slope_reduction)), layout_wrc_friction(8))
+      distance(c_loc(a), c_loc(a%slope_reduction)), layout_wrc_friction(12))
     call same('wrc_friction', 'slope_limit', &
-      distance(c_loc(a), c_loc(a%slope_limit)), layout_wrc_friction(9))
+      distance(c_loc(a), c_loc(a%slope_limit)), layout_wrc_friction(13))
     call same('wrc_friction', 'slope_fall', &
-      distance(c_loc(a), c_loc(a%slope_fall)), layout_wrc_friction(10))
+      distance(c_loc(a), c_loc(a%slope_fall)), layout_wrc_friction(14))
     call same('wrc_friction', 'zone_y', &
-      distance(c_loc(a), c_loc(a%zone_y)), layout_wrc_friction(11))
+      distance(c_loc(a), c_loc(a%zone_y)), layout_wrc_friction(15))
     call same('wrc_friction', 'zone_coefficient', &
-      distance(c_loc(a), c_loc(a%zone_coefficient)), layout_wrc_friction(12))
+      distance(c_loc(a), c_loc(a%zone_coefficient)), layout_wrc_friction(16))
     call same('wrc_friction', 'zones', &
-      distance(c_loc(a), c_loc(a%zones)), layout_wrc_friction(13))
+      distance(c_loc(a), c_loc(a%zones)), layout_wrc_friction(17))
     call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(14))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(18))
   end subroutine
   subroutine test_wrc_ellipse()
     type(wrc_ellipse), target :: a
@@ -959,15 +976,6 @@ contains
       distance(c_loc(a), c_loc(a%surface)), layout_wrc_stresses(5))
     call same('wrc_stresses', 'below', &
       distance(c_loc(a), c_loc(a%below)), layout_wrc_stresses(6))
-  end subroutine
-  subroutine test_wrc_bulk_temperatures()
-    type(wrc_bulk_temperatures), target :: a
-    call wrc_init(a)
-    call same('wrc_bulk_temperatures', 'size', c_sizeof(a), layout_wrc_bulk_temperatures(1))
-    call same('wrc_bulk_temperatures', 'wheel', &
-      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_bulk_temperatures(2))
-    call same('wrc_bulk_temperatures', 'rail', &
-      distance(c_loc(a), c_loc(a%rail)), layout_wrc_bulk_temperatures(3))
   end subroutine
   subroutine test_wrc_temperature()
     type(wrc_temperature), target :: a

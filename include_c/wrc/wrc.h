@@ -149,8 +149,13 @@ enum wrc_flexibility {
 enum wrc_friction_kind {
   WRC_FRICTION_CONSTANT = 0,      /**< not at all */
   WRC_FRICTION_FALLING = 1,       /**< times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach */
-  WRC_FRICTION_STATIC_KINETIC = 2 /**< times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
-                                       coefficient to the kinetic one */
+  WRC_FRICTION_STATIC_KINETIC = 2, /**< times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
+                                        coefficient to the kinetic one */
+  WRC_FRICTION_TEMPERATURE = 3     /**< on the temperature of the surfaces, wrc_contact_temperature(): whole up to
+                                        cold_temperature, times hot_ratio from hot_temperature on, linear between, and
+                                        of each strip the mean over its load; found together with the tractions. Not
+                                        with a method that gives forces alone, and not of a wheel on a rail
+                                        (wrc_wheel.h) */
 };
 
 /** Where the y of friction zones counts from. */
@@ -464,9 +469,15 @@ typedef struct wrc_creepage {
                              result of wrc_contact_creepages. Too large: the way of creepage.speed has the larger share */
 } wrc_creepage;
 
+/** Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass. */
+typedef struct wrc_bulk_temperatures {
+  double wheel; /**< of the tread, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
+  double rail;  /**< of the running surface, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
+} wrc_bulk_temperatures;
+
 /** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that
- * at rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed. It may vanish: such
- * strips carry no traction. A law over temperature is not there yet. A member that neither the kind nor the tangential
+ * at rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed or temperature. It may
+ * vanish: such strips carry no traction. A member that neither the kind nor the tangential
  * method reads must be its default: anything else is WRC_ERROR_UNSUPPORTED. Zones are read where zones > 0. Theory
  * manual, section 5. */
 typedef struct wrc_friction {
@@ -480,6 +491,12 @@ typedef struct wrc_friction {
   double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6]. Too small: friction falls with
                              positive rates */
   double half_speed;    /**< w at which half of the fall is done, 1e-6..100 m/s with WRC_FRICTION_STATIC_KINETIC [1] */
+  double hot_ratio;     /**< friction of hot surfaces over that of cold ones, 0..1 with WRC_FRICTION_TEMPERATURE [0.5]. Too
+                             large: it is a share of the coefficient of cold surfaces */
+  double cold_temperature; /**< up to which friction is whole, -273..2000 degC with WRC_FRICTION_TEMPERATURE [0] */
+  double hot_temperature;  /**< from which on friction is hot_ratio of that, -273..3000 degC with WRC_FRICTION_TEMPERATURE,
+                                at least 1 degC above cold_temperature [400] */
+  wrc_bulk_temperatures bulk; /**< of the bodies; read by WRC_FRICTION_TEMPERATURE */
   double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,
                                for every method, 0.01..1 [1]. Too small: clean bodies have 1. Too
                                large: clean bodies have 1; did you pass per cent? */
@@ -678,7 +695,7 @@ typedef struct wrc_step_sensitivity {
 
 /** What wrc_contact_step() reads. What pointers within point to is the caller's and only read during the call. */
 typedef struct wrc_input {
-  uint32_t struct_size;  /**< sizeof this struct, 216 or more */
+  uint32_t struct_size;  /**< sizeof this struct, 256 or more */
   uint32_t reserved;     /**< 0 */
   wrc_pose pose;         /**< of the wheelset; not used with `gap`, but within its ranges all the same */
   const wrc_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
@@ -752,6 +769,7 @@ WRC_API int32_t wrc_pose_init(wrc_pose* pose); /**< Defaults: pose. */
 WRC_API int32_t wrc_gap_init(wrc_gap* gap); /**< Defaults: gap. */
 WRC_API int32_t wrc_load_init(wrc_load* load); /**< Defaults: load. */
 WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage); /**< Defaults: creepages. */
+WRC_API int32_t wrc_bulk_temperatures_init(wrc_bulk_temperatures* bulk); /**< Defaults: temperatures of the bodies. */
 WRC_API int32_t wrc_friction_init(wrc_friction* friction); /**< Defaults: friction. */
 WRC_API int32_t wrc_ellipse_init(wrc_ellipse* ellipse); /**< Defaults: ellipse. */
 WRC_API int32_t wrc_strips_init(wrc_strips* strips); /**< Defaults: strips. */
@@ -784,6 +802,7 @@ WRC_DEFAULT(wrc_pose)
 WRC_DEFAULT(wrc_gap)
 WRC_DEFAULT(wrc_load)
 WRC_DEFAULT(wrc_creepage)
+WRC_DEFAULT(wrc_bulk_temperatures)
 WRC_DEFAULT(wrc_friction)
 WRC_DEFAULT(wrc_ellipse)
 WRC_DEFAULT(wrc_strips)

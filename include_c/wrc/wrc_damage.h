@@ -50,12 +50,6 @@ typedef struct wrc_stresses {
   wrc_stress_peaks below;    /**< beneath it */
 } wrc_stresses;
 
-/** Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass. */
-typedef struct wrc_bulk_temperatures {
-  double wheel; /**< of the tread, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
-  double rail;  /**< of the running surface, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
-} wrc_bulk_temperatures;
-
 /** Temperatures in the contact. Wheel and rail have the same where they touch. */
 typedef struct wrc_temperature {
   uint32_t struct_size; /**< sizeof this struct, 72 or more */
@@ -160,14 +154,12 @@ typedef struct wrc_damage_totals {
  * @rt hard @thread free
  * @{ */
 WRC_API int32_t wrc_stresses_init(wrc_stresses* stresses); /**< Defaults: stresses. */
-WRC_API int32_t wrc_bulk_temperatures_init(wrc_bulk_temperatures* bulk); /**< Defaults: temperatures of the bodies. */
 WRC_API int32_t wrc_temperature_init(wrc_temperature* temperature); /**< Defaults: temperatures in the contact. */
 WRC_API int32_t wrc_damage_bins_init(wrc_damage_bins* bins); /**< Defaults: bins. */
 WRC_API int32_t wrc_fatigue_laws_init(wrc_fatigue_laws* laws); /**< Defaults: fatigue laws. */
 WRC_API int32_t wrc_accumulation_init(wrc_accumulation* accumulation); /**< Defaults: accumulation. */
 /** @cond */
 WRC_DEFAULT_SIZED(wrc_stresses)
-WRC_DEFAULT(wrc_bulk_temperatures)
 WRC_DEFAULT_SIZED(wrc_temperature)
 WRC_DEFAULT_SIZED(wrc_damage_bins)
 WRC_DEFAULT_SIZED(wrc_fatigue_laws)

@@ -137,7 +137,7 @@ typedef struct wrc_frame_motion {
 /** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only
  * read during the call. */
 typedef struct wrc_wheel_input {
-  uint32_t struct_size;  /**< sizeof this struct, 264 or more */
+  uint32_t struct_size;  /**< sizeof this struct, 304 or more */
   int32_t prescribed;    /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
   int32_t start;         /**< enum wrc_wheel_start [WRC_START_FROM_LAST] */
   uint32_t reserved;     /**< 0 */

@@ -29,6 +29,8 @@ static_assert(member<wrc_friction>("zones").high == zone_capacity);
 Fault check_unread(const wrc_friction& ours, const char* of, const TangentialMethod& method) {
   const wrc_friction untouched = defaults<wrc_friction>();
   const bool falls = ours.kind == WRC_FRICTION_FALLING, kinetic = ours.kind == WRC_FRICTION_STATIC_KINETIC;
+  const bool heat = ours.kind == WRC_FRICTION_TEMPERATURE;
+  constexpr const char* of_heat = "only WRC_FRICTION_TEMPERATURE reads it: was friction.kind set?";
   const bool slope = method.reads.has(Option::slope_fall);
   const struct {
     bool read;
@@ -42,6 +44,11 @@ Fault check_unread(const wrc_friction& ours, const char* of, const TangentialMet
        "only WRC_FRICTION_FALLING reads it: was friction.kind set?"},
       {kinetic, "half_speed", ours.half_speed, untouched.half_speed, "m/s",
        "only WRC_FRICTION_STATIC_KINETIC reads it: was friction.kind set?"},
+      {heat, "hot_ratio", ours.hot_ratio, untouched.hot_ratio, "", of_heat},
+      {heat, "cold_temperature", ours.cold_temperature, untouched.cold_temperature, "degC", of_heat},
+      {heat, "hot_temperature", ours.hot_temperature, untouched.hot_temperature, "degC", of_heat},
+      {heat, "bulk.wheel", ours.bulk.wheel, untouched.bulk.wheel, "degC", of_heat},
+      {heat, "bulk.rail", ours.bulk.rail, untouched.bulk.rail, "degC", of_heat},
       {slope, "slope_limit", ours.slope_limit, untouched.slope_limit, "", readers_of(Option::slope_fall)},
       {slope, "slope_fall", ours.slope_fall, untouched.slope_fall, "", readers_of(Option::slope_fall)},
   };
@@ -54,6 +61,24 @@ Fault check_unread(const wrc_friction& ours, const char* of, const TangentialMet
               .unit = unit,
               .cause = reader};
   return {};
+}
+
+/// Friction over temperature needs tractions to heat with, and room to fall in.
+Fault check_heat(const wrc_friction& ours, const char* of, const TangentialMethod& method) {
+  if (ours.kind != WRC_FRICTION_TEMPERATURE) return {};
+  if (!method.gives_tractions) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .of = of,
+            .field = "kind",
+            .value = static_cast<double>(ours.kind),
+            .unit = "",
+            .cause = "this tangential method has no tractions that heat: choose another, or another law"};
+  }
+  constexpr double least_range = 1.0;
+  Member above = member<wrc_friction>("hot_temperature");
+  above.low = ours.cold_temperature + least_range;
+  above.too_small = "it must be at least 1 degC above cold_temperature";
+  return check(above, of, ours.hot_temperature);
 }
 
 /// The planar problem has no use for bodies without friction: its creepages, adhesion and damage would mean
@@ -71,14 +96,21 @@ Fault read_friction(const wrc_friction& checked, const char* of, const Tangentia
                     Friction& friction) {
   static_assert(same<WRC_FRICTION_CONSTANT>(FrictionLaw::Fall::none) &&
                 same<WRC_FRICTION_FALLING>(FrictionLaw::Fall::exponential) &&
-                same<WRC_FRICTION_STATIC_KINETIC>(FrictionLaw::Fall::hyperbolic));
-  const Fault fault = first_of({check_some(checked, of), check_unread(checked, of, method)});
+                same<WRC_FRICTION_STATIC_KINETIC>(FrictionLaw::Fall::hyperbolic) &&
+                same<WRC_FRICTION_TEMPERATURE>(FrictionLaw::Fall::heat));
+  const Fault fault =
+      first_of({check_some(checked, of), check_unread(checked, of, method), check_heat(checked, of, method)});
   if (fault.failed()) return fault;
   friction.law.fall = static_cast<FrictionLaw::Fall>(checked.kind);
   friction.law.coefficient = checked.coefficient;
   friction.law.kinetic_ratio = checked.kinetic_ratio;
   friction.law.fall_rate = checked.fall_rate;
   friction.law.half_speed = checked.half_speed;
+  friction.law.hot_ratio = checked.hot_ratio;
+  friction.law.cold_temperature = checked.cold_temperature;
+  friction.law.hot_temperature = checked.hot_temperature;
+  friction.law.wheel_temperature = checked.bulk.wheel;
+  friction.law.rail_temperature = checked.bulk.rail;
   friction.slope_reduction = checked.slope_reduction;
   friction.slope = {checked.slope_limit, checked.slope_fall};
   return read_zones(checked, of, friction);

@@ -403,6 +403,9 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   fault = read_material(config.material, options);
   if (fault.failed()) return fault;
   options.shear_yield = config.material.shear_yield;
+  options.wheel_poisson = config.material.poisson;
+  options.rail_poisson =
+      config.material.rail_shear_modulus > 0.0 ? config.material.rail_poisson : config.material.poisson;
   options.effusivities = {effusivity_of(config.wheel_heat), effusivity_of(config.rail_heat)};
   options.wheelset.nominal_radius = config.wheelset.wheel_radius;
   options.wheelset.flange_back_distance = config.wheelset.flange_back_distance;

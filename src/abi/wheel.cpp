@@ -122,6 +122,13 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
 Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
+  if (ours.kind == WRC_FRICTION_TEMPERATURE) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.friction.kind",
+            .value = static_cast<double>(ours.kind),
+            .unit = "",
+            .cause = "a wheel on a rail has no friction over temperature: leave kind, or take the stages"};
+  }
   hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);

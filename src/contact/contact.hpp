@@ -214,7 +214,7 @@ struct Contact {
 
 // What is saved are the bytes of a contact: with padding, where anything may lie, equal states could differ
 // in their bytes. Each line is a struct and what its members come to.
-static_assert(sizeof(FrictionLaw) == 8 * sizeof(double));
+static_assert(sizeof(FrictionLaw) == 13 * sizeof(double));
 static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + sizeof(SlopeFall));
 static_assert(sizeof(Load) == 4 * sizeof(double));
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));

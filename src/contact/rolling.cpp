@@ -105,6 +105,86 @@ void show_region(Contact& contact, const Patch& patch, double origin) {
   }
 }
 
+/// Solutions of a patch under friction over temperature: always as many, so that the result is as continuous
+/// in the inputs as each of them.
+constexpr int heat_solutions = 6;
+
+/// The coefficient's share f of one strip that goes with its heat: f = mean over the load of the law at
+/// T = entry + f / before * rise, where `rise` is what the share `before` made. In full slip heat is
+/// proportional to friction, and that is all. The right side falls as f grows: one solution, by Newton's
+/// method in its bracket.
+double settled_share(const FrictionLaw& law, double entry, const double* rise, std::int32_t strips,
+                     std::int32_t cells, double before) {
+  double low = law.hot_ratio, high = 1.0, f = before;
+  constexpr int most_steps = 30;
+  for (int step = 0; step < most_steps; ++step) {
+    double sum = 0.0, slopes = 0.0, weights = 0.0;
+    for (std::int32_t i = 0; i < cells; ++i) {
+      const double xi = (2.0 * i + 1.0) / cells - 1.0, weight = std::sqrt(1.0 - xi * xi);
+      const double per_share = rise[i * strips] / before;
+      double slope = 0.0;
+      sum += weight * friction_when_hot(law, entry + per_share * f, &slope);
+      slopes += weight * slope * per_share;
+      weights += weight;
+    }
+    const double excess = f - sum / weights;
+    if (excess > 0.0) {
+      high = f;
+    } else {
+      low = f;
+    }
+    const double next = f - excess / (1.0 - slopes / weights);
+    if (std::fabs(excess) < 1e-13) return f;
+    f = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return f;
+}
+
+/// Solves a patch whose friction falls with the temperature that it makes. The rise of temperature in the
+/// contact is work space. Flags coefficients that still move by more than a thousandth.
+TangentialForces solve_heated(Contact& contact, const Patch& patch, const FrictionLaw& law,
+                              const TangentialFields& fields, RollingContact& rolling, Fault& fault) {
+  const ModelOptions& options = contact.model->options;
+  const Strips& region = rolling.region;
+  const std::int32_t strips = region.count, cells = options.sizes.cells;
+  constexpr std::int32_t most_strips = 512;
+  constexpr double least_share = 1e-6;  // below, there is no heat to go by
+  double cold[most_strips], share[most_strips];
+  double* const shares = array(contact, Array::strip_friction) + patch.region_first;
+  double* const rise = cell_block(contact, Array::temperature_rise, patch);
+  const BulkTemperatures bulk{law.wheel_temperature, law.rail_temperature};
+  const double entry = bulk.at_entry(options.effusivities);
+  const FlashWeights weights(cells);
+  for (std::int32_t j = 0; j < strips; ++j) {
+    cold[j] = rolling.friction[j];
+    share[j] = friction_when_hot(law, entry);
+  }
+  TangentialForces forces;
+  double change = 0.0;
+  for (int k = 0; k < heat_solutions; ++k) {
+    for (std::int32_t j = 0; j < strips; ++j) shares[j] = cold[j] * share[j];
+    rolling.friction = shared_out(region, shares);
+    forces = options.tangential_method->solve(rolling, fields, fault, nullptr);
+    flash_rise(region, fields, cells, contact.rolling.speed, options.effusivities, weights, rise);
+    change = 0.0;
+    for (std::int32_t j = 0; j < strips; ++j) {
+      if (!(share[j] > least_share)) continue;
+      const double next = settled_share(law, entry, rise + j, strips, cells, share[j]);
+      change = std::max(change, std::fabs(next - share[j]));
+      if (k + 1 < heat_solutions) share[j] = next;
+    }
+  }
+  constexpr double settled = 1e-3;
+  if (change > settled) {
+    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP,
+                       .field = "friction.kind",
+                       .value = change,
+                       .unit = "",
+                       .cause = "friction over temperature has not settled: this is its last change"});
+  }
+  return forces;
+}
+
 /// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
 Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
            TangentialSensitivities* sensitivities) {
@@ -136,7 +216,9 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   rolling.workspace = array(contact, Array::tangential_workspace);
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
-  patch.forces = method.solve(rolling, fields, fault, sensitivities);
+  patch.forces = friction.law.fall == FrictionLaw::Fall::heat
+                     ? solve_heated(contact, patch, friction.law, fields, rolling, fault)
+                     : method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside.
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
   if (shape.at_middle) refer_back(centre, patch.forces, sensitivities);
@@ -386,14 +468,15 @@ Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::i
   const Fault fault =
       tractions_needed(contact, "this method has no tractions over the patch: choose another");
   if (fault.status != WRC_OK) return fault;
-  LoadLanes loads(contact.model->options.material.poisson);
+  const ModelOptions& options = contact.model->options;
+  LoadLanes loads(in_rail ? options.rail_poisson : options.wheel_poisson);
   std::int32_t strips = 0;
   for (std::int32_t k = 0; k < contact.patches; ++k) strips += contact.patch[k].region_count;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
     loads.add_patch(region_strips(contact, patch), cell_block(contact, Array::pressure, patch),
-                    cell_fields(contact, patch), contact.model->options.sizes.cells, strips,
-                    contact.rolling.way, in_rail ? -1.0 : 1.0);
+                    cell_fields(contact, patch), options.sizes.cells, strips, contact.rolling.way,
+                    in_rail ? -1.0 : 1.0);
   }
   stresses.surface = loads.peaks(0.0);
   double deepest = 0.0;

@@ -211,6 +211,21 @@ TEST_F(ContactStresses, TensionIsBehindInTheBodyThatIsPulledAlong) {
   EXPECT_GT(stresses.surface.tension.x, 5e-3);
 }
 
+// Next to no friction: tension at the edge is (1 - 2 nu) / 3 of the pressure, nu of the body's own.
+TEST_F(ContactStresses, BodiesHaveTheirOwnPoissonRatio) {
+  config.material.poisson = 0.3;
+  config.material.rail_shear_modulus = config.material.shear_modulus;
+  config.material.rail_poisson = 0.2;
+  ellipse.b = ellipse.a;
+  ellipse.psi = 0.0;
+  friction.coefficient = 1e-4;
+  roll();
+  ASSERT_EQ(find(), WRC_OK);
+  const double rail = stresses.surface.tension.stress;
+  ASSERT_EQ(find({0.0}, WRC_BODY_WHEEL), WRC_OK);
+  EXPECT_NEAR(rail / stresses.surface.tension.stress, 0.6 / 0.4, 0.01);
+}
+
 TEST_F(ContactStresses, RefusesWhatMakesNoSense) {
   char text[256];
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);

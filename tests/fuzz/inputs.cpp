@@ -359,11 +359,17 @@ void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArr
   friction = wrc_friction_default();
   friction.coefficient =
       choices.one_in(40) ? choices.poison() : sized(choices, member<wrc_friction>("coefficient"));
-  friction.kind = static_cast<std::int32_t>(choices.below(3));
-  if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 3 : -1;
+  friction.kind = static_cast<std::int32_t>(choices.below(4));
+  if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 4 : -1;
   // What neither the kind nor the method reads is refused: seldom here.
   const bool stray = choices.one_in(16);
-  if (stray || friction.kind != WRC_FRICTION_CONSTANT)
+  const bool heat = friction.kind == WRC_FRICTION_TEMPERATURE;
+  if (stray || heat) {
+    friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
+    friction.hot_temperature = choices.between(0.0, 1000.0);
+    if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
+  }
+  if (stray || (friction.kind != WRC_FRICTION_CONSTANT && !heat))
     friction.kinetic_ratio =
         choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
   if (stray || friction.kind == WRC_FRICTION_FALLING)

@@ -234,11 +234,16 @@ class FrictionKind(s.Choice):
     FALLING: times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach
     STATIC_KINETIC: times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
         coefficient to the kinetic one
+    TEMPERATURE: on the temperature of the surfaces, Contact.temperature(): whole up to cold_temperature,
+        times hot_ratio from hot_temperature on, linear between, and of each strip the mean over its load;
+        found together with the tractions. Not with a method that gives forces alone, and not of a wheel on a
+        rail (wrc_wheel.h)
     """
 
     CONSTANT = 0
     FALLING = 1
     STATIC_KINETIC = 2
+    TEMPERATURE = 3
 
 
 class ZoneFrame(s.Choice):
@@ -1176,12 +1181,33 @@ class Creepage(s.Struct):
 assert c.sizeof(Creepage) == 48
 
 
+class BulkTemperatures(s.Struct):
+    """Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass.
+
+    Members:
+      wheel [degC]: of the tread (-273 .. 2000; default 20)
+      rail [degC]: of the running surface (-273 .. 2000; default 20)
+    """
+
+    _c_name_ = 'wrc_bulk_temperatures'
+    __slots__ = ()
+    wheel: float
+    rail: float
+    _units_ = {'wheel': 'degC', 'rail': 'degC'}
+    _hidden_ = ()
+    _fields_ = [
+        ('wheel', c.c_double),
+        ('rail', c.c_double),
+    ]
+assert c.sizeof(BulkTemperatures) == 16
+
+
 class Friction(s.Struct):
     """Friction between the bodies, and what a layer between them does. Each strip of the patch has one
         coefficient: that at rest (coefficient, or of the zones) times what is left of it at the strip's
-        sliding speed. It may vanish: such strips carry no traction. A law over temperature is not there yet.
-        A member that neither the kind nor the tangential method reads must be its default: anything else is
-        Status.ERROR_UNSUPPORTED. Zones are read where zones > 0. Theory manual, section 5.
+        sliding speed or temperature. It may vanish: such strips carry no traction. A member that neither the
+        kind nor the tangential method reads must be its default: anything else is Status.ERROR_UNSUPPORTED.
+        Zones are read where zones > 0. Theory manual, section 5.
 
     Members:
       coefficient: Coulomb; at rest where it falls with the sliding speed; 0, none, of a wheel on a rail alone
@@ -1192,6 +1218,11 @@ class Friction(s.Struct):
           FrictionKind.CONSTANT (0 .. 1; default 0.4)
       fall_rate [s/m]: FrictionKind.FALLING: Polach's B (0 .. 1000; default 0.6)
       half_speed [m/s]: w at which half of the fall is done (1e-6 .. 100; default 1)
+      hot_ratio: friction of hot surfaces over that of cold ones (0 .. 1; default 0.5)
+      cold_temperature [degC]: up to which friction is whole (-273 .. 2000; default 0)
+      hot_temperature [degC]: from which on friction is hot_ratio of that, at least 1 degC above
+          cold_temperature (-273 .. 3000; default 400)
+      bulk: of the bodies; read by FrictionKind.TEMPERATURE
       slope_reduction: a layer between the bodies: initial slope of the creep curve over that of clean bodies,
           for every method (0.01 .. 1; default 1)
       slope_limit: modified FASTSIM: share of that slope left at large slip; read by TangentialMethod.FASTSIM
@@ -1212,6 +1243,10 @@ class Friction(s.Struct):
     kinetic_ratio: float
     fall_rate: float
     half_speed: float
+    hot_ratio: float
+    cold_temperature: float
+    hot_temperature: float
+    bulk: BulkTemperatures
     slope_reduction: float
     slope_limit: float
     slope_fall: float
@@ -1219,7 +1254,7 @@ class Friction(s.Struct):
     zone_coefficient: Optional[np.ndarray] = s.Pointer('zone_coefficient', count='zones', group=('zone_y', 'zone_coefficient'))  # type: ignore[assignment]
     zones: int = s.Count('zones')  # type: ignore[assignment]
     reserved: int
-    _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'zone_y': 'm'}
+    _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm'}
     _hidden_ = ('reserved',)
     _fields_ = [
         ('coefficient', c.c_double),
@@ -1228,6 +1263,10 @@ class Friction(s.Struct):
         ('kinetic_ratio', c.c_double),
         ('fall_rate', c.c_double),
         ('half_speed', c.c_double),
+        ('hot_ratio', c.c_double),
+        ('cold_temperature', c.c_double),
+        ('hot_temperature', c.c_double),
+        ('bulk', BulkTemperatures),
         ('slope_reduction', c.c_double),
         ('slope_limit', c.c_double),
         ('slope_fall', c.c_double),
@@ -1236,7 +1275,7 @@ class Friction(s.Struct):
         ('_zones', c.c_uint32),
         ('reserved', c.c_uint32),
     ]
-assert c.sizeof(Friction) == 88
+assert c.sizeof(Friction) == 128
 
 
 class Ellipse(s.Struct):
@@ -1774,7 +1813,7 @@ class Input(s.Struct):
         ('creepage', Creepage),
         ('friction', Friction),
     ]
-assert c.sizeof(Input) == 216
+assert c.sizeof(Input) == 256
 
 
 class Output(s.Struct):
@@ -2032,7 +2071,7 @@ class WheelInput(s.Struct):
         ('roller_velocity', c.c_double),
         ('frame', FrameMotion),
     ]
-assert c.sizeof(WheelInput) == 320
+assert c.sizeof(WheelInput) == 360
 
 
 class Wrench(s.Struct):
@@ -2262,27 +2301,6 @@ class Stresses(s.Struct):
         ('below', StressPeaks),
     ]
 assert c.sizeof(Stresses) == 296
-
-
-class BulkTemperatures(s.Struct):
-    """Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass.
-
-    Members:
-      wheel [degC]: of the tread (-273 .. 2000; default 20)
-      rail [degC]: of the running surface (-273 .. 2000; default 20)
-    """
-
-    _c_name_ = 'wrc_bulk_temperatures'
-    __slots__ = ()
-    wheel: float
-    rail: float
-    _units_ = {'wheel': 'degC', 'rail': 'degC'}
-    _hidden_ = ()
-    _fields_ = [
-        ('wheel', c.c_double),
-        ('rail', c.c_double),
-    ]
-assert c.sizeof(BulkTemperatures) == 16
 
 
 class Temperature(s.Struct):
@@ -3020,6 +3038,7 @@ _wrc_pose_init = _l.function(FUNCTIONS, 'wrc_pose_init', c.c_int32, [c.POINTER(P
 _wrc_gap_init = _l.function(FUNCTIONS, 'wrc_gap_init', c.c_int32, [c.POINTER(Gap)])
 _wrc_load_init = _l.function(FUNCTIONS, 'wrc_load_init', c.c_int32, [c.POINTER(Load)])
 _wrc_creepage_init = _l.function(FUNCTIONS, 'wrc_creepage_init', c.c_int32, [c.POINTER(Creepage)])
+_wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
 _wrc_friction_init = _l.function(FUNCTIONS, 'wrc_friction_init', c.c_int32, [c.POINTER(Friction)])
 _wrc_ellipse_init = _l.function(FUNCTIONS, 'wrc_ellipse_init', c.c_int32, [c.POINTER(Ellipse)])
 _wrc_strips_init = _l.function(FUNCTIONS, 'wrc_strips_init', c.c_int32, [c.POINTER(Strips)])
@@ -3079,7 +3098,6 @@ _wrc_contact_region_field = _l.function(FUNCTIONS, 'wrc_contact_region_field', c
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_wrench_flat = _l.function(FUNCTIONS, 'wrc_contact_wrench_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
 _wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.POINTER(Stresses)])
-_wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
 _wrc_temperature_init = _l.function(FUNCTIONS, 'wrc_temperature_init', c.c_int32, [c.POINTER(Temperature)])
 _wrc_damage_bins_init = _l.function(FUNCTIONS, 'wrc_damage_bins_init', c.c_int32, [c.POINTER(DamageBins)])
 _wrc_fatigue_laws_init = _l.function(FUNCTIONS, 'wrc_fatigue_laws_init', c.c_int32, [c.POINTER(FatigueLaws)])
@@ -3609,6 +3627,7 @@ STRUCTS = {
     'wrc_gap': Gap,
     'wrc_load': Load,
     'wrc_creepage': Creepage,
+    'wrc_bulk_temperatures': BulkTemperatures,
     'wrc_friction': Friction,
     'wrc_ellipse': Ellipse,
     'wrc_normal_solution': NormalSolution,
@@ -3636,7 +3655,6 @@ STRUCTS = {
     'wrc_stress_peak': StressPeak,
     'wrc_stress_peaks': StressPeaks,
     'wrc_stresses': Stresses,
-    'wrc_bulk_temperatures': BulkTemperatures,
     'wrc_temperature': Temperature,
     'wrc_damage_bin': DamageBin,
     'wrc_damage_bins': DamageBins,
@@ -3703,6 +3721,7 @@ __all__ = [
     'Gap',
     'Load',
     'Creepage',
+    'BulkTemperatures',
     'Friction',
     'Ellipse',
     'NormalSolution',
@@ -3730,7 +3749,6 @@ __all__ = [
     'StressPeak',
     'StressPeaks',
     'Stresses',
-    'BulkTemperatures',
     'Temperature',
     'DamageBin',
     'DamageBins',

@@ -93,9 +93,10 @@ inline constexpr Enumerator wrc_friction_kind_values[] = {
     {"WRC_FRICTION_CONSTANT", WRC_FRICTION_CONSTANT},
     {"WRC_FRICTION_FALLING", WRC_FRICTION_FALLING},
     {"WRC_FRICTION_STATIC_KINETIC", WRC_FRICTION_STATIC_KINETIC},
+    {"WRC_FRICTION_TEMPERATURE", WRC_FRICTION_TEMPERATURE},
 };
-inline constexpr Enumeration wrc_friction_kind{wrc_friction_kind_values, 3,
-    "see enum wrc_friction_kind: WRC_FRICTION_CONSTANT (0), _FALLING (1), _STATIC_KINETIC (2)"};
+inline constexpr Enumeration wrc_friction_kind{wrc_friction_kind_values, 4,
+    "see enum wrc_friction_kind: WRC_FRICTION_CONSTANT (0), _FALLING (1), _STATIC_KINETIC (2), _TEMPERATURE (3)"};
 
 inline constexpr Enumerator wrc_zone_frame_values[] = {
     {"WRC_ZONES_CONTACT_FRAME", WRC_ZONES_CONTACT_FRAME},
@@ -689,16 +690,37 @@ struct Description<wrc_creepage> {
 static_assert(sizeof(wrc_creepage) == 48, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_bulk_temperatures> {
+  static constexpr const char* name = "wrc_bulk_temperatures";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 16;
+  static constexpr wrc_bulk_temperatures defaults = [] {
+    wrc_bulk_temperatures value{};
+    value.wheel = 20;
+    value.rail = 20;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "wheel", .offset = offsetof(wrc_bulk_temperatures, wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "rail", .offset = offsetof(wrc_bulk_temperatures, rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+  };
+};
+static_assert(sizeof(wrc_bulk_temperatures) == 16, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_friction> {
   static constexpr const char* name = "wrc_friction";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = 128;
   static constexpr wrc_friction defaults = [] {
     wrc_friction value{};
     value.coefficient = 0.3;
     value.kinetic_ratio = 0.4;
     value.fall_rate = 0.6;
     value.half_speed = 1;
+    value.hot_ratio = 0.5;
+    value.hot_temperature = 400;
+    value.bulk = Description<wrc_bulk_temperatures>::defaults;
     value.slope_reduction = 1;
     value.slope_limit = 0.02;
     return value;
@@ -710,6 +732,11 @@ struct Description<wrc_friction> {
       {.name = "kinetic_ratio", .offset = offsetof(wrc_friction, kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
       {.name = "fall_rate", .offset = offsetof(wrc_friction, fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
       {.name = "half_speed", .offset = offsetof(wrc_friction, half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "hot_ratio", .offset = offsetof(wrc_friction, hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "cold_temperature", .offset = offsetof(wrc_friction, cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "hot_temperature", .offset = offsetof(wrc_friction, hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "bulk.wheel", .offset = offsetof(wrc_friction, bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "bulk.rail", .offset = offsetof(wrc_friction, bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
       {.name = "slope_reduction", .offset = offsetof(wrc_friction, slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "slope_limit", .offset = offsetof(wrc_friction, slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "slope_fall", .offset = offsetof(wrc_friction, slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
@@ -719,7 +746,7 @@ struct Description<wrc_friction> {
       {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_friction) == 88, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_friction) == 128, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_ellipse> {
@@ -1039,7 +1066,7 @@ template <>
 struct Description<wrc_input> {
   static constexpr const char* name = "wrc_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 216;
+  static constexpr std::size_t first = 256;
   static constexpr wrc_input defaults = [] {
     wrc_input value{};
     value.struct_size = sizeof value;
@@ -1074,6 +1101,11 @@ struct Description<wrc_input> {
       {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
       {.name = "friction.fall_rate", .offset = offsetof(wrc_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
       {.name = "friction.half_speed", .offset = offsetof(wrc_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
       {.name = "friction.slope_reduction", .offset = offsetof(wrc_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slope_limit", .offset = offsetof(wrc_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "friction.slope_fall", .offset = offsetof(wrc_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
@@ -1083,7 +1115,7 @@ struct Description<wrc_input> {
       {.name = "friction.reserved", .offset = offsetof(wrc_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_input) == 216, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_input) == 256, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_output> {
@@ -1257,7 +1289,7 @@ template <>
 struct Description<wrc_wheel_input> {
   static constexpr const char* name = "wrc_wheel_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 264;
+  static constexpr std::size_t first = 304;
   static constexpr wrc_wheel_input defaults = [] {
     wrc_wheel_input value{};
     value.struct_size = sizeof value;
@@ -1297,6 +1329,11 @@ struct Description<wrc_wheel_input> {
       {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_wheel_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
       {.name = "friction.fall_rate", .offset = offsetof(wrc_wheel_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
       {.name = "friction.half_speed", .offset = offsetof(wrc_wheel_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_wheel_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_wheel_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_wheel_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_wheel_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_wheel_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
       {.name = "friction.slope_reduction", .offset = offsetof(wrc_wheel_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slope_limit", .offset = offsetof(wrc_wheel_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "friction.slope_fall", .offset = offsetof(wrc_wheel_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
@@ -1315,7 +1352,7 @@ struct Description<wrc_wheel_input> {
       {.name = "frame.twist", .offset = offsetof(wrc_wheel_input, frame.twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 320, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheel_input) == 360, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {
@@ -1496,24 +1533,6 @@ struct Description<wrc_stresses> {
   };
 };
 static_assert(sizeof(wrc_stresses) == 296, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_bulk_temperatures> {
-  static constexpr const char* name = "wrc_bulk_temperatures";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 16;
-  static constexpr wrc_bulk_temperatures defaults = [] {
-    wrc_bulk_temperatures value{};
-    value.wheel = 20;
-    value.rail = 20;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "wheel", .offset = offsetof(wrc_bulk_temperatures, wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "rail", .offset = offsetof(wrc_bulk_temperatures, rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-  };
-};
-static_assert(sizeof(wrc_bulk_temperatures) == 16, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_temperature> {

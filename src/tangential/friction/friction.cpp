@@ -17,13 +17,36 @@ double integral_between(double y0, double c0, double y1, double c1, double from,
   return (high - low) * (c0 + (c1 - c0) * (middle - y0) / (y1 - y0));
 }
 
+/// The mean and each strip's share of it, in the place of the coefficients.
+StripFriction shared_out(double limit, double load, std::int32_t strips, double* coefficients) {
+  constexpr double least_friction = 1e-9;  // below, nothing to share out
+  if (limit <= least_friction * load) {
+    std::fill_n(coefficients, strips, 1.0);
+    return 0.0;
+  }
+  const double mean = limit / load;
+  for (std::int32_t j = 0; j < strips; ++j) coefficients[j] /= mean;
+  return {mean, coefficients};
+}
+
 }  // namespace
+
+StripFriction shared_out(const Strips& strips, double* coefficients) {
+  double limit = 0.0, load = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
+    limit += coefficients[j] * carried;
+    load += carried;
+  }
+  return shared_out(limit, load, strips.count, coefficients);
+}
 
 double friction_fall(const FrictionLaw& law, double sliding_speed) {
   constexpr double endless = 690.0;  // e^-690 is nothing, and within what natural_exp takes
   const double A = law.kinetic_ratio;
   switch (law.fall) {
     case FrictionLaw::Fall::none:
+    case FrictionLaw::Fall::heat:
       break;
     case FrictionLaw::Fall::exponential:
       return (1.0 - A) * natural_exp(-std::min(law.fall_rate * sliding_speed, endless)) + A;
@@ -33,10 +56,18 @@ double friction_fall(const FrictionLaw& law, double sliding_speed) {
   return 1.0;
 }
 
+double friction_when_hot(const FrictionLaw& law, double temperature, double* slope) {
+  const double range = law.hot_temperature - law.cold_temperature, loss = 1.0 - law.hot_ratio;
+  const bool falling = temperature > law.cold_temperature && temperature < law.hot_temperature;
+  if (slope) *slope = falling ? -loss / range : 0.0;
+  return 1.0 - loss * std::clamp((temperature - law.cold_temperature) / range, 0.0, 1.0);
+}
+
 double friction_fall_slope(const FrictionLaw& law, double sliding_speed) {
   const double A = law.kinetic_ratio;
   switch (law.fall) {
     case FrictionLaw::Fall::none:
+    case FrictionLaw::Fall::heat:
       break;
     case FrictionLaw::Fall::exponential:
       return -law.fall_rate * (friction_fall(law, sliding_speed) - A);
@@ -85,15 +116,11 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
     limit += shares[j] * carried;
     load += carried;
   }
-  const bool same_everywhere = law.zones.count == 0 && law.fall == FrictionLaw::Fall::none;
-  constexpr double least_friction = 1e-9;  // below, nothing to share out
-  if (same_everywhere || limit <= least_friction * load) {
+  if (law.zones.count == 0 && law.fall == FrictionLaw::Fall::none) {
     std::fill_n(shares, strips.count, 1.0);
-    return same_everywhere ? law.coefficient : 0.0;
+    return law.coefficient;
   }
-  const double mean = limit / load;
-  for (std::int32_t j = 0; j < strips.count; ++j) shares[j] /= mean;
-  return {mean, shares};
+  return shared_out(limit, load, strips.count, shares);
 }
 
 }  // namespace wrc

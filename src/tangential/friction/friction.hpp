@@ -18,7 +18,9 @@
 /// would dip to zero at the spin pole. Modified FASTSIM has one sliding speed per patch,
 /// V sqrt(nu_x^2 + nu_y^2), as published.
 ///
-/// No temperature yet: a law over it would be another f.
+/// Over temperature f is 1 up to a temperature, a share from another on, and linear between (the form of
+/// CONTACT's user guide, method L = 4); of a strip the mean over its load, at the temperatures that tractions
+/// with these coefficients make (contact/rolling.cpp). At rest, and so here, f is 1.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +44,7 @@ struct FrictionLaw {
     none,                           ///< f = 1
     exponential,                    ///< f = (1 - A) exp(-B w) + A: Polach, Wear 258 (2005)
     hyperbolic,  ///< f = A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
+    heat,        ///< over temperature: friction_when_hot()
   };
   double coefficient = 0.3;  ///< mu_0 at rest, where there are no zones [-]
   FrictionZones zones{};
@@ -49,10 +52,16 @@ struct FrictionLaw {
   double kinetic_ratio = 1.0;  ///< A: friction at high sliding speed over that at rest [-]
   double fall_rate = 0.0;      ///< B [s/m]
   double half_speed = 1.0;     ///< w_half [m/s]
+  double hot_ratio = 1.0;      ///< f of hot surfaces
+  double cold_temperature = 0.0, hot_temperature = 1.0;    ///< where f begins to fall, and ends to [degC]
+  double wheel_temperature = 0.0, rail_temperature = 0.0;  ///< of the bodies [degC]
 };
 
 /// f(w), 0 to 1; w >= 0 [m/s].
 double friction_fall(const FrictionLaw& law, double sliding_speed);
+
+/// f of a temperature, its slope at will [1/K].
+double friction_when_hot(const FrictionLaw& law, double temperature, double* slope = nullptr);
 
 /// f'(w) [s/m].
 double friction_fall_slope(const FrictionLaw& law, double sliding_speed);
@@ -73,6 +82,9 @@ enum class SlidingSpeed {
   of_strip,  ///< w_j above
   of_patch,  ///< V sqrt(nu_x^2 + nu_y^2) at `origin`, for all strips
 };
+
+/// Coefficients of strips as their mean over the load and each strip's share of it, which takes their place.
+StripFriction shared_out(const Strips& strips, double* coefficients);
 
 /// Evaluates the law. creepage: at the origin of the contact frame; speed: V [m/s]. Fills `shares`
 /// (strips.count numbers, which must outlive the result); where friction is the same everywhere with ones.

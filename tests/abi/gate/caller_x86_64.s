@@ -41,14 +41,14 @@ bits:
 main:
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3608, %rsp
+	subq	$3704, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$807, (%rax)
+	cmpl	$879, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
 	movl	$44, %ecx
@@ -58,44 +58,44 @@ main:
 	movl	$352, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
-	leaq	3248(%rsp), %rdi
+	leaq	3344(%rsp), %rdi
 	movl	$44, %ecx
 	movq	%rbp, %rsi
 	rep movsq
-	movl	$2, 3256(%rsp)
-	movl	$4, 3288(%rsp)
-	movl	$40, 3464(%rsp)
-	movl	$2, 3512(%rsp)
-	movq	$0, 3240(%rsp)
-	movq	$0, 3232(%rsp)
-	leaq	3240(%rsp), %rdx
-	leaq	3248(%rsp), %rdi
+	movl	$2, 3352(%rsp)
+	movl	$4, 3384(%rsp)
+	movl	$40, 3560(%rsp)
+	movl	$2, 3608(%rsp)
+	movq	$0, 3336(%rsp)
+	movq	$0, 3328(%rsp)
+	leaq	3336(%rsp), %rdx
+	leaq	3344(%rsp), %rdi
 	movl	$0, %esi
 	call	wrc_model_create@PLT
 	testl	%eax, %eax
 	js	.L7
-	leaq	3232(%rsp), %rcx
+	leaq	3328(%rsp), %rcx
 	movl	$0, %edx
 	movl	$1, %esi
-	movq	3240(%rsp), %rdi
+	movq	3336(%rsp), %rdi
 	call	*192(%rbx)
 	testl	%eax, %eax
 	js	.L8
 	movq	%rsp, %rbx
 	leaq	4(%rsp), %rdx
-	movl	$53, %ebp
+	movl	$63, %ebp
 	movl	$0, %eax
 	movq	%rdx, %rdi
 	movq	%rbp, %rcx
 	rep stosl
 	movq	%rcx, %rbp
-	movl	$216, (%rsp)
+	movl	$256, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_input_init@PLT
-	leaq	3008(%rsp), %rdi
-	movl	$54, %ecx
+	leaq	3072(%rsp), %rdi
+	movl	$32, %ecx
 	movq	%rbx, %rsi
-	rep movsl
+	rep movsq
 	movl	$43, %ecx
 	movq	%rbx, %rdi
 	movq	%rbp, %rax
@@ -103,34 +103,34 @@ main:
 	movl	$344, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_output_init@PLT
-	leaq	2656(%rsp), %rdi
+	leaq	2720(%rsp), %rdi
 	movl	$43, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC1(%rip), %rax
-	movq	%rax, 3016(%rsp)
+	movq	%rax, 3080(%rsp)
 	movq	.LC2(%rip), %rax
-	movq	%rax, 3056(%rsp)
+	movq	%rax, 3120(%rsp)
 	movq	.LC3(%rip), %rax
-	movq	%rax, 3096(%rsp)
+	movq	%rax, 3160(%rsp)
 	movq	.LC4(%rip), %rax
-	movq	%rax, 3136(%rsp)
-	leaq	2656(%rsp), %rdx
-	leaq	3008(%rsp), %rsi
-	movq	3232(%rsp), %rdi
+	movq	%rax, 3200(%rsp)
+	leaq	2720(%rsp), %rdx
+	leaq	3072(%rsp), %rsi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	testl	%eax, %eax
 	jne	.L9
-	movsd	2672(%rsp), %xmm0
+	movsd	2736(%rsp), %xmm0
 	leaq	.LC5(%rip), %rdi
 	call	bits
-	movsd	2816(%rsp), %xmm0
+	movsd	2880(%rsp), %xmm0
 	leaq	.LC6(%rip), %rdi
 	call	bits
-	movsd	2872(%rsp), %xmm0
+	movsd	2936(%rsp), %xmm0
 	leaq	.LC7(%rip), %rdi
 	call	bits
-	movsd	2936(%rsp), %xmm0
+	movsd	3000(%rsp), %xmm0
 	leaq	.LC8(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -141,44 +141,44 @@ main:
 	movl	$208, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_patch_init@PLT
-	leaq	2448(%rsp), %rdi
+	leaq	2512(%rsp), %rdi
 	movl	$52, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	2448(%rsp), %rdx
+	leaq	2512(%rsp), %rdx
 	movl	$0, %esi
-	movq	3232(%rsp), %rdi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_patch@PLT
 	testl	%eax, %eax
 	jne	.L10
-	leaq	2400(%rsp), %rcx
+	leaq	2464(%rsp), %rcx
 	movl	$3, %edx
 	movl	$0, %esi
-	movq	3232(%rsp), %rdi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_field@PLT
 	testl	%eax, %eax
 	jne	.L11
-	movsd	2472(%rsp), %xmm0
+	movsd	2536(%rsp), %xmm0
 	leaq	.LC9(%rip), %rdi
 	call	bits
-	movq	2416(%rsp), %rax
+	movq	2480(%rsp), %rax
 	shrq	%rax
-	imulq	2432(%rsp), %rax
-	imulq	$3, 2424(%rsp), %rdx
+	imulq	2496(%rsp), %rax
+	imulq	$3, 2488(%rsp), %rdx
 	addq	%rdx, %rax
-	movq	2400(%rsp), %rdx
+	movq	2464(%rsp), %rdx
 	movsd	(%rdx,%rax,8), %xmm0
 	leaq	.LC10(%rip), %rdi
 	call	bits
-	movl	$40, %ecx
+	movl	$45, %ecx
 	movl	$0, %eax
 	movq	%rbx, %rdi
 	rep stosq
-	movl	$320, (%rsp)
+	movl	$360, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wheel_input_init@PLT
-	leaq	2080(%rsp), %rdi
-	movl	$40, %ecx
+	leaq	2096(%rsp), %rdi
+	movl	$45, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	leaq	4(%rsp), %rdx
@@ -189,34 +189,34 @@ main:
 	movl	$160, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wrench_init@PLT
-	leaq	1920(%rsp), %rdi
+	leaq	1936(%rsp), %rdi
 	movl	$40, %ecx
 	movq	%rbx, %rsi
 	rep movsl
 	movq	.LC11(%rip), %rax
-	movq	%rax, 2112(%rsp)
-	movq	.LC1(%rip), %rax
 	movq	%rax, 2128(%rsp)
-	movq	.LC12(%rip), %rax
+	movq	.LC1(%rip), %rax
 	movq	%rax, 2144(%rsp)
+	movq	.LC12(%rip), %rax
+	movq	%rax, 2160(%rsp)
 	movq	.LC13(%rip), %rax
-	movq	%rax, 2176(%rsp)
+	movq	%rax, 2192(%rsp)
 	movq	.LC14(%rip), %rax
-	movq	%rax, 2336(%rsp)
-	leaq	848(%rsp), %rcx
-	leaq	1920(%rsp), %rdx
-	leaq	2080(%rsp), %rsi
-	movq	3232(%rsp), %rdi
+	movq	%rax, 2392(%rsp)
+	leaq	864(%rsp), %rcx
+	leaq	1936(%rsp), %rdx
+	leaq	2096(%rsp), %rsi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_wrench_sensitivities@PLT
 	testl	%eax, %eax
 	jne	.L12
-	movsd	1952(%rsp), %xmm0
+	movsd	1968(%rsp), %xmm0
 	leaq	.LC15(%rip), %rdi
 	call	bits
-	movsd	2072(%rsp), %xmm0
+	movsd	2088(%rsp), %xmm0
 	leaq	.LC16(%rip), %rdi
 	call	bits
-	movsd	1160(%rsp), %xmm0
+	movsd	1176(%rsp), %xmm0
 	leaq	.LC17(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -227,40 +227,40 @@ main:
 	movl	$184, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_region_init@PLT
-	leaq	656(%rsp), %rdi
+	leaq	672(%rsp), %rdi
 	movl	$46, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	656(%rsp), %rdx
+	leaq	672(%rsp), %rdx
 	movl	$0, %esi
-	movq	3232(%rsp), %rdi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_region@PLT
 	testl	%eax, %eax
 	jne	.L13
-	movsd	824(%rsp), %xmm0
+	movsd	840(%rsp), %xmm0
 	leaq	.LC18(%rip), %rdi
 	call	bits
 	movq	.LC19(%rip), %rax
-	movq	%rax, 3056(%rsp)
-	leaq	2656(%rsp), %rdx
-	leaq	3008(%rsp), %rsi
-	movq	3232(%rsp), %rdi
+	movq	%rax, 3120(%rsp)
+	leaq	2720(%rsp), %rdx
+	leaq	3072(%rsp), %rsi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	movl	$9, %ebp
 	cmpl	$-4, %eax
 	jne	.L3
-	leaq	352(%rsp), %rsi
+	leaq	368(%rsp), %rsi
 	movl	$300, %edx
-	movq	3232(%rsp), %rdi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %ebp
 	testl	%eax, %eax
 	jne	.L15
-	leaq	352(%rsp), %rdi
+	leaq	368(%rsp), %rdi
 	call	puts@PLT
-	movq	3232(%rsp), %rdi
+	movq	3328(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	3240(%rsp), %rdi
+	movq	3336(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	jmp	.L3
 .L5:
@@ -273,7 +273,7 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3608, %rsp
+	addq	$3704, %rsp
 	popq	%rbx
 	popq	%rbp
 	ret

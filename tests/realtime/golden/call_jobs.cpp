@@ -167,6 +167,22 @@ void run_temperature(wrc_contact* contact, Hash& hash) {
   }
 }
 
+void run_heated(wrc_contact* contact, Hash& hash) {
+  for (double lateral : {0.0, 5.1e-3}) {
+    wrc_input input = wrc_input_default();
+    input.pose.lateral = lateral;
+    input.load.normal_force = 90e3;
+    input.creepage.longitudinal = 6e-3;
+    input.creepage.spin = -0.4;
+    input.creepage.speed = 55.0;
+    input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    input.friction.bulk.wheel = 80.0;
+    wrc_output output = wrc_output_default();
+    const int32_t status = wrc_contact_step(contact, &input, &output);
+    hash_step(contact, status, output, hash);
+  }
+}
+
 void run_stresses(wrc_contact* contact, Hash& hash) {
   const double depths[] = {0.0, 5e-4, 2e-3};
   for (double lateral : {0.0, 5.1e-3}) {
@@ -395,6 +411,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
   plan.jobs.push_back({"motion", model, {}, run_motion});
   plan.jobs.push_back({"wear", model, {}, run_wear});
+  plan.jobs.push_back({"friction over temperature", model, {}, run_heated});
   plan.jobs.push_back({"stresses", model, {}, run_stresses});
   plan.jobs.push_back({"damage along the line", model, {}, run_accumulation});
   plan.jobs.push_back({"temperature", model, {}, run_temperature});
