@@ -20,12 +20,12 @@ def figure(**options: Any) -> Any:
         from matplotlib.figure import Figure
     except ImportError as why:
         raise ImportError("pictures need matplotlib: pip install wrc[plot]") from why
-    return Figure(layout="constrained", **options)
+    return Figure(layout="compressed", **options)
 
 
 def _done(made: Any, path: Any) -> Any:
     if path is not None:
-        made.savefig(path, dpi=100)
+        made.savefig(path, dpi=100, bbox_inches="tight")
     return made
 
 
