@@ -28,33 +28,31 @@ template <class Number>
 void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& distance,
                  StripOverlap<Number>& o) {
   const RailFace& face = face_of(rail, strip);
-  const double kappa = value_of(o.curvature), middle = value_of(o.centre), ny = value_of(o.ny),
-               nz = value_of(o.nz), from = value_of(distance);
-  const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
-  constexpr int steps = 3;
-  double x = middle, stiff = kappa;
-  for (int n = 0; n < steps; ++n) {
-    const StripAlongTrack<double> s = strip_at(rail, face, strip, from + x);
-    stiff = curvature_left(ny * s.curvature_y + nz * s.curvature_z);
-    const double lean = ny * s.slope_y + nz * s.slope_z;
-    constexpr double furthest = 0.05;  // [m]: a slope of 1:9
-    x = smaller(larger(x - (kappa * (x - middle) + lean) / stiff, middle - furthest), middle + furthest);
-  }
+  const double kappa = value_of(o.curvature), middle = value_of(o.centre);
   const auto lean_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
-  // one more step, whose derivatives are those of the place that is sought
-  const StripAlongTrack<Number> near = strip_at(rail, face, strip, distance + Number(x));
-  const Number off = Number(x) - o.centre;
-  const Number at = Number(x) - (o.curvature * off + lean_at(near)) * Number(1.0 / stiff);
+  const auto bend_at = [&](const StripAlongTrack<Number>& s) {
+    return o.ny * s.curvature_y + o.nz * s.curvature_z;
+  };
+  const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
   const StripAlongTrack<Number> here = strip_at(rail, face, strip, distance);
-  const StripAlongTrack<Number> there = strip_at(rail, face, strip, distance + at);
-  const Number from_middle = at - o.centre;
+  constexpr double furthest = 0.05;  // [m]: a slope of 1:9
+  const double here_bend = value_of(bend_at(here)), here_lean = value_of(lean_at(here));
+  const double shift = (here_lean + here_bend * middle) / curvature_left(here_bend);
+  const double x = middle - smaller(larger(shift, -furthest), furthest);
+  // one more step, from the rail as it is there, whose derivatives are those of the place that is sought
+  const StripAlongTrack<Number> near = strip_at(rail, face, strip, distance + Number(x));
+  const Number lean = lean_at(near), bend = bend_at(near);
+  const double stiff = curvature_left(value_of(bend));
+  const Number further = -((o.curvature * (Number(x) - o.centre) + lean) * Number(1.0 / stiff));
+  const Number at = Number(x) + further, from_middle = at - o.centre;
   const Number rounded = 0.5 * o.curvature * from_middle * from_middle;
-  o.depth = o.depth - rounded - (o.ny * (there.y - here.y) + o.nz * (there.z - here.z));
+  const Number fallen =
+      o.ny * (near.y - here.y) + o.nz * (near.z - here.z) + further * (lean + 0.5 * bend * further);
+  o.depth = o.depth - rounded - fallen;
   o.wy = o.wy - o.ny * rounded;
   o.wz = o.wz - o.nz * rounded;
-  o.lean = lean_at(there);
-  o.curvature = larger(o.curvature + (o.ny * there.curvature_y + o.nz * there.curvature_z),
-                       least_curvature_left * o.curvature);
+  o.lean = lean + bend * further;
+  o.curvature = larger(o.curvature + bend, least_curvature_left * o.curvature);
   o.centre = at;
 }
 

@@ -172,22 +172,6 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
   return {};
 }
 
-/// Largest displacement of a strip per distance.
-double steepest_change(const VaryingRail& rail, const RailFace& face) {
-  constexpr double steepest_blend = 15.0 / 8.0;  // of the function that blends, and its slopes count less
-  double largest = 0.0;
-  for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
-    const double* const a = rail.outline + static_cast<std::int64_t>(k) * 8 * rail.room;
-    const double* const b = a + 8 * static_cast<std::int64_t>(rail.room);
-    const double per = steepest_blend / (rail.distance[k + 1] - rail.distance[k]);
-    for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
-      const double y = b[j] - a[j], z = b[rail.room + j] - a[rail.room + j];
-      largest = std::max(largest, per * std::sqrt(y * y + z * z));
-    }
-  }
-  return largest;
-}
-
 }  // namespace
 
 std::int64_t varying_rail_doubles(std::int32_t sections, std::int32_t nodes, std::int32_t most_strips) {
@@ -279,7 +263,6 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     const Fault fault = check_directions(rail, face, outline);
     if (fault.failed()) return fault;
     find_slopes(rail, face, outline, before, behind);
-    rail.steepest = std::max(rail.steepest, steepest_change(rail, face));
   }
   return {};
 }
@@ -315,11 +298,12 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
   return b;
 }
 
-void place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
-                  RailStrips& strips) {
+double place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
+                    RailStrips& strips) {
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
                 *const ty = z + most, *const tz = ty + most;
   strips = {rail.strips, s, width, y, z, ty, tz, 0, {}};
+  double steepest = 0.0;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
     const double begin = rail.distance[face.first_section],
@@ -338,6 +322,12 @@ void place_strips(const VaryingRail& rail, double distance, double* memory, std:
       for (std::int32_t j = face.first; j < face.first + face.strips; ++j)
         out[j] = c[0] * lv[j] + c[1] * rv[j] + c[2] * ls[j] + c[3] * rs[j];
     }
+    constexpr double within = 20e-3;  // [m]
+    const auto change = [&](std::int32_t list, std::int32_t d, std::int32_t j) {
+      const double *const lv = left + list * rail.room, *const rv = right + list * rail.room;
+      return b.weight[d][0] * lv[j] + b.weight[d][1] * rv[j] + b.weight[d][2] * lv[4 * rail.room + j] +
+             b.weight[d][3] * rv[4 * rail.room + j];
+    };
     double at = faces_apart * f;
     for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
       const double length = std::sqrt(ty[j] * ty[j] + tz[j] * tz[j]), per = 1.0 / length;
@@ -346,8 +336,13 @@ void place_strips(const VaryingRail& rail, double distance, double* memory, std:
       tz[j] *= per;
       s[j] = at + 0.5 * width[j];
       at += width[j];
+      if (b.left == b.right) continue;
+      const double slope = ty[j] * change(1, 1, j) - tz[j] * change(0, 1, j);
+      const double bend = ty[j] * change(1, 2, j) - tz[j] * change(0, 2, j);
+      steepest = std::max(steepest, std::abs(slope) + within * std::abs(bend));
     }
   }
+  return steepest;
 }
 
 }  // namespace wrc

@@ -46,7 +46,6 @@ struct VaryingRail {
   std::int32_t strips = 0, room = 0;  ///< room: elements from one list of `outline` to the next
   RailFace face[most_rail_faces];
   double begin = 0.0, end = 0.0;     ///< of the sections [m]
-  double steepest = 0.0;             ///< largest displacement of a strip per distance [-]
   const double* distance = nullptr;  ///< of each section [m]
   const double* outline = nullptr;   ///< of each section eight lists over the strips: y, z, dy/du, dz/du, and
                                      ///< how they change along the track
@@ -70,9 +69,9 @@ struct SectionBlend {
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance);
 
 /// Cuts the strips of a rail at a distance, into `memory` of rail_strip_doubles(most) doubles: those of faces
-/// that are there.
-void place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
-                  RailStrips& strips);
+/// that are there. Returns how steeply any of them falls along its normal, within 20 mm of there [-].
+double place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
+                    RailStrips& strips);
 
 /// The face a strip belongs to.
 inline const RailFace& face_of(const VaryingRail& rail, std::int32_t strip) {
@@ -81,48 +80,60 @@ inline const RailFace& face_of(const VaryingRail& rail, std::int32_t strip) {
   return rail.face[f];
 }
 
-/// A strip's middle and how it moves along the track.
-template <class Number>
-struct StripAlongTrack {
-  Number y, z, ty, tz;              ///< place [m], unit tangent
-  Number slope_y, slope_z;          ///< by the distance [-]
-  Number curvature_y, curvature_z;  ///< second derivatives [1/m]
-};
-
 inline double with_slope(double, double value, double) { return value; }
 template <std::size_t n>
 Dual<n> with_slope(const Dual<n>& x, double value, double slope) {
   return x.chain(value, slope);
 }
 
+/// A strip's middle and how it moves along the track.
+template <class Number>
+struct StripAlongTrack {
+  Number y, z;                      ///< place [m]
+  Number slope_y, slope_z;          ///< by the distance [-]
+  Number curvature_y, curvature_z;  ///< second derivatives [1/m]
+};
+
+/// One of a strip's lists and its derivatives by the distance, up to the third.
+struct BlendedList {
+  double f[4];
+  template <class Number>
+  Number at(const Number& distance, int derivative) const {
+    return with_slope(distance, f[derivative], f[derivative + 1]);
+  }
+};
+inline BlendedList blended(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip,
+                           std::int32_t list) {
+  const auto at = [&](std::int32_t section, std::int32_t q) {
+    return rail.outline[(static_cast<std::int64_t>(section) * 8 + q) * rail.room + strip];
+  };
+  const double values[4] = {at(b.left, list), at(b.right, list), at(b.left, list + 4), at(b.right, list + 4)};
+  BlendedList l;
+  for (int d = 0; d < 4; ++d)
+    l.f[d] = b.weight[d][0] * values[0] + b.weight[d][1] * values[1] + b.weight[d][2] * values[2] +
+             b.weight[d][3] * values[3];
+  return l;
+}
+
 template <class Number>
 StripAlongTrack<Number> strip_at(const VaryingRail& rail, const RailFace& face, std::int32_t strip,
                                  const Number& distance) {
   const SectionBlend b = blend_at(rail, face, value_of(distance));
-  const auto lists = [&](std::int32_t section) {
-    return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.room + strip;
-  };
-  const double *const left = lists(b.left), *const right = lists(b.right);
-  double f[4][4];  // list, derivative
-  for (std::int32_t q = 0; q < 4; ++q) {
-    const std::int64_t value = static_cast<std::int64_t>(q) * rail.room,
-                       slope = static_cast<std::int64_t>(q + 4) * rail.room;
-    for (int d = 0; d < 4; ++d)
-      f[q][d] = b.weight[d][0] * left[value] + b.weight[d][1] * right[value] + b.weight[d][2] * left[slope] +
-                b.weight[d][3] * right[slope];
-  }
-  const auto number = [&](int q, int d) { return with_slope(distance, f[q][d], f[q][d + 1]); };
-  StripAlongTrack<Number> s;
-  s.y = number(0, 0);
-  s.z = number(1, 0);
-  const Number dy = number(2, 0), dz = number(3, 0), per_length = Number(1.0) / root(dy * dy + dz * dz);
-  s.ty = dy * per_length;
-  s.tz = dz * per_length;
-  s.slope_y = number(0, 1);
-  s.slope_z = number(1, 1);
-  s.curvature_y = number(0, 2);
-  s.curvature_z = number(1, 2);
-  return s;
+  const BlendedList y = blended(rail, b, strip, 0), z = blended(rail, b, strip, 1);
+  return {y.at(distance, 0), z.at(distance, 0), y.at(distance, 1),
+          z.at(distance, 1), y.at(distance, 2), z.at(distance, 2)};
+}
+
+/// A strip's unit tangent.
+template <class Number>
+void tangent_at(const VaryingRail& rail, const RailFace& face, std::int32_t strip, const Number& distance,
+                Number& ty, Number& tz) {
+  const SectionBlend b = blend_at(rail, face, value_of(distance));
+  const Number dy = blended(rail, b, strip, 2).at(distance, 0),
+               dz = blended(rail, b, strip, 3).at(distance, 0);
+  const Number per_length = Number(1.0) / root(dy * dy + dz * dz);
+  ty = dy * per_length;
+  tz = dz * per_length;
 }
 
 }  // namespace wrc

@@ -148,12 +148,11 @@ void follow_track(const SurfaceModel& model, const WheelOnRail& in, const Seen& 
 /// Finds all strips with depth > -margin.
 void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, Work& w) {
   const bool varying = varies(model);
-  // what follow_track() may add: on a slope a, a^2 / (2 kappa) with the curvature that is left
-  const double steepest = model.varying.steepest;
-  const double more =
-      varying ? smaller(steepest * steepest * model.wheel_radius / (2.0 * least_curvature_left), 2e-3) +
-                    model.out_of_round.largest
-              : 0.0;
+  // what follow_track() may add: on a slope a, a^2 r / 2, and more where the rail is concave
+  constexpr double concave = 1.5;
+  const double more = varying ? smaller(0.5 * concave * w.steepest * w.steepest * model.wheel_radius, 2e-3) +
+                                    model.out_of_round.largest
+                              : 0.0;
   find_overlaps(*model.kernels, w.rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
   if (varying) follow_track(model, in, seen, margin, w);
 }
@@ -648,9 +647,10 @@ Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   w.rail = model.rail;
   w.distance = in.distance;
   const VaryingRail& varying = model.varying;
+  w.steepest = 0.0;
   if (varying.faces == 0) return {};
   w.distance = smaller(larger(in.distance, varying.begin), varying.end);
-  place_strips(varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail);
+  w.steepest = place_strips(varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail);
   if (w.distance == in.distance) return {};
   return {.status = WRC_FLAG_BEYOND_SECTIONS,
           .field = "input.distance",

@@ -23,6 +23,7 @@ struct Seen {
 struct WheelWork {
   RailStrips rail;      ///< where the wheel is
   double* rail_strips;  ///< its memory, where it is not the model's
+  double steepest;      ///< of the rail there, along the track [-]
   double distance;      ///< of the wheel, as far as there are sections [m]
   Overlaps overlaps;
   OverlapScratch scratch;

@@ -213,7 +213,9 @@ OverlapSlopes strip_overlap(const SurfaceModel& model, const WheelOnRail& in, co
   }
   if (model.varying.faces > 0 && by == SlopesBy::track) {
     const auto moved = strip_at(model.varying, face_of(model.varying, j), j, distance);
-    place = {moved.y, moved.z, moved.ty, moved.tz};
+    place.y = moved.y;
+    place.z = moved.z;
+    tangent_at(model.varying, face_of(model.varying, j), j, distance, place.ty, place.tz);
   }
   OverlapSlopes s = overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
   StripOverlap<PlaceDual> o{s.depth, s.centre, s.curvature, s.ny, s.nz, s.wy, s.wz, 0.0};
