@@ -47,8 +47,9 @@ def optional(function, name):
 
 
 def is_array(function, name, type):
-    """Is a pointer to numbers one to several? What is only read is, and what is written where a count is given."""
-    counted = any(other == "count" for other, _ in function.arguments)
+    """Is a pointer to numbers one to several? What is only read is, and what is written where a count is given or told."""
+    counted = (any(other == "count" for other, _ in function.arguments)
+               or any(word in parameter_text(function.comment, name) for word in (" of them", "count", "nx * ny")))
     return type.base in NUMBERS and type.pointers == 1 and (type.const or counted or name in ARRAYS)
 
 

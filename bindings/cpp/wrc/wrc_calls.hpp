@@ -38,11 +38,7 @@ inline status flash_temperature(std::uint32_t count, double cell, const double* 
 /** wrc_damage_merge() */
 inline status damage_merge(wrc_damage_bins& into, const wrc_damage_bins& from) noexcept { return wrc_damage_merge(&into, &from); }
 /** wrc_damage_values() */
-inline status damage_values(const wrc_damage_bins& bins, std::int32_t quantity, double& values) noexcept { return wrc_damage_values(&bins, quantity, &values); }
-inline expected<double> try_damage_values(const wrc_damage_bins& bins, std::int32_t quantity) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return damage_values(bins, quantity, found_); }); }
-#ifdef WRC_EXCEPTIONS
-inline double damage_values(const wrc_damage_bins& bins, std::int32_t quantity) { return detail::value_or_throw(try_damage_values(bins, quantity)); }
-#endif
+inline status damage_values(const wrc_damage_bins& bins, std::int32_t quantity, double* values) noexcept { return wrc_damage_values(&bins, quantity, values); }
 /** wrc_whole_life_damage() */
 inline status whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma, double& damage) noexcept { return wrc_whole_life_damage(laws, t_gamma, &damage); }
 inline expected<double> try_whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma) noexcept { return detail::attempt<double>(double(), [&](double& found_) { return whole_life_damage(laws, t_gamma, found_); }); }
