@@ -12,7 +12,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config(18)
+  integer(c_size_t), bind(C) :: layout_wrc_config_check_rail(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config(19)
   integer(c_size_t), bind(C) :: layout_wrc_pose(4)
   integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
   integer(c_size_t), bind(C) :: layout_wrc_gap(10)
@@ -41,7 +42,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(5)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(14)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
-  integer(c_size_t), bind(C) :: layout_wrc_region(18)
+  integer(c_size_t), bind(C) :: layout_wrc_region(20)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
   integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
@@ -81,6 +82,7 @@ program layout_test
   call test_wrc_config_grid()
   call test_wrc_config_normal()
   call test_wrc_config_tangential()
+  call test_wrc_config_check_rail()
   call test_wrc_config()
   call test_wrc_pose()
   call test_wrc_contact_point()
@@ -134,7 +136,7 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 63, ' types compared'
+  print '(i0,a)', 64, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -279,6 +281,16 @@ contains
     call same('wrc_config_tangential', 'force_table', &
       distance(c_loc(a), c_loc(a%force_table)), layout_wrc_config_tangential(8))
   end subroutine
+  subroutine test_wrc_config_check_rail()
+    type(wrc_config_check_rail), target :: a
+    call same('wrc_config_check_rail', 'size', c_sizeof(a), layout_wrc_config_check_rail(1))
+    call same('wrc_config_check_rail', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_config_check_rail(2))
+    call same('wrc_config_check_rail', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_config_check_rail(3))
+    call same('wrc_config_check_rail', 'profile', &
+      distance(c_loc(a), c_loc(a%profile)), layout_wrc_config_check_rail(4))
+  end subroutine
   subroutine test_wrc_config()
     type(wrc_config), target :: a
     call wrc_init(a)
@@ -317,6 +329,8 @@ contains
       distance(c_loc(a), c_loc(a%roundness)), layout_wrc_config(17))
     call same('wrc_config', 'roller_curvature', &
       distance(c_loc(a), c_loc(a%roller_curvature)), layout_wrc_config(18))
+    call same('wrc_config', 'check_rail', &
+      distance(c_loc(a), c_loc(a%check_rail)), layout_wrc_config(19))
   end subroutine
   subroutine test_wrc_pose()
     type(wrc_pose), target :: a
@@ -931,6 +945,10 @@ contains
       distance(c_loc(a), c_loc(a%strips)), layout_wrc_region(17))
     call same('wrc_region', 'cells', &
       distance(c_loc(a), c_loc(a%cells)), layout_wrc_region(18))
+    call same('wrc_region', 'face', &
+      distance(c_loc(a), c_loc(a%face)), layout_wrc_region(19))
+    call same('wrc_region', 'reserved2', &
+      distance(c_loc(a), c_loc(a%reserved2)), layout_wrc_region(20))
   end subroutine
   subroutine test_wrc_wrench_sensitivities()
     type(wrc_wrench_sensitivities), target :: a

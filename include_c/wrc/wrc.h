@@ -362,6 +362,18 @@ typedef struct wrc_config_tangential {
                                 of the installed library; read when the model is made, never after [NULL] */
 } wrc_config_tangential;
 
+/** A check rail beside each rail, which guides the back of the wheel's flange; wrc_contact_wrench() alone reads it. It is the
+ * same all along the track and moves with the rail (wrc_rail_state). The wheel's profile must have its flange's back: points
+ * beyond the tip, which z(y) can follow as steeply as points are allowed to be. */
+typedef struct wrc_config_check_rail {
+  double y;            /**< where its profile's origin lies, from that of config.rail: towards the field side, so < 0, -0.5..0 m
+                            [0]. Did you pass mm, or count from the track's middle? */
+  double z;            /**< the same downwards, so < 0 where it stands above the rail's origin, -0.5..0.5 m [0]. Did you pass
+                            mm? */
+  wrc_profile profile; /**< its outline, y as that of the rail: the face that guides is on its field side. Canted as
+                            config.rail by config.track.rail_inclination; WRC_PROFILE_NONE: there is none */
+} wrc_config_check_rail;
+
 /** Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A member that the
  * chosen methods do not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
@@ -386,6 +398,7 @@ typedef struct wrc_config {
   double roller_curvature;          /**< of a rail that is a roller: 1 / its radius at the origin of the rail's profile, 0 or
                                          1e-12..10 1/m; 0: a straight rail [0]. Too large: did you pass a radius? wrc_contact_wrench()
                                          alone reads it */
+  wrc_config_check_rail check_rail; /**< beside the rail */
 } wrc_config;
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is

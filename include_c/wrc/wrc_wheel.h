@@ -209,6 +209,9 @@ typedef struct wrc_region {
   double creepage[3];   /**< means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail */
   int32_t strips;       /**< strips it is made of: columns of wrc_contact_region_field() */
   int32_t cells;        /**< cells along each of them: its rows */
+  int32_t face;         /**< of which surface of the rail: as wrc_rail_section.face; with config.check_rail 0 on that and 1 on
+                             the rail; 0 else */
+  uint32_t reserved2;   /**< 0 */
 } wrc_region;
 
 /** What wrc_contact_region_field() writes of a region: one value per strip, by increasing arc length, or one per cell of its

@@ -317,12 +317,67 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
   return {};
 }
 
+/// A check rail and its rail as the two faces of one that is the same everywhere. `given`: wrc_config.
+RailSectionSource read_guided_section(const void* given, std::int32_t k) {
+  constexpr double everywhere = 1e6;  // [m]
+  const auto& config = *static_cast<const wrc_config*>(given);
+  RailSectionSource ours;
+  ours.section.distance = k % 2 == 0 ? -everywhere : everywhere;
+  ours.section.face = k / 2;
+  if (k >= 2) {
+    (void)read_profile(config.rail, "config.rail", ours.profile);
+    return ours;
+  }
+  ours.section.y = config.check_rail.y;
+  ours.section.z = config.check_rail.z;
+  (void)read_profile(config.check_rail.profile, "config.check_rail.profile", ours.profile);
+  return ours;
+}
+
+/// `theirs`: the caller's struct, which is there while the model is made.
+Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+  constexpr const char* name = "config.check_rail.profile";
+  const wrc_profile& profile = config.check_rail.profile;
+  if (config.rail_sections > 0)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.check_rail",
+            .cause = "beside config.rail_sections a check rail is one of their faces"};
+  if (config.roller_curvature != 0.0)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.check_rail",
+            .cause = "a roller has none: leave config.roller_curvature 0"};
+  ProfileSource source;
+  const Fault fault = read_profile(profile, name, source);
+  if (fault.failed()) return fault;
+  if (!is_rail(source.kind))
+    return {.status = WRC_ERROR_PROFILE, .field = name, .cause = "this is a wheel profile"};
+  if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = name,
+            .cause = "WRC_PROFILE_UIC60_BENCHMARK is canted already, and check rails are canted as the rail"};
+  options.check_rail = true;
+  options.sections = {4, theirs, read_guided_section};
+  return {};
+}
+
 /// What changes along the track or round the wheel is read by contact on the surface alone.
-Fault read_varying(const wrc_config& config, ModelOptions& options) {
-  if (config.rail_sections == 0 && config.roundness.angles == 0 && config.roller_curvature == 0.0) return {};
+Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+  const bool guided = config.check_rail.profile.kind != WRC_PROFILE_NONE;
+  if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
+    return unsupported("config.check_rail.y", config.check_rail.y,
+                       "there is no check rail: give config.check_rail.profile, or leave its place 0", "m");
+  if (config.rail_sections == 0 && config.roundness.angles == 0 && config.roller_curvature == 0.0 && !guided)
+    return {};
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
       "WRC_NORMAL_STRIP_HALFSPACE";
+  if (guided) {
+    if (!has_profiles(config) || !options.normal_method->half_space)
+      return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.check_rail", .cause = reader};
+    const Fault fault = read_check_rail(theirs, config, options);
+    if (fault.failed() || config.roundness.angles == 0) return fault;
+    return read_roundness(config.roundness, options.radius);
+  }
   if (config.roller_curvature != 0.0) {
     if (!has_profiles(config) || !options.normal_method->half_space)
       return unsupported("config.roller_curvature", config.roller_curvature, reader, "1/m");
@@ -390,7 +445,8 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
       checksum_of_numbers(config, std::make_index_sequence<std::size(Description<wrc_config>::members)>());
 
   fault = first_of({check_unread(config, options), check_no_points(config.wheel, "config.wheel"),
-                    check_no_points(config.rail, "config.rail")});
+                    check_no_points(config.rail, "config.rail"),
+                    check_no_points(config.check_rail.profile, "config.check_rail.profile")});
   if (fault.failed()) return fault;
   options.sizes = {
       .strips = config.grid.strips, .cells = config.grid.cells, .gap_rows = config.grid.gap_rows};
@@ -419,7 +475,7 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
     fault = read_table(config.tangential.force_table, options);
     if (fault.failed()) return fault;
   }
-  fault = read_varying(config, options);
+  fault = read_varying(theirs, config, options);
   if (fault.failed()) return fault;
   if (!has_profiles(config)) return {};  // the host hands over gaps
   fault = read_profile(config.wheel, "config.wheel", options.wheel);

@@ -210,6 +210,7 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
   ours.peak_pressure = region.peak_pressure;
   ours.power = region.power;
   ours.strips = region_strip_count(contact, index);
+  ours.face = region_face(contact, index);
   ours.cells = contact.model->options.sizes.cells;
   return ours;
 }

@@ -345,6 +345,8 @@ void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
 /// Did the strips of the last solve roll on their own, not as whole patches?
 bool wheel_gives_fields(const Contact& contact);
 std::int32_t region_strip_count(const Contact& contact, std::int32_t index);
+/// Which of the rail's faces it is on.
+std::int32_t region_face(const Contact& contact, std::int32_t index);
 /// One value per strip, or per cell at cell * strips + strip.
 void region_field(Contact& contact, std::int32_t index, RegionField field, double* values);
 

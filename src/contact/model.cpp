@@ -194,6 +194,23 @@ Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sec
   return {};
 }
 
+/// Has a wheel the back of its flange, which a check rail touches? Its outline rises behind the tip.
+Fault check_flange_back(const Profile& wheel) {
+  constexpr double least_rise = 2e-3;  // [m]
+  std::int32_t tip = 0;
+  for (std::int32_t i = 1; i < wheel.count && wheel.y[i] < 0.0; ++i)
+    if (wheel.z[i] > wheel.z[tip]) tip = i;
+  const double rise = wheel.z[tip] - wheel.z[0];
+  if (rise >= least_rise) return {};
+  return {.status = WRC_ERROR_PROFILE,
+          .field = "config.wheel: rise behind the flange's tip",
+          .value = rise,
+          .unit = "m",
+          .low = least_rise,
+          .high = 1.0,
+          .cause = "a check rail touches the flange's back, which this profile does not have"};
+}
+
 /// Both bodies on both sides, and the surface if the model has one, from `arrays` on.
 Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, void* section_memory,
                   Model& model) {
@@ -211,6 +228,8 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                     });
   if (fault.failed()) return fault;
   if (!has_surface(options)) return {};
+  if (options.check_rail) fault = check_flange_back(wheel);
+  if (fault.failed()) return fault;
   RailSection* sections = nullptr;
   fault = take_sections(options, section_memory, sections);
   if (fault.failed()) return fault;

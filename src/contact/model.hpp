@@ -73,7 +73,8 @@ struct ModelOptions {
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
-  RailSectionSources sections;
+  RailSectionSources sections;  ///< of a check rail, too
+  bool check_rail = false;
   RadiusTable radius;
   const char* force_table = nullptr;  ///< file, for the methods that read it
   ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table

@@ -115,7 +115,8 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
             .low = -beside_roller,
             .high = beside_roller,
             .cause = "the wheel does not stand on the roller: it is counted from above its axle"};
-  if (hosted.distance != 0.0 && surface.varying.faces == 0 && !roller)
+  const bool same_everywhere = surface.varying.faces == 0 || model.options.check_rail;
+  if (hosted.distance != 0.0 && same_everywhere && !roller)
     return not_read("input.distance", hosted.distance, "m",
                     "the rail is the same everywhere: give config.rail_section, or leave it 0");
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
@@ -151,7 +152,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
   problem.damping = hosted.damping;
-  if (surface.varying.faces > 0 || roller) problem.distance = hosted.distance + placed.arm[0];
+  if (!same_everywhere || roller) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;
   if (placed.left) mirror_body(problem);
   return {};

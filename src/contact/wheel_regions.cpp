@@ -172,6 +172,14 @@ std::int32_t region_strip_count(const Contact& contact, std::int32_t index) {
   return strips_of(kept_strips(contact), contact.wheel.wrench.region[index]).count;
 }
 
+std::int32_t region_face(const Contact& contact, std::int32_t index) {
+  const VaryingRail& rail = contact.model->surface->varying;
+  const std::int32_t strip = contact.wheel.wrench.region[index].first;
+  std::int32_t face = 0;
+  while (face + 1 < rail.faces && strip >= rail.face[face + 1].first) ++face;
+  return face;
+}
+
 void region_field(Contact& contact, std::int32_t index, RegionField field, double* values) {
   const Model& model = *contact.model;
   const KeptStrips& kept = kept_strips(contact);

@@ -642,6 +642,13 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
   return fault;
 }
 
+/// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
+/// (model_options.cpp).
+bool has_check_rail(const VaryingRail& rail) {
+  constexpr double everywhere = 1e6;  // [m]
+  return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
+}
+
 /// The strips of the rail where the wheel is; flagged where there is no section.
 Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   w.rail = model.rail;
@@ -651,6 +658,14 @@ Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   if (varying.faces == 0) return {};
   w.distance = smaller(larger(in.distance, varying.begin), varying.end);
   w.steepest = place_strips(varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail);
+  if (has_check_rail(varying)) {
+    // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
+    StripRange& check = w.rail.range[0];
+    while (check.count > 1 && w.rail.tz[check.first] < 0.0) {
+      ++check.first;
+      --check.count;
+    }
+  }
   if (w.distance == in.distance) return {};
   return {.status = WRC_FLAG_BEYOND_SECTIONS,
           .field = "input.distance",

@@ -206,7 +206,12 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   if (choices.one_in(3)) {  // those of a wheel on a rail in one call
     config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
     config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
-    if (choices.one_in(4)) config.roller_curvature = sized(choices, member<wrc_config>("roller_curvature"));
+    if (choices.one_in(6)) {
+      config.check_rail.profile = rail;
+      config.check_rail.y = choices.between(-0.2, -0.05);
+      config.check_rail.z = choices.between(-0.05, 0.02);
+    } else if (choices.one_in(4))
+      config.roller_curvature = sized(choices, member<wrc_config>("roller_curvature"));
   }
   if (choices.one_in(4)) {
     config.track.placement = WRC_PLACEMENT_ORIGIN;

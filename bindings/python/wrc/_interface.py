@@ -923,6 +923,35 @@ class ConfigTangential(s.Struct):
 assert c.sizeof(ConfigTangential) == 32
 
 
+class ConfigCheckRail(s.Struct):
+    """A check rail beside each rail, which guides the back of the wheel's flange; Contact.wrench() alone reads
+        it. It is the same all along the track and moves with the rail (RailState). The wheel's profile must
+        have its flange's back: points beyond the tip, which z(y) can follow as steeply as points are allowed
+        to be.
+
+    Members:
+      y [m]: where its profile's origin lies, from that of config.rail: towards the field side, so < 0 (-0.5
+          .. 0; default 0)
+      z [m]: the same downwards, so < 0 where it stands above the rail's origin (-0.5 .. 0.5; default 0)
+      profile: its outline, y as that of the rail: the face that guides is on its field side. Canted as
+          config.rail by config.track.rail_inclination; ProfileKind.NONE: there is none
+    """
+
+    _c_name_ = 'wrc_config_check_rail'
+    __slots__ = ()
+    y: float
+    z: float
+    profile: Profile
+    _units_ = {'y': 'm', 'z': 'm'}
+    _hidden_ = ()
+    _fields_ = [
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('profile', Profile),
+    ]
+assert c.sizeof(ConfigCheckRail) == 48
+
+
 class Config(s.Struct):
     """Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A
         member that the chosen methods do not read must keep that value: anything else is
@@ -948,6 +977,7 @@ class Config(s.Struct):
       roundness: of the wheel
       roller_curvature [1/m]: of a rail that is a roller: 1 / its radius at the origin of the rail's profile;
           0: a straight rail (0 or 1e-12 .. 10; default 0)
+      check_rail: beside the rail
     """
 
     _c_name_ = 'wrc_config'
@@ -969,6 +999,7 @@ class Config(s.Struct):
     rail_section: Optional[RailSection] = s.Reference('rail_section')  # type: ignore[assignment]
     roundness: ConfigRoundness
     roller_curvature: float
+    check_rail: ConfigCheckRail
     _units_ = {'roller_curvature': '1/m'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
@@ -989,8 +1020,9 @@ class Config(s.Struct):
         ('_rail_section', c.POINTER(RailSection)),
         ('roundness', ConfigRoundness),
         ('roller_curvature', c.c_double),
+        ('check_rail', ConfigCheckRail),
     ]
-assert c.sizeof(Config) == 352
+assert c.sizeof(Config) == 400
 
 
 class Pose(s.Struct):
@@ -2155,6 +2187,8 @@ class Region(s.Struct):
       creepage: means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail
       strips: strips it is made of: columns of wrc_contact_region_field()
       cells: cells along each of them: its rows
+      face: of which surface of the rail: as RailSection.face; with config.check_rail 0 on that and 1 on the
+          rail; 0 else
     """
 
     _c_name_ = 'wrc_region'
@@ -2176,8 +2210,10 @@ class Region(s.Struct):
     creepage: np.ndarray = s.Array('creepage', 152, (3,), c.c_double)  # type: ignore[assignment]
     strips: int
     cells: int
+    face: int
+    reserved2: int
     _units_ = {'point': 'm', 'y_wheel': 'm', 'z_wheel': 'm', 'y_rail': 'm', 'z_rail': 'm', 'angle': 'rad', 'normal_force': 'N', 'force': 'N', 'moment': 'N m', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved', 'reserved2')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('reserved', c.c_uint32),
@@ -2196,8 +2232,10 @@ class Region(s.Struct):
         ('_creepage', c.c_double * 3),
         ('strips', c.c_int32),
         ('cells', c.c_int32),
+        ('face', c.c_int32),
+        ('reserved2', c.c_uint32),
     ]
-assert c.sizeof(Region) == 184
+assert c.sizeof(Region) == 192
 
 
 class WrenchSensitivities(s.Struct):
@@ -3621,6 +3659,7 @@ STRUCTS = {
     'wrc_config_grid': ConfigGrid,
     'wrc_config_normal': ConfigNormal,
     'wrc_config_tangential': ConfigTangential,
+    'wrc_config_check_rail': ConfigCheckRail,
     'wrc_config': Config,
     'wrc_pose': Pose,
     'wrc_contact_point': ContactPoint,
@@ -3715,6 +3754,7 @@ __all__ = [
     'ConfigGrid',
     'ConfigNormal',
     'ConfigTangential',
+    'ConfigCheckRail',
     'Config',
     'Pose',
     'ContactPoint',

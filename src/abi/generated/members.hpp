@@ -504,6 +504,28 @@ struct Description<wrc_config_tangential> {
 static_assert(sizeof(wrc_config_tangential) == 32, "run tools/interface/describe.py");
 
 template <>
+struct Description<wrc_config_check_rail> {
+  static constexpr const char* name = "wrc_config_check_rail";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_config_check_rail defaults = [] {
+    wrc_config_check_rail value{};
+    value.profile = Description<wrc_profile>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "y", .offset = offsetof(wrc_config_check_rail, y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0, .unit = "m", .too_small = "did you pass mm, or count from the track's middle?", .too_large = "did you pass mm, or count from the track's middle?"},
+      {.name = "z", .offset = offsetof(wrc_config_check_rail, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "profile.kind", .offset = offsetof(wrc_config_check_rail, profile.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "profile.count", .offset = offsetof(wrc_config_check_rail, profile.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_config_check_rail, profile.kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "profile.y", .offset = offsetof(wrc_config_check_rail, profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config_check_rail, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config_check_rail, profile.count)},
+      {.name = "profile.z", .offset = offsetof(wrc_config_check_rail, profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config_check_rail, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config_check_rail, profile.count)},
+      {.name = "profile.smoothing", .offset = offsetof(wrc_config_check_rail, profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_config_check_rail) == 48, "run tools/interface/describe.py");
+
+template <>
 struct Description<wrc_config> {
   static constexpr const char* name = "wrc_config";
   static constexpr bool versioned = true;
@@ -522,6 +544,7 @@ struct Description<wrc_config> {
     value.normal = Description<wrc_config_normal>::defaults;
     value.tangential = Description<wrc_config_tangential>::defaults;
     value.roundness = Description<wrc_config_roundness>::defaults;
+    value.check_rail = Description<wrc_config_check_rail>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -582,9 +605,16 @@ struct Description<wrc_config> {
       {.name = "roundness.y", .offset = offsetof(wrc_config, roundness.y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config, roundness.rows)},
       {.name = "roundness.deviation", .offset = offsetof(wrc_config, roundness.deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .by_caller = true},
       {.name = "roller_curvature", .offset = offsetof(wrc_config, roller_curvature), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 10, .or_zero = true, .unit = "1/m", .too_large = "did you pass a radius? wrc_contact_wrench() alone reads it"},
+      {.name = "check_rail.y", .offset = offsetof(wrc_config, check_rail.y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0, .unit = "m", .too_small = "did you pass mm, or count from the track's middle?", .too_large = "did you pass mm, or count from the track's middle?"},
+      {.name = "check_rail.z", .offset = offsetof(wrc_config, check_rail.z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "check_rail.profile.kind", .offset = offsetof(wrc_config, check_rail.profile.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
+      {.name = "check_rail.profile.count", .offset = offsetof(wrc_config, check_rail.profile.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_config, check_rail.profile.kind), .asked_for = WRC_PROFILE_POINTS},
+      {.name = "check_rail.profile.y", .offset = offsetof(wrc_config, check_rail.profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, check_rail.profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, check_rail.profile.count)},
+      {.name = "check_rail.profile.z", .offset = offsetof(wrc_config, check_rail.profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, check_rail.profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, check_rail.profile.count)},
+      {.name = "check_rail.profile.smoothing", .offset = offsetof(wrc_config, check_rail.profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
   };
 };
-static_assert(sizeof(wrc_config) == 352, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 400, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_pose> {
@@ -1411,9 +1441,11 @@ struct Description<wrc_region> {
       {.name = "creepage", .offset = offsetof(wrc_region, creepage), .type = Type::real, .elements = 3, .rule = Rule::none},
       {.name = "strips", .offset = offsetof(wrc_region, strips), .type = Type::int32, .rule = Rule::none},
       {.name = "cells", .offset = offsetof(wrc_region, cells), .type = Type::int32, .rule = Rule::none},
+      {.name = "face", .offset = offsetof(wrc_region, face), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved2", .offset = offsetof(wrc_region, reserved2), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_region) == 184, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_region) == 192, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench_sensitivities> {

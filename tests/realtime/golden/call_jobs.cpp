@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "along_track.hpp"
+#include "check_rail_points.hpp"
 #include "golden/plan.hpp"
 
 namespace {
@@ -378,6 +379,27 @@ void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// Wheels against check rails and beside them.
+void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(11);
+  for (int i = 0; i < 24; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    input.wheel.reference = WRC_REFERENCE_WHEELSET;
+    input.wheel.y = (i % 2 == 0 ? -1.0 : 1.0) * numbers.between(2e-3, 6e-3);
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    wrc_wrench wrench = wrc_wrench_default();
+    hash.add(wrc_contact_wrench(contact, &input, &wrench));
+    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
+      for (int k = 0; k < 3; ++k) hash.add(each[k]);
+    for (int32_t k = 0; k < wrench.regions; ++k) {
+      wrc_region region = wrc_region_default();
+      hash.add(wrc_contact_region(contact, k, &region));
+      hash.add(region.face);
+      hash.add(region.normal_force);
+    }
+  }
+}
+
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
   wrc_input input = wrc_input_default();
@@ -458,6 +480,16 @@ void add_plain_calls(Plan& plan) {
     add_methods(normal, preset_strip_fastsim);
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential)
     if (tangential != preset_strip_fastsim) add_methods(WRC_NORMAL_STRIP_HALFSPACE, tangential);
+
+  const std::size_t guided = plan.models.size();
+  wrc_config& check_rail = plan.models.emplace_back(wrc_config_default());
+  check_rail.wheel = plan.profiles[0];
+  check_rail.rail = plan.profiles[1];
+  static const CheckRailPoints points;
+  check_rail.check_rail.profile = points.profile();
+  check_rail.check_rail.y = -0.0813;
+  check_rail.check_rail.z = -0.02;
+  plan.jobs.push_back({"check rails", guided, {}, {}, run_check_rails});
 }
 
 Plan golden_plan() {

@@ -1,0 +1,183 @@
+/// A check rail beside the rail, against the back of the flange.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../check_rail_points.hpp"
+#include "wheel_on_rail.hpp"
+
+namespace {
+
+class CheckRail : public testing::Test, protected PlacedWheel {
+ protected:
+  static constexpr double apart = -0.0813, above = -0.020, rail_origin = 0.7535;
+
+  CheckRail() {
+    config.rail.kind = WRC_PROFILE_60E1;
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = rail_origin;
+    config.check_rail.y = apart;
+    config.check_rail.z = above;
+    config.check_rail.profile = points_.profile();
+    input.start = WRC_START_ANEW;
+    wheel.z = 0.18e-3;
+    wheel.velocity[1] = -0.05;
+  }
+  CheckRailPoints points_;
+
+  wrc_region region(int32_t index) {
+    wrc_region shown = wrc_region_default();
+    EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
+    return shown;
+  }
+  /// The lateral place at which the check rail carries about 30 kN.
+  void lean_on_check_rail(double outward) {
+    double low = -12e-3, high = 0.0;
+    for (int n = 0; n < 30; ++n) {
+      const double y = 0.5 * (low + high);
+      wheel.y = outward * y;
+      ASSERT_GE(step(), 0) << error();
+      double carried = 0.0;
+      for (int32_t i = 0; i < wrench.regions; ++i)
+        if (region(i).face == 0) carried += region(i).normal_force;
+      (carried > 30e3 ? low : high) = y;
+    }
+    ASSERT_LT(low - high, 1e-9);
+  }
+};
+
+/// Faces do not press on each other: the rail alone and the check rail alone, as the rail of another model,
+/// add up.
+TEST_F(CheckRail, BothRailsAddUp) {
+  const wrc_config both = config;
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    const double outward = which == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    for (double* each : {&wheel.velocity[1], &wheel.yaw}) *each = std::copysign(*each, -outward);
+    config = both;
+    create(which);
+    lean_on_check_rail(outward);
+    const wrc_wrench together = wrench;
+    ASSERT_EQ(wrench.regions, 2);
+    const wrc_region check = region(0), tread = region(1);
+    EXPECT_EQ(check.face, 0);
+    EXPECT_EQ(tread.face, 1);
+    EXPECT_NEAR(check.normal_force, 30e3, 10.0);
+    EXPECT_GT(outward * check.force[1], 0.9 * 30e3);  // away from the check rail, outwards
+    EXPECT_LT(check.y_wheel, -0.058);                 // on the flange's back
+    EXPECT_NEAR(check.y_rail, apart + 0.0043, 1e-3);
+    EXPECT_GT(outward * check.angle, 1.0);
+    EXPECT_NEAR(tread.y_rail, 0.0, 0.03);
+
+    config.check_rail = wrc_config_default().check_rail;
+    create(which);
+    ASSERT_EQ(step(), WRC_OK) << error();
+    const wrc_wrench rail_alone = wrench;
+    EXPECT_EQ(region(0).face, 0);
+    const double size = together.normal_force;
+    const double lever[3] = {check.point[0], check.point[1] - wheel.y, check.point[2] - wheel.z + 0.46};
+    for (int k = 0; k < 3; ++k) {
+      const int a = (k + 1) % 3, b = (k + 2) % 3;
+      EXPECT_NEAR(together.force[k], rail_alone.force[k] + check.force[k], 2e-3 * size) << k;
+      EXPECT_NEAR(
+          together.moment[k],
+          rail_alone.moment[k] + check.moment[k] + lever[a] * check.force[b] - lever[b] * check.force[a],
+          2e-3 * size)
+          << k;
+    }
+    EXPECT_NEAR(together.normal_force, rail_alone.normal_force + check.normal_force, 2e-3 * size);
+    EXPECT_NEAR(together.power, rail_alone.power + check.power, 0.01 * together.power);
+  }
+}
+
+TEST_F(CheckRail, ItComesInSmoothlyAsTheWheelsetMoves) {
+  create();
+  lean_on_check_rail(1.0);
+  const double there = wheel.y;
+  double before[3] = {}, step_before[3] = {};
+  for (int i = 0; i <= 300; ++i) {
+    wheel.y = there + 0.6e-3 - 2e-6 * i;
+    ASSERT_GE(step(), 0) << error();
+    for (int k = 0; k < 3; ++k) {
+      const double now = wrench.force[k] - before[k];
+      if (i > 1) {
+        EXPECT_LT(std::abs(now - step_before[k]), 400.0) << i << ' ' << k;
+      }
+      step_before[k] = now;
+      before[k] = wrench.force[k];
+    }
+  }
+}
+
+TEST_F(CheckRail, FarFromItNothingChanges) {
+  wheel.y = 1e-3;
+  create();
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const wrc_wrench with = wrench;
+  ASSERT_EQ(wrench.regions, 1);
+  EXPECT_EQ(region(0).face, 1);
+  config.check_rail = wrc_config_default().check_rail;
+  create();
+  ASSERT_EQ(step(), WRC_OK);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], with.force[k], 2e-3 * with.normal_force) << k;
+}
+
+TEST_F(CheckRail, DerivativesSeeIt) {
+  create();
+  lean_on_check_rail(1.0);
+  wrc_wrench_sensitivities found{};
+  ASSERT_GE(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), 0) << error();
+  const double h = 1e-8, at = wheel.y;
+  double ends[2];
+  for (const int end : {0, 1}) {
+    wheel.y = end == 0 ? at - h : at + h;
+    ASSERT_GE(step(), 0);
+    ends[end] = wrench.force[1];
+  }
+  const double slope = (ends[1] - ends[0]) / (2.0 * h);
+  EXPECT_LT(slope, -1e8);
+  EXPECT_NEAR(found.wrench[1][WRC_BY_Y], slope, 2e-3 * std::abs(slope));
+}
+
+TEST_F(CheckRail, WhatIsWrongIsNamed) {
+  const auto refused = [&](int32_t status, const std::vector<std::string>& words) {
+    char text[300] = "";
+    EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
+    for (const std::string& word : words) EXPECT_NE(std::string(text).find(word), std::string::npos) << text;
+  };
+  const wrc_config good = config;
+  refused(WRC_OK, {});
+  config.check_rail.profile = wrc_profile_default();
+  config.check_rail.profile.kind = WRC_PROFILE_S1002;
+  refused(WRC_ERROR_PROFILE, {"config.check_rail.profile", "wheel profile"});
+  config.check_rail.profile = wrc_profile_default();
+  refused(WRC_ERROR_UNSUPPORTED, {"config.check_rail.y = -0.0813 m", "no check rail"});
+  config = good;
+  config.check_rail.y = -81.3;
+  refused(WRC_ERROR_RANGE, {"config.check_rail.y", "mm"});
+  config = good;
+  config.roller_curvature = 2.0;
+  refused(WRC_ERROR_UNSUPPORTED, {"config.check_rail", "roller"});
+  config = good;
+  config.normal.method = WRC_NORMAL_EKP;
+  refused(WRC_ERROR_UNSUPPORTED, {"config.check_rail", "wrc_contact_wrench"});
+  config = good;
+  // a wheel whose points end at the flange's tip
+  std::vector<double> y, z;
+  for (int i = -55; i <= 60; ++i) {
+    y.push_back(1e-3 * i);
+    z.push_back(i < -30 ? -0.9e-3 * (i + 30) : 0.0);
+  }
+  config.wheel.kind = WRC_PROFILE_POINTS;
+  config.wheel.count = static_cast<uint32_t>(y.size());
+  config.wheel.y = y.data();
+  config.wheel.z = z.data();
+  refused(WRC_ERROR_PROFILE, {"config.wheel", "flange's back"});
+  config = good;
+  create();
+  input.distance = 1.0;
+  EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(error().find("input.distance"), std::string::npos) << error();
+}
+
+}  // namespace
