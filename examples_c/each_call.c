@@ -129,6 +129,36 @@ static void wheel_on_rail(wrc_contact* contact) {
          1e3 * wrench.z);
 }
 
+/* What wear and fatigue add up to along the line, bin by bin over a profile's arc length. After
+ * wheel_on_rail(). */
+static void line(const wrc_model* model, wrc_contact* contact) {
+  enum { bins = 80 };
+  static wrc_damage_bin of_wheel[bins + 1], of_train[bins + 1];
+  static double values[bins + 1];
+  wrc_damage_bins wheel = wrc_damage_bins_default();
+  wheel.count = bins;
+  wheel.first = -0.04;
+  wheel.bin = of_wheel;
+  wrc_damage_bins train = wheel;
+  train.bin = of_train;
+  wrc_accumulation what = wrc_accumulation_default();
+  wrc_damage_totals totals;
+  what.duration = 0.01;
+  DO(wrc_contact_accumulate(contact, &what, &wheel, NULL, &totals));
+  DO(wrc_damage_merge(&train, &wheel)); /* another wheel's, another machine's */
+  DO(wrc_damage_values(&train, 0, values));
+  int most = 0;
+  for (int i = 0; i < bins; ++i)
+    if (values[i] > values[most]) most = i;
+  const double arc = wheel.first + (most + 0.5) * wheel.width;
+  double y, z, crack, limit;
+  DO(wrc_model_arc_places(model, WRC_BODY_WHEEL, 1, &arc, &y, &z));
+  DO(wrc_whole_life_damage(NULL, 100.0, &crack)); /* NULL: the published parameters */
+  DO(wrc_shakedown_limit_point(0.1, &limit));
+  printf("line:   most at y %.1f mm; %.3g cracks a passage at 100 N; shakedown of a point at %.2f k\n",
+         1e3 * y, crack, limit);
+}
+
 static void exact_bodies(void) {
   enum { n = 12 };
   static double pressure[n * n], traction[n * n];
@@ -192,6 +222,7 @@ int main(void) {
   stages(contact);
   states(model, contact);
   wheel_on_rail(contact);
+  line(model, contact);
   exact_bodies();
   for (int i = 0; i < 2; ++i) free(of_malloc[i]);
   return EXIT_SUCCESS;
