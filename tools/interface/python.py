@@ -134,6 +134,8 @@ class _Writer:
                 group = tuple(each.member.name for each in beside if told.counted_by and each.counted_by == told.counted_by)
                 fixed = re.match(r"(\d+) numbers", member.comment)
                 count = f"count={told.counted_by!r}, group={group!r}" if told.counted_by else f"fixed={fixed.group(1)}" if fixed else ""
+                if not count and any(each.member.name == "row_stride" for each in beside):
+                    count = "matrix=True"
                 return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}, {count})".replace(", )", ")")
             if kind.base in self.interface.structs and kind.pointers == 1:
                 return "_" + name, f"c.POINTER({class_name(kind.base)})", f"Optional[{class_name(kind.base)}]", f"s.Reference({name!r})"

@@ -227,3 +227,23 @@ def test_what_has_no_method_is_raw_only():
         wrc.raw.wrc_exact_gap(None, None, np.zeros(3, np.float32))
     with pytest.raises(ctypes.ArgumentError):
         wrc.raw.wrc_contact_step(None, wrc.Pose(), None)
+
+
+def test_a_gap_of_the_caller(model):
+    y, x = np.linspace(-0.01, 0.01, 41), np.linspace(-0.01, 0.01, 31)
+    h = y[:, None] ** 2 / 0.6 + x[None, :] ** 2 / 0.92
+    contact = model.contact()
+    load = wrc.Load(normal_force=80e3)
+    by_rows = contact.normal(load, wrc.Gap(y=y, height=y ** 2 / 0.6, curvature=np.full(41, 2 / 0.92)))
+    by_elements = contact.normal(load, wrc.Gap(h=h, y=y, x=x))
+    assert by_elements.peak_pressure == pytest.approx(by_rows.peak_pressure, rel=1e-3)
+    stepped = contact.step(wrc.Input(gap=wrc.Gap(y=y, x=x, h=h), load=load))
+    assert stepped.normal == by_elements
+    with pytest.raises(ValueError, match=r"Gap.h has the shape \(40, 31\), rows and columns are \(41, 31\)"):
+        wrc.Gap(y=y, x=x, h=h[1:])
+    gap = wrc.Gap(y=y, x=x, h=h)
+    assert gap.h.tolist() == h.tolist()
+    gap.set(y=np.linspace(-0.01, 0.01, 99))
+    assert gap.h is None
+    with pytest.raises(ValueError, match="set y and x first"):
+        wrc.Gap().h = h

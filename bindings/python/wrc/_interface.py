@@ -1119,7 +1119,7 @@ class Gap(s.Struct):
     centre: Optional[np.ndarray] = s.Pointer('centre', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
     curvature: Optional[np.ndarray] = s.Pointer('curvature', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
     x: Optional[np.ndarray] = s.Pointer('x', count='columns', group=('x',))  # type: ignore[assignment]
-    h: Optional[np.ndarray] = s.Pointer('h')  # type: ignore[assignment]
+    h: Optional[np.ndarray] = s.Pointer('h', matrix=True)  # type: ignore[assignment]
     row_stride: int
     _units_ = {'y': 'm', 'height': 'm', 'centre': 'm', 'curvature': '1/m', 'x': 'm', 'h': 'm'}
     _hidden_ = ()

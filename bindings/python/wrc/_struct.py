@@ -101,9 +101,9 @@ class Count(Member):
 class Pointer(Member):
     """A pointer to numbers: set by an array, which the struct keeps; all that one member counts have one length."""
 
-    def __init__(self, name: str, count: str = "", group: Tuple[str, ...] = (), fixed: int = 0):
+    def __init__(self, name: str, count: str = "", group: Tuple[str, ...] = (), fixed: int = 0, matrix: bool = False):
         super().__init__(name)
-        self.counter, self.group, self.fixed = count, group, fixed
+        self.counter, self.group, self.fixed, self.matrix = count, group, fixed, matrix
 
     def length(self, owner: Any) -> int:
         return self.fixed or (getattr(owner, "_" + self.counter) if self.counter else 0)
@@ -114,6 +114,8 @@ class Pointer(Member):
         pointer = getattr(owner, self.field)
         if not pointer:
             return None
+        if self.matrix:
+            return np.ctypeslib.as_array(pointer, (owner.rows, owner.row_stride))[:, :owner.columns]
         length = self.length(owner)
         return np.ctypeslib.as_array(pointer, (length,)) if length else pointer
 
@@ -131,6 +133,11 @@ class Pointer(Member):
         array: Any = np.ascontiguousarray(value, np.float64)
         if self.fixed and array.size != self.fixed:
             raise ValueError(f"{kind.__name__}.{self.name} has {self.fixed} numbers, not {array.size}")
+        if self.matrix:
+            shape = (owner.rows, owner.columns)
+            if array.shape != shape:
+                raise ValueError(f"{kind.__name__}.{self.name} has the shape {array.shape}, rows and columns are {shape}: set y and x first")
+            owner.row_stride = shape[1]
         if self.counter:
             if array.ndim != 1:
                 raise ValueError(f"{kind.__name__}.{self.name} is a row of numbers, not an array of shape {array.shape}")
@@ -139,6 +146,9 @@ class Pointer(Member):
                     raise ValueError(f"{kind.__name__}.{self.name} has {array.size} numbers and {each} has "
                                      f"{getattr(owner, '_' + self.counter)}: set both at once by "
                                      f"set({self.name}=..., {each}=...)")
+            for other in vars(kind).values():  # a matrix of other rows or columns does not stay
+                if isinstance(other, Pointer) and other.matrix and getattr(owner, "_" + self.counter) != array.size:
+                    setattr(owner, other.field, _C_DOUBLES())
             setattr(owner, "_" + self.counter, array.size)
         if not array.flags.writeable:
             array = array.copy()
@@ -222,7 +232,7 @@ class Struct(c.Structure):
         arrays = [name for name in values if isinstance(getattr(kind, name, None), Pointer)]
         for name in arrays:
             getattr(kind, name).put(self, None, ())
-        for name, value in values.items():
+        for name, value in sorted(values.items(), key=lambda each: getattr(getattr(kind, each[0], None), "matrix", False)):
             if name not in kind.members():
                 near = difflib.get_close_matches(name, kind.members(), 1)
                 raise AttributeError(f"{kind.__name__} has no {name}" + (f": did you mean {near[0]}?" if near else
