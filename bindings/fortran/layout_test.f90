@@ -321,8 +321,8 @@ contains
       distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(13))
     call same('wrc_config', 'rail_sections', &
       distance(c_loc(a), c_loc(a%rail_sections)), layout_wrc_config(14))
-    call same('wrc_config', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config(15))
+    call same('wrc_config', 'non_steady', &
+      distance(c_loc(a), c_loc(a%non_steady)), layout_wrc_config(15))
     call same('wrc_config', 'rail_section', &
       distance(c_loc(a), c_loc(a%rail_section)), layout_wrc_config(16))
     call same('wrc_config', 'roundness', &

@@ -391,7 +391,9 @@ typedef struct wrc_config {
   wrc_config_normal normal;         /**< method and options of the normal problem */
   wrc_config_tangential tangential; /**< method and options of the tangential problem */
   uint32_t rail_sections;           /**< of a rail that changes along the track, 0..1000; 0: it is config.rail everywhere [0] */
-  uint32_t reserved;                /**< 0 */
+  int32_t non_steady;               /**< 0..1; 1: contacts remember their tractions, and forces follow what changes over
+                                         the distances told to wrc_contact_roll(); one way of rolling, forwards, not
+                                         with wrc_contact_wrench; read by WRC_TANGENTIAL_STRIP_FASTSIM [0] */
   const wrc_rail_section* rail_section; /**< `rail_sections` of them with `rail_sections`; config.rail is beside them what
                                              the rail's place follows from and what the stages see [required] */
   wrc_config_roundness roundness;   /**< of the wheel */
@@ -1041,7 +1043,19 @@ WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, con
 WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* strips,
                                        wrc_normal_solution* normal);
 
-/** Solves the tangential problem of steady rolling. Theory manual, sections 4 and 5; paper eq. 5 to 9.
+/** Tells a contact of a model with config.non_steady = 1 how far it has rolled since its last tangential stage; calls add
+ * up. The next wrc_contact_tangential() or wrc_contact_step() takes that distance: pressure and creepages are those of
+ * its end (creepages better of its middle), and every particle brings along the traction it had. Steps may be as long
+ * as one likes: over six lengths of the patch they are steady rolling; with 0, the default, tractions stay where they
+ * are. A contact begins, and begins again when the bodies have been apart, without tractions; save and restore take
+ * all of that along, which a repeated step of an implicit integrator needs. Theory manual, Rolling that is not steady.
+ * @param contact the contact
+ * @param distance 0..1e6 m
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without config.non_steady). @rt hard
+ * @thread contact */
+WRC_API int32_t wrc_contact_roll(wrc_contact* contact, double distance);
+
+/** Solves the tangential problem of rolling, steady but for config.non_steady. Theory manual, sections 4 and 5; paper eq. 5 to 9.
  * @param contact the contact
  * @param ellipse exact double ellipse with its joint at the origin of the contact frame, which replaces the contact's
  * patches; NULL: the patches in the contact

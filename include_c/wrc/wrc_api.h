@@ -144,6 +144,7 @@ struct wrc_api {
   int32_t (*whole_life_damage)(const wrc_fatigue_laws*, double, double*); /**< wrc_whole_life_damage() */
   int32_t (*model_arc_places)(const wrc_model*, int32_t, uint32_t, const double*, double*, double*);
     /**< wrc_model_arc_places() */
+  int32_t (*contact_roll)(wrc_contact*, double); /**< wrc_contact_roll() */
 };
 
 #endif /* WRC_API_H */

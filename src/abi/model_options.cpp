@@ -99,6 +99,7 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
   options.regularisation = static_cast<SecondCriterion>(config.tangential.regularisation);
   options.traction_bound = static_cast<TractionBound>(config.tangential.bound);
   options.flexibility = static_cast<FlexibilityForm>(config.tangential.flexibility);
+  options.non_steady = config.non_steady == 1;
   const InstructionSet best = best_instruction_set();
   options.instruction_set = config.instruction_set == WRC_INSTRUCTIONS_BEST
                                 ? best
@@ -133,6 +134,8 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
        static_cast<double>(untouched.tangential.bound)},
       {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
        static_cast<double>(untouched.tangential.flexibility)},
+      {Option::non_steady, "config.non_steady", static_cast<double>(config.non_steady),
+       static_cast<double>(untouched.non_steady)},
   };
   const auto read = [&](Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);

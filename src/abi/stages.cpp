@@ -364,6 +364,24 @@ int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wr
   });
 }
 
+int32_t wrc_contact_roll(wrc_contact* handle, double distance) {
+  return abi::call(handle, {}, [&](Contact& contact) -> Fault {
+    if (!contact.model->options.non_steady) {
+      return {.status = WRC_ERROR_UNSUPPORTED,
+              .field = "distance",
+              .value = distance,
+              .unit = "m",
+              .cause = "the model's config.non_steady is 0: rolling is steady"};
+    }
+    constexpr double farthest = 1e6;
+    const Fault outcome =
+        abi::check(distance, "distance", "m", 0.0, farthest, "a contact rolls forwards", "did you pass mm?");
+    if (!outcome.failed())
+      contact.rolled = std::min(farthest, contact.rolled + wrc::flush_subnormals(distance));
+    return outcome;
+  });
+}
+
 int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces) {
   return abi::call(handle, abi::clear(forces), [&](Contact& contact) {

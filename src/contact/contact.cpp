@@ -8,6 +8,7 @@
 #include "contact/methods.hpp"
 #include "geometry/gap_rows.hpp"
 #include "normal/damping.hpp"
+#include "tangential/methods/strip_memory.hpp"
 
 namespace wrc {
 namespace {
@@ -127,6 +128,8 @@ Contact& make_contact(const Model& model, Side side, void* memory) {
   auto* contact = new (memory) Contact;
   contact->model = &model;
   contact->side = side;
+  if (model.options.non_steady)
+    make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
   return *contact;
 }
 

@@ -205,6 +205,7 @@ struct Contact {
   Friction law;           ///< of the last tangential stage; its zones are the two arrays below
   double zone_y[zone_capacity] = {}, zone_coefficient[zone_capacity] = {};
   Rolling rolling;
+  double rolled = 0.0;      ///< since the last tangential stage, of a model that remembers [m]
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
 
@@ -225,7 +226,7 @@ static_assert(sizeof(Contact) ==
                   4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) + sizeof(ContactPoint) +
                   sizeof(Load) + sizeof(NormalSolution) + sizeof(StripTotals) +
                   sizeof(Patch[patch_capacity]) + sizeof(Creepage) + sizeof(Friction) +
-                  (2 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) + sizeof(TangentialForces) +
+                  (3 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) + sizeof(TangentialForces) +
                   sizeof(DamageNumbers) + sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==

@@ -17,6 +17,7 @@ std::size_t length(Array which, const ArraySizes& sizes) {
   const auto strips = static_cast<std::size_t>(sizes.strips);
   if (which == Array::normal_workspace) return doubles(sizes.normal_workspace_bytes);
   if (which == Array::tangential_workspace) return doubles(sizes.tangential_workspace_bytes);
+  if (which == Array::rolling_memory) return doubles(sizes.rolling_memory_bytes);
   if (which == Array::surface_state) return doubles(sizes.surface_state_bytes);
   if (which == Array::surface_workspace) return doubles(sizes.surface_workspace_bytes);
   if (static_cast<std::size_t>(which) >= std::size(field_rows)) return strips;

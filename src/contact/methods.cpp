@@ -109,6 +109,7 @@ constexpr TangentialMethod tangential_methods[] = {
      .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
                  TangentialSensitivities*) { return fastrip(c, fields, fault); }},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_STRIP_FASTSIM),
+     .reads = Option::non_steady,
      .gives_tractions = true,
      .gives_derivatives = true,
      .over_strips = true,

@@ -24,6 +24,7 @@ enum class Option {
   traction_bound,
   flexibility,
   force_table,
+  non_steady,
   slope_fall,  ///< friction.slope_limit and friction.slope_fall
   count
 };

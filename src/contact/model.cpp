@@ -10,6 +10,7 @@
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
 #include "tangential/force_table/force_table_file.hpp"
+#include "tangential/methods/strip_memory.hpp"
 
 namespace wrc {
 namespace {
@@ -137,6 +138,8 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
     sizes.normal_workspace_bytes = workspace(options.sizes.strips);
   if (const auto workspace = options.tangential_method->workspace)
     sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
+  if (options.non_steady)
+    sizes.rolling_memory_bytes = static_cast<std::int64_t>(strip_memory_bytes(options.sizes.strips));
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
   sizes.surface_workspace_bytes = surface_workspace_bytes(

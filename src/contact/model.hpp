@@ -60,6 +60,7 @@ struct ModelOptions {
   ArraySizes sizes;
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
+  bool non_steady = false;        ///< contacts remember their tractions
   bool warm_start = false;        ///< of the strip half-space solver
   Material material;              ///< combined
   double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]

@@ -9,6 +9,7 @@
 #include "damage/frictional_power.hpp"
 #include "damage/subsurface.hpp"
 #include "kernels/kernels.hpp"
+#include "tangential/methods/strip_memory.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
@@ -185,6 +186,33 @@ TangentialForces solve_heated(Contact& contact, const Patch& patch, const Fricti
   return forces;
 }
 
+/// What the contact remembers, for a patch: over the rail's y where a pose says where that is.
+RollingMemory memory_of(Contact& contact, const Patch& patch) {
+  RollingMemory memory{.at = array(contact, Array::rolling_memory), .rolled = contact.rolled};
+  if (contact.posed) {
+    memory.slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
+    memory.origin = contact.point.y_rail;
+  }
+  memory.origin += memory.slope * patch.y_contact;
+  return memory;
+}
+
+/// A model that remembers rolls forwards, and its friction is not solved for.
+Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
+  if (!contact.model->options.non_steady) return {};
+  if (friction.law.fall == FrictionLaw::Fall::heat) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "friction.kind",
+            .cause = "config.non_steady rolls on once a step, friction over temperature would several times"};
+  }
+  if (rolling.way > 0.0 && rolling.other_way == 0.0) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = "creepage.speed",
+          .value = rolling.way * rolling.speed,
+          .unit = "m/s",
+          .cause = "config.non_steady remembers rolling forwards, not backwards nor through standstill"};
+}
+
 /// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
 Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
            TangentialSensitivities* sensitivities) {
@@ -214,11 +242,13 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   rolling.normal_force = patch.extent.normal_force;
   rolling.force_table = &model.force_table;
   rolling.workspace = array(contact, Array::tangential_workspace);
+  if (model.options.non_steady) rolling.memory = memory_of(contact, patch);
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   patch.forces = friction.law.fall == FrictionLaw::Fall::heat
                      ? solve_heated(contact, patch, friction.law, fields, rolling, fault)
-                     : method.solve(rolling, fields, fault, sensitivities);
+                 : model.options.non_steady ? roll_with_memory(rolling, fields, fault)
+                                            : method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside.
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
   if (shape.at_middle) refer_back(centre, patch.forces, sensitivities);
@@ -329,6 +359,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
             .field = "friction.zone_frame",
             .cause = "zones over the rail need the contact point of a wrc_contact_geometry"};
   }
+  if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
   contact.reached = Stage::tangential;
   contact.creepage = creepage;
   contact.friction = friction.law.coefficient;
@@ -336,7 +367,13 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.forces = {};
   contact.damage = {};
   contact.beside = 0;
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  void* const memory = contact.model->options.non_steady ? array(contact, Array::rolling_memory) : nullptr;
+  if (memory) begin_step(memory);
+  if (!contact.touching) {
+    if (memory) end_step(memory);
+    contact.rolled = 0.0;
+    return {.status = WRC_FLAG_NO_CONTACT};
+  }
   Fault fault;
   contact.law = friction;
   contact.law.law.zones.y = contact.law.law.zones.coefficient = nullptr;
@@ -361,6 +398,8 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
       for (int c = 0; c < 5; ++c) sensitivities->d[r][c] += own.d[r][c] * (c == 3 ? share : 1.0);
     }
   }
+  if (memory) end_step(memory);
+  contact.rolled = 0.0;
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
   if (rolling.other_way > 0.0) {

@@ -43,6 +43,14 @@ void scale(Friction& friction, Contact& contact, double factor) {
   for (std::int32_t k = 0; k < friction.law.zones.count; ++k) contact.zone_coefficient[k] *= factor;
 }
 
+/// Of a contact that remembers there are no derivatives.
+Fault check_steady(const Contact& contact) {
+  if (!contact.model->options.non_steady) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = "config.non_steady",
+          .cause = "derivatives are those of steady rolling: use a model without it"};
+}
+
 /// Central differences of the tangential stage. Steps are a thousandth of the creepages, or of those that
 /// saturate friction by linear theory (C about 4) where these are larger. Load and friction act through
 /// their product, so that one difference serves both.
@@ -93,6 +101,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
 
 Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities) {
   sensitivities = {};
+  if (const Fault fault = check_steady(contact); fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
     return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
   }
@@ -104,6 +113,7 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
 
 Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities) {
   sensitivities = {};
+  if (const Fault fault = check_steady(contact); fault.failed()) return fault;
   if (contact.reached >= Stage::tangential && !contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   if (contact.reached < Stage::tangential || !contact.pressed) {
     return {.status = WRC_ERROR_SEQUENCE,

@@ -185,6 +185,11 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
             .cause = normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
                             : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone"};
   }
+  if (model.options.non_steady) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "config.non_steady",
+            .cause = "wrc_contact_wrench rolls steadily: use a model without it"};
+  }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostedWrench& result = contact.wheel;

@@ -22,6 +22,16 @@ struct SlopeFall {
   bool falls() const { return rate > 0.0; }
 };
 
+/// The memory of a contact whose rolling is not steady (methods/strip_memory.hpp).
+struct RollingMemory {
+  void* at = nullptr;   ///< nullptr: rolling is steady
+  double rolled = 0.0;  ///< distance since the step before [m]
+  double origin = 0.0,
+         slope = 1.0;  ///< the region's y is remembered as origin + slope y: over the rail, if known
+
+  double y(double of_region) const { return origin + slope * of_region; }
+};
+
 struct RollingContact {
   Strips region;               ///< strips the tractions live on, about the origin of the creepages
   double a = 0.0, b = 0.0;     ///< semi-axes of the equivalent ellipse or SDEC, a in rolling direction [m]
@@ -39,7 +49,8 @@ struct RollingContact {
   PatchModel model{};                       ///< what `region` and the coefficients are those of
   double normal_force = 0.0;                ///< of the patch, for methods that do not look at its strips [N]
   const ForceTable* force_table = nullptr;  ///< of the model, if it has one
-  void* workspace = nullptr;                ///< as many bytes as the method asks for
+  RollingMemory memory;
+  void* workspace = nullptr;  ///< as many bytes as the method asks for
 
   /// psi of the linear theory the method follows.
   double elastic_shape_number() const { return model.of_sdec ? shape_number : 0.0; }

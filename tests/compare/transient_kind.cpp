@@ -174,7 +174,7 @@ class Exact : public Roller {
   char text_[256] = "";
 };
 
-/// wrc_contact_tangential() with a memory.
+/// wrc_contact_tangential() of a model with config.non_steady.
 class Strip : public Roller {
  public:
   explicit Strip(const Sequence& q) : solver_(config(q)) {}
@@ -185,6 +185,7 @@ class Strip : public Roller {
     wrc_friction friction = wrc_friction_default();
     friction.coefficient = q.friction;
     wrc_forces forces{};
+    wrc_contact_roll(solver_.contact(), q.step);
     const int32_t status = wrc_contact_tangential(solver_.contact(), &patch, &creepage, &friction, &forces);
     if (status < 0) throw std::runtime_error(solver_.reason(status));
     return {forces.fx, forces.fy};
@@ -195,6 +196,7 @@ class Strip : public Roller {
     wrc_config config = wrc_config_default();
     config.material.shear_modulus = q.materials.shear_modulus_1;
     config.material.poisson = q.materials.poisson_1;
+    config.non_steady = 1;
     return config;
   }
   Solver solver_;

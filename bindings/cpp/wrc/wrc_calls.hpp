@@ -127,6 +127,8 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_normal_solution> regularise(const wrc_strips* strips) { return detail::value_or_throw(try_regularise(strips), handle_); }
 #endif
+  /** wrc_contact_roll() */
+  status roll(double distance) noexcept { return wrc_contact_roll(handle_, distance); }
   /** wrc_contact_tangential() */
   status tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction, wrc_forces& forces) noexcept { return wrc_contact_tangential(handle_, ellipse, &creepage, &friction, &forces); }
   expected<answer<wrc_forces>> try_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_forces>(wrc_forces(), [&](wrc_forces& found_) { return this->tangential(ellipse, creepage, friction, found_); }); }

@@ -972,6 +972,9 @@ class Config(s.Struct):
       tangential: method and options of the tangential problem
       rail_sections: of a rail that changes along the track; 0: it is config.rail everywhere (0 .. 1000;
           default 0)
+      non_steady: 1: contacts remember their tractions, and forces follow what changes over the distances told
+          to wrc_contact_roll(); one way of rolling, forwards, not with Contact.wrench; read by
+          TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
       rail_section: rail_sections of them with rail_sections; config.rail is beside them what the rail's place
           follows from and what the stages see (required)
       roundness: of the wheel
@@ -995,13 +998,13 @@ class Config(s.Struct):
     normal: ConfigNormal
     tangential: ConfigTangential
     rail_sections: int = s.Count('rail_sections')  # type: ignore[assignment]
-    reserved: int
+    non_steady: int
     rail_section: Optional[RailSection] = s.Reference('rail_section')  # type: ignore[assignment]
     roundness: ConfigRoundness
     roller_curvature: float
     check_rail: ConfigCheckRail
     _units_ = {'roller_curvature': '1/m'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size',)
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_instruction_set', c.c_int32),
@@ -1016,7 +1019,7 @@ class Config(s.Struct):
         ('normal', ConfigNormal),
         ('tangential', ConfigTangential),
         ('_rail_sections', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('non_steady', c.c_int32),
         ('_rail_section', c.POINTER(RailSection)),
         ('roundness', ConfigRoundness),
         ('roller_curvature', c.c_double),
@@ -3108,6 +3111,7 @@ _wrc_contact_geometry = _l.function(FUNCTIONS, 'wrc_contact_geometry', c.c_int32
 _wrc_contact_creepages = _l.function(FUNCTIONS, 'wrc_contact_creepages', c.c_int32, [c.c_void_p, c.POINTER(Motion), c.POINTER(Creepage)])
 _wrc_contact_normal = _l.function(FUNCTIONS, 'wrc_contact_normal', c.c_int32, [c.c_void_p, c.POINTER(Gap), c.POINTER(Load), c.POINTER(NormalSolution)])
 _wrc_contact_regularise = _l.function(FUNCTIONS, 'wrc_contact_regularise', c.c_int32, [c.c_void_p, c.POINTER(Strips), c.POINTER(NormalSolution)])
+_wrc_contact_roll = _l.function(FUNCTIONS, 'wrc_contact_roll', c.c_int32, [c.c_void_p, c.c_double])
 _wrc_contact_tangential = _l.function(FUNCTIONS, 'wrc_contact_tangential', c.c_int32, [c.c_void_p, c.POINTER(Ellipse), c.POINTER(Creepage), c.POINTER(Friction), c.POINTER(Forces)])
 _wrc_contact_damage = _l.function(FUNCTIONS, 'wrc_contact_damage', c.c_int32, [c.c_void_p, c.POINTER(Damage)])
 _wrc_contact_wear = _l.function(FUNCTIONS, 'wrc_contact_wear', c.c_int32, [c.c_void_p, c.POINTER(WearLaws), c.POINTER(Wear)])
@@ -3278,7 +3282,8 @@ class ContactCalls(_l.Handle):
         return out
 
     def tangential(self, creepage: Creepage, friction: Friction, ellipse: Optional[Ellipse] = None, *, out: Optional[Forces] = None) -> Forces:
-        """Solves the tangential problem of steady rolling. Theory manual, sections 4 and 5; paper eq. 5 to 9.
+        """Solves the tangential problem of rolling, steady but for config.non_steady. Theory manual, sections 4
+            and 5; paper eq. 5 to 9.
 
         ellipse: exact double ellipse with its joint at the origin of the contact frame, which replaces the
             contact's patches; None: the patches in the contact

@@ -597,7 +597,7 @@ struct Description<wrc_config> {
       {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
       {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "reserved", .offset = offsetof(wrc_config, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "non_steady", .offset = offsetof(wrc_config, non_steady), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "rail_section", .offset = offsetof(wrc_config, rail_section), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_sections), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_sections)},
       {.name = "roundness.angles", .offset = offsetof(wrc_config, roundness.angles), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
       {.name = "roundness.rows", .offset = offsetof(wrc_config, roundness.rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angles needs it, and its default is 0", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .otherwise = "it is read with angles only: leave it 0"},

@@ -231,4 +231,23 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
           sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
 }
 
+StripMarch strip_march(const RollingContact& contact, const Creepage& c, Fault& fault) {
+  const Model<double> m =
+      model<double>(contact, fitted_calibration, c.longitudinal, c.lateral, c.spin, fault);
+  const Equivalent patch = equivalent(contact);
+  return {.gx_constant = m.nu_x / m.l11 + m.neutral_y * m.phi / m.l13,
+          .gx_by_y = m.phi / m.l13,
+          .gy_constant = m.nu_y / m.l22,
+          .gy_by_x = m.phi / m.l23,
+          .gx_by_nu_x = 1.0 / m.l11,
+          .gy_by_nu_y = 1.0 / m.l22,
+          .turn_x = m.turning * m.t11,
+          .turn_y = m.turning * m.t22,
+          .torsion = m.torsion,
+          .elastic = m.elastic,
+          .bound = m.B,
+          .a = patch.a,
+          .b = patch.b};
+}
+
 }  // namespace wrc

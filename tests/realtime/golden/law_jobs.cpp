@@ -63,6 +63,29 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
   }
 }
 
+/// Rolling that is not steady: steps of all lengths, the patch and the creepages changing.
+void run_memory(wrc_contact* contact, Hash& hash) {
+  Numbers numbers(19);
+  for (int i = 0; i < 40; ++i) {
+    wrc_ellipse ellipse = wrc_ellipse_default();
+    ellipse.a = numbers.between(5e-3, 6e-3);
+    ellipse.b = numbers.between(4e-3, 5e-3);
+    ellipse.psi = numbers.between(-0.4, 0.4);
+    ellipse.normal_force = numbers.between(5e4, 1e5);
+    wrc_creepage creepage = wrc_creepage_default();
+    creepage.longitudinal = numbers.between(-3e-3, 3e-3);
+    creepage.lateral = numbers.between(-3e-3, 3e-3);
+    creepage.spin = numbers.between(-0.6, 0.6);
+    const double length = i % 8 == 7 ? 0.2 : 0.005;
+    wrc_friction friction = friction_number(i % 4 == 1 ? 0 : i, preset_strip_fastsim);
+    friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
+    hash.add(wrc_contact_roll(contact, i % 5 == 0 ? 0.0 : numbers.between(0.0, length)));
+    wrc_forces forces{};
+    hash.add(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces));
+    hash_forces(forces, hash);
+  }
+}
+
 }  // namespace
 
 void add_laws(Plan& plan) {
@@ -81,4 +104,7 @@ void add_laws(Plan& plan) {
            run_sensitivities(steps, contact, hash);
          }});
   }
+  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  config.non_steady = 1;
+  plan.jobs.push_back({"rolling with memory", plan.models.size() - 1, {}, run_memory});
 }

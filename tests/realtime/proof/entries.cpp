@@ -219,6 +219,32 @@ int32_t tangential_patch(Wheel& wheel) {
 }
 
 /// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
+/// Steps of no length, of a part of the patch, of all of it and of many.
+int32_t roll_on(Wheel& wheel) {
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  ellipse.a = 6e-3;
+  ellipse.b = 4e-3;
+  ellipse.psi = -0.3;
+  ellipse.normal_force = 80e3;
+  wrc_creepage creepage = wheel.creepage;
+  creepage.speed = 1.0;
+  creepage.other_way = 0.0;
+  wrc_friction friction = wrc_friction_default();
+  friction.coefficient = wheel.friction.coefficient;
+  wrc_forces forces{};
+  int32_t worst = WRC_OK;
+  struct Part {
+    double distance, a;
+  };
+  for (const Part& part : {Part{0.0, 6e-3}, Part{1e-300, 6e-3}, Part{1e-4, 5.8e-3}, Part{3e-3, 6.1e-3},
+                           Part{0.012, 5e-3}, Part{0.05, 6e-3}, Part{1.0, 5.9e-3}}) {
+    ellipse.a = part.a;
+    worst = std::min({worst, wrc_contact_roll(wheel.remembering, part.distance),
+                      wrc_contact_tangential(wheel.remembering, &ellipse, &creepage, &friction, &forces)});
+  }
+  return worst;
+}
+
 wrc_wheel_input wheel_input(const Wheel& wheel) {
   wrc_wheel_input input = wrc_wheel_input_default();
   input.wheel.y = wheel.pose.lateral;
@@ -415,6 +441,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_normal, gap by elements", normal_of_elements},
       {"wrc_contact_regularise, strips", regularise_strips},
       {"wrc_contact_tangential, double ellipse", tangential_patch},
+      {"wrc_contact_roll, wrc_contact_tangential with memory", roll_on},
       {"wrc_contact_wrench, _batch", wheel_step},
       {"wrc_contact_wrench_flat", wheel_step_flat},
       {"wrc_contact_wrench_sensitivities", wheel_sensitivities},

@@ -58,6 +58,12 @@ Wheel::Wheel(const Methods& with) : methods(with) {
       wrc_contact_size(model, &contact_bytes, &alignment) < 0 ||
       wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
+  wrc_config of_memory = wrc_config_default();
+  of_memory.non_steady = 1;
+  of_memory.instruction_set = methods.instruction_set;
+  if (wrc_model_create(&of_memory, nullptr, &remembering_model) < 0 ||
+      wrc_contact_create(remembering_model, methods.side, nullptr, &remembering) < 0)
+    throw std::runtime_error("no model that remembers");
   state.resize(state_bytes);
   spare_memory_.resize(contact_bytes + alignment);
   const auto first = reinterpret_cast<std::uintptr_t>(spare_memory_.data());
@@ -65,6 +71,8 @@ Wheel::Wheel(const Methods& with) : methods(with) {
 }
 
 Wheel::~Wheel() {
+  wrc_contact_destroy(remembering);
+  wrc_model_destroy(remembering_model);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
 }

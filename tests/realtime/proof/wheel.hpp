@@ -59,6 +59,8 @@ class Wheel {
   const Methods methods;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
+  wrc_model* remembering_model = nullptr;  ///< one with config.non_steady, without profiles
+  wrc_contact* remembering = nullptr;
   wrc_input input = wrc_input_default();
   wrc_pose& pose = input.pose;
   wrc_load& load = input.load;

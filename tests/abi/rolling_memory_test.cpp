@@ -1,0 +1,282 @@
+/// config.non_steady and wrc_contact_roll(): forces that remember, through the shared library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "wrc/wrc_offline.h"
+
+namespace {
+
+/// A contact that is given double ellipses; of a model that remembers, or not.
+class Contact {
+ public:
+  explicit Contact(bool remembers = true) {
+    wrc_config config = wrc_config_default();
+    config.non_steady = remembers ? 1 : 0;
+    config.material.shear_modulus = 82e9;
+    config.material.poisson = 0.28;
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &model_), WRC_OK);
+    EXPECT_EQ(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_), WRC_OK);
+    ellipse.a = 6e-3;
+    ellipse.b = 5e-3;
+    ellipse.normal_force = 70e3;
+    creepage.longitudinal = 1.2e-3;
+    creepage.lateral = -0.6e-3;
+    creepage.spin = 0.15;
+  }
+  Contact(const Contact&) = delete;
+  Contact& operator=(const Contact&) = delete;
+  ~Contact() {
+    wrc_contact_destroy(contact_);
+    wrc_model_destroy(model_);
+  }
+
+  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_creepage creepage = wrc_creepage_default();
+  wrc_friction friction = wrc_friction_default();
+
+  double limit() const { return friction.coefficient * ellipse.normal_force; }
+
+  /// Rolls on and solves; forces over friction times load.
+  wrc_forces roll(double distance) {
+    EXPECT_EQ(wrc_contact_roll(contact_, distance), WRC_OK) << why();
+    return solve();
+  }
+  wrc_forces solve() {
+    wrc_forces forces{};
+    EXPECT_EQ(wrc_contact_tangential(contact_, &ellipse, &creepage, &friction, &forces), WRC_OK) << why();
+    forces.fx /= limit();
+    forces.fy /= limit();
+    forces.mz /= limit() * ellipse.a;
+    return forces;
+  }
+
+  std::string why() const {
+    char text[256] = "";
+    wrc_contact_last_error(contact_, text, sizeof text);
+    return text;
+  }
+  wrc_contact* handle() const { return contact_; }
+  const wrc_model* model() const { return model_; }
+
+ private:
+  wrc_model* model_ = nullptr;
+  wrc_contact* contact_ = nullptr;
+};
+
+double apart(const wrc_forces& a, const wrc_forces& b) { return std::hypot(a.fx - b.fx, a.fy - b.fy); }
+
+TEST(RollingMemory, StepsThatStayTheSameEndInSteadyRolling) {
+  for (const double step : {0.2e-3, 1.5e-3, 7e-3, 20e-3}) {
+    Contact contact, steady(false);
+    const wrc_forces end = steady.solve();
+    wrc_forces forces{};
+    for (double rolled = 0.0; rolled < 60e-3; rolled += step) forces = contact.roll(step);
+    EXPECT_LT(apart(forces, end), 2e-3) << step;
+    EXPECT_NEAR(forces.mz, end.mz, 4e-3) << step;
+  }
+}
+
+TEST(RollingMemory, OneLongStepIsSteadyRolling) {
+  Contact contact, steady(false);
+  contact.roll(1e-3);
+  const wrc_forces forces = contact.roll(6.0 * 2.0 * contact.ellipse.a), end = steady.solve();
+  EXPECT_EQ(forces.fx, end.fx);
+  EXPECT_EQ(forces.fy, end.fy);
+  EXPECT_EQ(forces.mz, end.mz);
+  EXPECT_EQ(forces.power, end.power);
+  EXPECT_LT(apart(contact.roll(1e-3), end), 2e-3);  // and is remembered
+}
+
+TEST(RollingMemory, BeginsWithoutTractionsAndStaysWhereItIs) {
+  Contact contact;
+  EXPECT_LT(apart(contact.solve(), {}), 5e-3);
+  contact.roll(4e-3);
+  const wrc_forces before = contact.solve();
+  contact.creepage.longitudinal = -1e-3;
+  EXPECT_LT(apart(contact.solve(), before), 5e-3);
+  EXPECT_GT(apart(contact.roll(2e-3), before), 0.05);
+}
+
+TEST(RollingMemory, FollowsTheExactSolver) {
+  // From rest under creepages and spin, then the other way round: beyond half of what friction allows.
+  Contact contact;
+  contact.creepage.longitudinal = 1.5e-3;
+  constexpr uint32_t n = 24;
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  const double a = contact.ellipse.a, b = contact.ellipse.b;
+  problem.grid.nx = problem.grid.ny = n;
+  problem.grid.dx = 2.0 * a / n;
+  problem.grid.dy = 2.0 * b / n;
+  problem.grid.x0 = -a + 0.5 * problem.grid.dx;
+  problem.grid.y0 = -b + 0.5 * problem.grid.dy;
+  problem.materials = {82e9, 0.28, 82e9, 0.28};
+  std::vector<double> pressure;
+  double sum = 0.0;
+  for (uint32_t k = 0; k < n * n; ++k) {
+    const double x = (problem.grid.x0 + (k % n) * problem.grid.dx) / a;
+    const double y = (problem.grid.y0 + (k / n) * problem.grid.dy) / b;
+    pressure.push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
+    sum += pressure.back() * problem.grid.dx * problem.grid.dy;
+  }
+  for (double& p : pressure) p *= contact.ellipse.normal_force / sum;
+  problem.pressure = pressure.data();
+  wrc_exact_transient* bodies = nullptr;
+  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, nullptr, 0), WRC_OK);
+  wrc_exact_rolling_solution exact = wrc_exact_rolling_solution_default();
+  double worst = 0.0, largest = 0.0;
+  for (int k = 0; k < 80; ++k) {
+    if (k == 40) contact.creepage.longitudinal = -1.5e-3;
+    problem.creepage = contact.creepage;
+    ASSERT_EQ(wrc_exact_transient_step(bodies, &problem, &exact, nullptr, 0), WRC_OK);
+    const wrc_forces forces = contact.roll(problem.grid.dx);
+    worst = std::max(
+        worst, std::hypot(forces.fx - exact.fx / contact.limit(), forces.fy - exact.fy / contact.limit()));
+    largest = std::max(largest, std::fabs(forces.fx));
+  }
+  wrc_exact_transient_destroy(bodies);
+  EXPECT_LT(worst, 0.045);
+  EXPECT_GT(largest, 0.5);
+}
+
+TEST(RollingMemory, DoesNotLeapAsTheStepGrowsLonger) {
+  Contact contact;
+  contact.roll(3e-3);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(contact.model(), &bytes), WRC_OK);
+  std::vector<std::byte> state(bytes);
+  ASSERT_EQ(wrc_contact_save(contact.handle(), state.data(), bytes), WRC_OK);
+  contact.creepage.lateral = 1e-3;
+  constexpr int steps = 700;
+  const double length = 2.0 * contact.ellipse.a, longest = 7.0 * length;
+  std::vector<wrc_forces> found;
+  for (int k = 0; k <= steps; ++k) {
+    ASSERT_EQ(wrc_contact_restore(contact.handle(), state.data(), bytes), WRC_OK);
+    found.push_back(contact.roll(k * longest / steps));
+  }
+  double worst = 0.0;
+  for (int k = 1; k + 1 <= steps; ++k) {
+    worst = std::max(worst, 0.5 * std::hypot(found[k + 1].fx - 2.0 * found[k].fx + found[k - 1].fx,
+                                             found[k + 1].fy - 2.0 * found[k].fy + found[k - 1].fy));
+  }
+  EXPECT_LT(worst, 2e-3);
+}
+
+TEST(RollingMemory, IsPartOfTheState) {
+  Contact contact;
+  contact.roll(2e-3);
+  ASSERT_EQ(wrc_contact_roll(contact.handle(), 0.5e-3), WRC_OK);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(contact.model(), &bytes), WRC_OK);
+  std::vector<std::byte> state(bytes);
+  ASSERT_EQ(wrc_contact_save(contact.handle(), state.data(), bytes), WRC_OK);
+  const wrc_forces once = contact.roll(0.5e-3);
+  contact.roll(4e-3);
+  ASSERT_EQ(wrc_contact_restore(contact.handle(), state.data(), bytes), WRC_OK);
+  const wrc_forces again = contact.roll(0.5e-3);
+  EXPECT_EQ(once.fx, again.fx);
+  EXPECT_EQ(once.fy, again.fy);
+  EXPECT_EQ(once.mz, again.mz);
+}
+
+TEST(RollingMemory, PatchesThatGrowMoveAndVanishStayWithinFriction) {
+  Contact contact;
+  contact.creepage = wrc_creepage_default();
+  for (int k = 0; k < 300; ++k) {
+    const double wave = std::sin(0.7 * k), other = std::sin(0.31 * k);
+    contact.ellipse.normal_force = 70e3 * (1.0 + 0.8 * wave);
+    const double scale = std::cbrt(1.0 + 0.8 * wave);
+    contact.ellipse.a = 6e-3 * scale;
+    contact.ellipse.b = 5e-3 * scale * (1.0 + 0.3 * other);
+    contact.ellipse.psi = 0.5 * other;
+    contact.creepage.longitudinal = 4e-3 * std::sin(0.13 * k);
+    contact.creepage.lateral = 2e-3 * std::sin(0.23 * k);
+    contact.creepage.spin = std::sin(0.17 * k);
+    const wrc_forces forces = contact.roll(k % 7 == 0 ? 0.0 : 1e-3 * (k % 5));
+    EXPECT_LT(std::hypot(forces.fx, forces.fy), 1.01) << k;
+    EXPECT_GE(forces.power, 0.0);
+  }
+}
+
+TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
+  Contact contact, steady(false);
+  EXPECT_EQ(wrc_contact_roll(steady.handle(), 1e-3), WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(steady.why().find("non_steady"), std::string::npos) << steady.why();
+  EXPECT_EQ(wrc_contact_roll(nullptr, 1e-3), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_roll(contact.handle(), -1e-3), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_roll(contact.handle(), std::nan("")), WRC_ERROR_NOT_FINITE);
+  contact.roll(1e-3);
+  wrc_sensitivity slopes{};
+  EXPECT_EQ(wrc_contact_sensitivities(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
+  wrc_forces forces{};
+  contact.creepage.speed = -1.0;
+  EXPECT_EQ(wrc_contact_tangential(contact.handle(), &contact.ellipse, &contact.creepage, &contact.friction,
+                                   &forces),
+            WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
+
+  wrc_config config = wrc_config_default();
+  config.non_steady = 1;
+  config.tangential.method = WRC_TANGENTIAL_FASTSIM;
+  char text[256] = "";
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(std::string(text).find("config.non_steady"), std::string::npos) << text;
+
+  config = wrc_config_default();
+  config.non_steady = 1;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  wrc_model* model = nullptr;
+  wrc_contact* posed = nullptr;
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &posed), WRC_OK);
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = wrc_wrench_default();
+  EXPECT_EQ(wrc_contact_wrench(posed, &input, &wrench), WRC_ERROR_UNSUPPORTED);
+  wrc_contact_destroy(posed);
+  wrc_model_destroy(model);
+}
+
+TEST(RollingMemory, OfAPoseStaysWithTheRail) {
+  wrc_config config = wrc_config_default();
+  config.non_steady = 1;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  wrc_model* model = nullptr;
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    wrc_contact* contact = nullptr;
+    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
+    wrc_input input = wrc_input_default();
+    wrc_output output = wrc_output_default();
+    input.load.normal_force = 80e3;
+    input.creepage.longitudinal = 8e-4;
+    double before = 0.0, largest_change = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      input.pose.lateral = 1e-5 * k * (side == WRC_SIDE_RIGHT ? 1.0 : -1.0);
+      ASSERT_EQ(wrc_contact_roll(contact, 0.5e-3), WRC_OK);
+      ASSERT_GE(wrc_contact_step(contact, &input, &output), 0);
+      const double share = output.forces.fx / (0.3 * 80e3);
+      if (k > 0) largest_change = std::max(largest_change, std::fabs(share - before));
+      before = share;
+    }
+    EXPECT_LT(before, -0.4);
+    EXPECT_LT(largest_change, 0.08);
+    // Apart, and in contact again: from nothing.
+    input.load.prescribed = WRC_PRESCRIBE_APPROACH;
+    input.load.approach = -1e-3;
+    EXPECT_EQ(wrc_contact_step(contact, &input, &output), WRC_FLAG_NO_CONTACT);
+    input.load.prescribed = WRC_PRESCRIBE_LOAD;
+    ASSERT_EQ(wrc_contact_roll(contact, 0.1e-3), WRC_OK);
+    ASSERT_GE(wrc_contact_step(contact, &input, &output), 0);
+    EXPECT_GT(output.forces.fx / (0.3 * 80e3), 0.2 * before);
+    wrc_contact_destroy(contact);
+  }
+  wrc_model_destroy(model);
+}
+
+}  // namespace
