@@ -339,7 +339,9 @@ int32_t wheel_region_results(Wheel& wheel) {
   if (status >= 0) status = of(wrc_contact_region_damage(wheel.contact, 0, &damage));
   for (int32_t field = 0; status >= 0 && field <= WRC_REGION_STRIP_ANGLE; ++field)
     status = of(wrc_contact_region_field(wheel.contact, 0, field, values, 256 * 32));
-  return wheel_status(wheel, status);
+  // Methods that give forces alone have no damage and fields over a region.
+  return wheel.methods.tangential != preset_strip_fastsim && status == WRC_ERROR_UNSUPPORTED ? WRC_OK
+                                                                                             : status;
 }
 
 /// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
