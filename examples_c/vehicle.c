@@ -1,0 +1,637 @@
+/* vehicle.c - a wheelset and a bogie on S1002 and 60E1, integrated implicitly with the library's derivatives.
+ *
+ *   vehicle [RUN [FILE.csv]]    RUN: klingel, critical, curve, turnout, flat, irregular; none: all of them
+ *
+ * Two wheelsets carry a frame on primary springs, the frame hangs on secondary ones below a car body that
+ * runs on undisturbed. Every body has its place against the track axes where it runs; forward speed is held.
+ * SUNDIALS' CVODE (backward differences, Newton with a dense Jacobian) integrates; the Jacobian is that of
+ * the springs and of wrc_contact_wrench_sensitivities.
+ */
+#include <cvode/cvode.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#include <time.h>
+
+#include "wrc/wrc_offline.h"
+
+enum { Y, Z, ROLL, YAW, PITCH, FREEDOMS }; /* of a body; the pitch is its rate alone */
+enum { FRAME = 2, BODIES = 3, N = BODIES * FREEDOMS, STATES = 2 * N };
+enum { right = WRC_SIDE_RIGHT, left = WRC_SIDE_LEFT };
+
+static const double radius = 0.46, axle_load = 140e3, half_base = 1.25; /* m, N */
+static const double mass[BODIES] = {1500.0, 1500.0, 2600.0};            /* kg */
+static const double across[BODIES] = {900.0, 900.0, 1500.0}, about_z[BODIES] = {900.0, 900.0, 2800.0};
+static const double about_y[BODIES] = {110.0, 110.0, 1800.0}; /* kg m^2 */
+static double tolerance = 1e-5;                  /* relative; of places 1e-3 m of it, of velocities 0.1 m/s */
+static double primary_x = 12e6, primary_y = 5e6; /* N/m, of a box */
+static const double primary_z = 1.2e6, primary_damping = 8e3, box = 1.0; /* N/m, N s/m, m from the middle */
+static const double secondary_y = 160e3, secondary_z = 430e3, secondary_yaw = 250e3; /* of a bogie */
+static const double secondary_y_damping = 32e3, secondary_z_damping = 30e3, secondary_yaw_damping = 30e3;
+
+/* What a run is made of. */
+typedef struct {
+  wrc_contact* contact[2][2];   /* of wheelset and side */
+  double speed, start;          /* m/s; where the first wheelset is at time 0 [m] */
+  double curvature, transition; /* 1/m, to the right; over so many metres from 10 m on */
+  double flat_angle;            /* of the first wheelset's right wheel, which has a flat, at time 0 [rad] */
+  int sections, flat;           /* the right rail has sections, the wheel a flat */
+  int irregular;
+  double stiffness[N][N], damping[N][N];
+  double load[N]; /* static */
+  int failures;
+  double wheel_force[2][2][3]; /* of the last evaluation [N] */
+} Vehicle;
+
+static void must(int32_t status, const char* what) {
+  if (status >= 0) return;
+  fprintf(stderr, "%s: %s\n", what, wrc_status_name(status));
+  exit(EXIT_FAILURE);
+}
+
+/* Adds a spring between two bodies (to < 0: the ground) along the displacements that rows a and b take of
+ * them. */
+static void add_spring(double matrix[N][N], const double a[N], double k) {
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) matrix[i][j] += k * a[i] * a[j];
+}
+
+static void build(Vehicle* v) {
+  memset(v->stiffness, 0, sizeof v->stiffness);
+  memset(v->damping, 0, sizeof v->damping);
+  memset(v->load, 0, sizeof v->load);
+  for (int w = 0; w < 2; ++w) {
+    const double ahead = w == 0 ? half_base : -half_base;
+    for (int side = 0; side < 2; ++side) {
+      const double out = side == 0 ? box : -box;
+      double x[N] = {0}, y[N] = {0}, z[N] = {0};
+      x[FREEDOMS * w + YAW] = -out; /* forwards: -yaw * y */
+      x[FREEDOMS * FRAME + YAW] = out;
+      y[FREEDOMS * w + Y] = 1.0;
+      y[FREEDOMS * FRAME + Y] = -1.0;
+      y[FREEDOMS * FRAME + YAW] = -ahead;
+      z[FREEDOMS * w + Z] = 1.0;
+      z[FREEDOMS * w + ROLL] = out;
+      z[FREEDOMS * FRAME + Z] = -1.0;
+      z[FREEDOMS * FRAME + ROLL] = -out;
+      z[FREEDOMS * FRAME + PITCH] = ahead; /* downwards: -pitch * x */
+      add_spring(v->stiffness, x, primary_x);
+      add_spring(v->stiffness, y, primary_y);
+      add_spring(v->stiffness, z, primary_z);
+      add_spring(v->damping, z, primary_damping);
+    }
+  }
+  double y[N] = {0}, z[N] = {0}, roll[N] = {0}, yaw[N] = {0}, pitch[N] = {0};
+  y[FREEDOMS * FRAME + Y] = z[FREEDOMS * FRAME + Z] = roll[FREEDOMS * FRAME + ROLL] = 1.0;
+  yaw[FREEDOMS * FRAME + YAW] = pitch[FREEDOMS * FRAME + PITCH] = 1.0;
+  add_spring(v->stiffness, y, secondary_y);
+  add_spring(v->damping, y, secondary_y_damping);
+  add_spring(v->stiffness, z, secondary_z);
+  add_spring(v->damping, z, secondary_z_damping);
+  add_spring(v->stiffness, roll, secondary_z);
+  add_spring(v->damping, roll, secondary_z_damping);
+  add_spring(v->stiffness, yaw, secondary_yaw);
+  add_spring(v->damping, yaw, secondary_yaw_damping);
+  add_spring(v->damping, pitch, 1e4);
+  for (int w = 0; w < 2; ++w) v->load[FREEDOMS * w + Z] = axle_load;
+}
+
+static double curvature_at(const Vehicle* v, double distance) {
+  const double t = (distance - 10.0) / (v->transition > 0.0 ? v->transition : 1.0);
+  return v->curvature * (t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t * t * (3.0 - 2.0 * t));
+}
+
+/* Rail displacements, and their rates, of a few waves. */
+static void irregularity(const Vehicle* v, double distance, int side, wrc_rail_state* rail) {
+  static const double length[6] = {2.3, 3.7, 5.9, 9.1, 14.3, 23.0};
+  for (int i = 0; v->irregular && i < 6; ++i) {
+    const double along = fmin(fmax(distance / 20.0, 0.0), 1.0), grown = along * along * (3.0 - 2.0 * along);
+    const double k = 6.283185307179586 / length[i], amplitude = 0.08e-3 * grown * length[i] / 2.3;
+    const double phase = k * distance + 1.7 * i;
+    rail->y += 0.4 * amplitude * sin(phase + 0.9);
+    rail->z += amplitude * sin(phase + (side == 0 ? 0.0 : 1.1));
+  }
+}
+
+static void input_of(const Vehicle* v, double t, const double* s, int w, int side, wrc_wheel_input* input) {
+  const double *q = s + FREEDOMS * w, *rate = s + N + FREEDOMS * w;
+  const double distance = v->start + v->speed * t - (w == 0 ? 0.0 : 2.0 * half_base);
+  wrc_wheel_state* wheel = &input->wheel;
+  *input = wrc_wheel_input_default();
+  input->start = WRC_START_FROM_LAST;
+  input->damping = 0.05;
+  wheel->angular_axes = WRC_AXES_BODY;
+  wheel->y = q[Y];
+  wheel->z = q[Z];
+  wheel->roll = q[ROLL];
+  wheel->yaw = q[YAW];
+  wheel->velocity[0] = v->speed;
+  wheel->velocity[1] = rate[Y];
+  wheel->velocity[2] = rate[Z];
+  wheel->angular_velocity[0] = rate[ROLL];
+  wheel->angular_velocity[1] = -v->speed / radius + rate[PITCH];
+  wheel->angular_velocity[2] = rate[YAW] + v->speed * curvature_at(v, distance);
+  irregularity(v, distance, side, &input->rail);
+  if (side == right && v->sections) input->distance = distance;
+  if (side == right && w == 0 && v->flat) input->angle = v->flat_angle - v->speed / radius * t;
+}
+
+/* Accelerations, and if wanted their derivatives. */
+static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v) {
+  double force[N];
+  if (J) SUNMatZero(J);
+  for (int i = 0; i < N; ++i) d[i] = s[N + i];
+  for (int i = 0; i < N; ++i) d[i] = i % FREEDOMS == PITCH && i < FREEDOMS * FRAME ? 0.0 : d[i];
+  /* bodies stand in line with the track below them: in a curve the frame sees wheelsets turned and aside */
+  double q[N];
+  memcpy(q, s, sizeof q);
+  const double middle = v->start + v->speed * t - half_base, bend = curvature_at(v, middle);
+  q[YAW] += half_base * bend;
+  q[FREEDOMS + YAW] -= half_base * bend;
+  q[Y] += 0.5 * half_base * half_base * bend;
+  q[FREEDOMS + Y] += 0.5 * half_base * half_base * bend;
+  for (int i = 0; i < N; ++i) {
+    force[i] = v->load[i];
+    for (int j = 0; j < N; ++j) force[i] -= v->stiffness[i][j] * q[j] + v->damping[i][j] * s[N + j];
+  }
+  static const int row[FREEDOMS] = {1, 2, 3, 5, 4}; /* of the wrench: Fy, Fz, Mx, Mz, My */
+  static double slope[N][STATES];
+  if (J) memset(slope, 0, sizeof slope);
+  for (int w = 0; w < 2; ++w) {
+    for (int side = 0; side < 2; ++side) {
+      wrc_wheel_input input;
+      input_of(v, t, s, w, side, &input);
+      wrc_wrench wrench = wrc_wrench_default();
+      wrc_wrench_sensitivities by;
+      const int32_t status = J ? wrc_contact_wrench_sensitivities(v->contact[w][side], &input, &wrench, &by)
+                               : wrc_contact_wrench(v->contact[w][side], &input, &wrench);
+      if (status < 0) {
+        ++v->failures;
+        return 1; /* recoverable: CVODE takes a smaller step */
+      }
+      memcpy(v->wheel_force[w][side], wrench.force, sizeof wrench.force);
+      const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],
+                             wrench.moment[0], wrench.moment[1], wrench.moment[2]};
+      static const int by_place[FREEDOMS] = {WRC_BY_Y, WRC_BY_Z, WRC_BY_ROLL, WRC_BY_YAW, -1};
+      static const int by_rate[FREEDOMS] = {WRC_BY_VELOCITY_Y, WRC_BY_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_X,
+                                            WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
+      for (int i = 0; i < FREEDOMS; ++i) {
+        force[FREEDOMS * w + i] += all[row[i]];
+        for (int j = 0; J && j < FREEDOMS; ++j) {
+          if (by_place[j] >= 0) slope[FREEDOMS * w + i][FREEDOMS * w + j] += by.wrench[row[i]][by_place[j]];
+          slope[FREEDOMS * w + i][N + FREEDOMS * w + j] += by.wrench[row[i]][by_rate[j]];
+        }
+      }
+    }
+  }
+  for (int w = 0; w < 2; ++w) { /* what turns about its axle resists other turning */
+    const double spin = about_y[w] * -v->speed / radius;
+    force[FREEDOMS * w + ROLL] += spin * s[N + FREEDOMS * w + YAW];
+    force[FREEDOMS * w + YAW] -= spin * s[N + FREEDOMS * w + ROLL];
+    if (!J) continue;
+    slope[FREEDOMS * w + ROLL][N + FREEDOMS * w + YAW] += spin;
+    slope[FREEDOMS * w + YAW][N + FREEDOMS * w + ROLL] -= spin;
+  }
+  for (int i = 0; i < N; ++i) {
+    const int body = i / FREEDOMS, k = i % FREEDOMS;
+    const double inertia = k < ROLL    ? mass[body]
+                           : k == ROLL ? across[body]
+                           : k == YAW  ? about_z[body]
+                                       : about_y[body];
+    d[N + i] = force[i] / inertia;
+    if (!J) continue;
+    for (int j = 0; j < N; ++j) {
+      SM_ELEMENT_D(J, N + i, j) = (slope[i][j] - v->stiffness[i][j]) / inertia;
+      SM_ELEMENT_D(J, N + i, N + j) = (slope[i][N + j] - v->damping[i][j]) / inertia;
+    }
+    if (!(k == PITCH && body < FRAME)) SM_ELEMENT_D(J, i, N + i) = 1.0;
+  }
+  return 0;
+}
+
+static int right_side(realtype t, N_Vector s, N_Vector d, void* user) {
+  return motion(t, N_VGetArrayPointer(s), N_VGetArrayPointer(d), NULL, (Vehicle*)user);
+}
+
+static int jacobian(realtype t, N_Vector s, N_Vector f, SUNMatrix J, void* user, N_Vector a, N_Vector b,
+                    N_Vector c) {
+  (void)f, (void)a, (void)b, (void)c;
+  double d[STATES];
+  return motion(t, N_VGetArrayPointer(s), d, J, (Vehicle*)user);
+}
+
+/* Integrates from `s` over a time, calls `look` every `every` seconds; returns the time it took over the
+ * time simulated. */
+typedef void (*Look)(double t, const double* s, const Vehicle* v, void* told);
+static double integrate(Vehicle* v, double* s, double until, double every, Look look, void* told) {
+  SUNContext context;
+  if (SUNContext_Create(NULL, &context)) exit(EXIT_FAILURE);
+  N_Vector state = N_VMake_Serial(STATES, s, context);
+  void* solver = CVodeCreate(CV_BDF, context);
+  SUNMatrix matrix = SUNDenseMatrix(STATES, STATES, context);
+  SUNLinearSolver linear = SUNLinSol_Dense(state, matrix, context);
+  N_Vector absolute = N_VNew_Serial(STATES, context);
+  for (int i = 0; i < STATES; ++i) N_VGetArrayPointer(absolute)[i] = tolerance * (i < N ? 1e-3 : 0.1);
+  CVodeInit(solver, right_side, 0.0, state);
+  CVodeSVtolerances(solver, tolerance, absolute);
+  CVodeSetUserData(solver, v);
+  CVodeSetLinearSolver(solver, linear, matrix);
+  CVodeSetJacFn(solver, jacobian);
+  CVodeSetMaxNumSteps(solver, 200000);
+  CVodeSetMaxOrd(solver, 2); /* A-stable: over oscillations of the contact that nobody asks for */
+  CVodeSetMaxStep(solver, every);
+  const clock_t began = clock();
+  for (double t = 0.0, next = every; next < until + 0.5 * every; next += every) {
+    if (CVode(solver, next, state, &t, CV_NORMAL) < 0) {
+      fprintf(stderr, "CVODE gave up at %g s, %d calls refused\n", t, v->failures);
+      break;
+    }
+    double d[STATES];
+    motion(next, N_VGetArrayPointer(state), d, NULL, v);
+    if (look) look(next, N_VGetArrayPointer(state), v, told);
+  }
+  const double took = (double)(clock() - began) / CLOCKS_PER_SEC;
+  CVodeFree(&solver);
+  SUNLinSolFree(linear);
+  SUNMatDestroy(matrix);
+  N_VDestroy(absolute);
+  N_VDestroy(state);
+  SUNContext_Free(&context);
+  return took / until;
+}
+
+static wrc_config pair_of_profiles(void) {
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.rail_inclination = 1.0 / 40.0;
+  config.wheelset.wheel_radius = radius;
+  return config;
+}
+
+/* Contacts; `special`: the model of the right wheel of the first wheelset, or of both right wheels. */
+static wrc_model* models[2];
+static void open_contacts(Vehicle* v, const wrc_config* special, int both) {
+  memset(v, 0, sizeof *v);
+  const wrc_config plain = pair_of_profiles();
+  models[1] = NULL;
+  must(wrc_model_create(&plain, NULL, &models[0]), "model");
+  if (special) must(wrc_model_create(special, NULL, &models[1]), "model");
+  for (int w = 0; w < 2; ++w)
+    for (int side = 0; side < 2; ++side)
+      must(wrc_contact_create(special && side == right && (both || w == 0) ? models[1] : models[0], side,
+                              NULL, &v->contact[w][side]),
+           "contact");
+  build(v);
+}
+static void close_contacts(Vehicle* v) {
+  for (int w = 0; w < 2; ++w)
+    for (int side = 0; side < 2; ++side) wrc_contact_destroy(v->contact[w][side]);
+  for (int k = 0; k < 2; ++k) wrc_model_destroy(models[k]);
+}
+
+/* Standing in the middle. */
+static void stand(Vehicle* v, double* s) {
+  memset(s, 0, STATES * sizeof *s);
+  wrc_wheel_input input;
+  input_of(v, 0.0, s, 1, left, &input);
+  input.damping = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 0.5 * axle_load;
+  wrc_wrench wrench = wrc_wrench_default();
+  must(wrc_contact_wrench(v->contact[1][left], &input, &wrench), "standing");
+  for (int w = 0; w < 2; ++w) {
+    s[FREEDOMS * w + Z] = wrench.z;
+    /* springs are at rest where it stands */
+  }
+  double q[N];
+  memcpy(q, s, sizeof q);
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) v->load[i] += v->stiffness[i][j] * q[j];
+}
+
+/* ------------------------------------------------------------------------------------------------- looking
+ */
+
+typedef struct {
+  FILE* file;
+  const char* run;
+  double value; /* what tells runs of one name apart */
+  double at[3], y[3];
+  double crossed[64], peak;
+  int crossings, peaks;
+  double amplitude[4096], time[4096];
+  double largest_lateral, largest_vertical, least_vertical;
+} Told;
+
+static void look(double t, const double* s, const Vehicle* v, void* user) {
+  Told* told = (Told*)user;
+  told->at[0] = told->at[1], told->at[1] = told->at[2], told->at[2] = t;
+  told->y[0] = told->y[1], told->y[1] = told->y[2], told->y[2] = s[Y];
+  if (told->at[0] > 0.0) {
+    if (told->y[1] < 0.0 && told->y[2] >= 0.0 && told->crossings < 64)
+      told->crossed[told->crossings++] =
+          told->at[1] + (told->at[2] - told->at[1]) * told->y[1] / (told->y[1] - told->y[2]);
+    const double a = fabs(told->y[0]), b = fabs(told->y[1]), c = fabs(told->y[2]);
+    if (b > a && b >= c && told->peaks < 4096) {
+      told->amplitude[told->peaks] = b;
+      told->time[told->peaks++] = told->at[1];
+    }
+  }
+  const double* f = v->wheel_force[0][right];
+  const double lateral = fmax(fabs(f[1]), fabs(v->wheel_force[0][left][1]));
+  told->largest_lateral = fmax(told->largest_lateral, lateral);
+  told->largest_vertical = fmax(told->largest_vertical, -f[2]);
+  told->least_vertical = told->least_vertical == 0.0 ? -f[2] : fmin(told->least_vertical, -f[2]);
+  if (told->file)
+    fprintf(told->file, "%s,%g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", told->run, told->value, t,
+            v->start + v->speed * t, s[Y], s[YAW], f[1], f[2], v->wheel_force[0][left][1]);
+}
+
+/* ------------------------------------------------------------------------------------------------- runs */
+
+static void klingel(FILE* file) {
+  enum { points = 121 };
+  static double y[points], dr[points], z[points], roll[points];
+  const double amplitude[3] = {1e-3, 2e-3, 3e-3};
+  double wavelength[3];
+  char text[256] = "";
+  Vehicle v;
+  const double kx = primary_x, ky = primary_y;
+  primary_x = primary_y = 0.0; /* wheelsets left to themselves */
+  open_contacts(&v, NULL, 0);
+  wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
+  for (int i = 0; i < points; ++i) y[i] = 0.08e-3 * (i - points / 2);
+  where.count = points;
+  where.lateral = y;
+  where.wheel_load = 0.5 * axle_load;
+  wrc_contact_functions functions = wrc_contact_functions_default();
+  functions.vertical = z;
+  functions.roll = roll;
+  must(wrc_profile_contact_functions(models[0], &where, &functions, text, sizeof text), text);
+  for (int i = 0; i < points; ++i) { /* radii at which a wheel rolls without a longitudinal force */
+    double rolls[2];
+    for (int side = 0; side < 2; ++side) {
+      wrc_wheel_input input = wrc_wheel_input_default();
+      input.start = WRC_START_ANEW;
+      input.wheel.y = y[i];
+      input.wheel.z = z[i];
+      input.wheel.roll = roll[i];
+      input.wheel.velocity[0] = 1.0;
+      input.wheel.angular_velocity[1] = -1.0 / radius;
+      for (int n = 0; n < 4; ++n) {
+        wrc_wrench wrench = wrc_wrench_default();
+        wrc_wrench_sensitivities by;
+        must(wrc_contact_wrench_sensitivities(v.contact[0][side], &input, &wrench, &by), "rolling");
+        if (by.wrench[0][WRC_BY_ANGULAR_VELOCITY_Y] != 0.0)
+          input.wheel.angular_velocity[1] -= wrench.force[0] / by.wrench[0][WRC_BY_ANGULAR_VELOCITY_Y];
+      }
+      rolls[side] = -1.0 / input.wheel.angular_velocity[1];
+    }
+    dr[i] = rolls[right] - rolls[left];
+  }
+  wrc_conicity_problem problem = wrc_conicity_problem_default();
+  problem.count = points;
+  problem.lateral = y;
+  problem.radius_difference = dr;
+  problem.amplitudes = 3;
+  problem.amplitude = amplitude;
+  problem.radius = radius;
+  wrc_conicity result = wrc_conicity_default();
+  result.wavelength = wavelength;
+  must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
+  for (int k = 0; k < 3; ++k) {
+    double s[STATES];
+    v.speed = 1.0;
+    build(&v);
+    stand(&v, s);
+    s[Y] = amplitude[k];
+    Told told = {.file = file, .run = "klingel", .value = amplitude[k]};
+    const double factor = integrate(&v, s, 45.0, 0.05, look, &told);
+    double wave = 0.0, mean = 0.0;
+    if (told.crossings > 1)
+      wave = v.speed * (told.crossed[told.crossings - 1] - told.crossed[0]) / (told.crossings - 1);
+    for (int i = 0; i < told.peaks; ++i) mean += told.amplitude[i] / told.peaks;
+    problem.amplitudes = 1;
+    problem.amplitude = &mean;
+    double kinematic = 0.0;
+    result.wavelength = &kinematic;
+    must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
+    printf(
+        "klingel: from %.1f mm, mean amplitude %.3f mm: wave of %.3f m, kinematics %.3f m (%+.2f %%); "
+        "real-time factor %.3f\n",
+        1e3 * amplitude[k], 1e3 * mean, wave, kinematic, 100.0 * (wave / kinematic - 1.0), factor);
+  }
+  primary_x = kx, primary_y = ky;
+  close_contacts(&v);
+}
+
+/* Largest growth rate of the linearised motion [1/s]: norm of exp(A t) over a long time, by squaring. */
+static double growth(Vehicle* v, const double* s) {
+  SUNContext context;
+  if (SUNContext_Create(NULL, &context)) exit(EXIT_FAILURE);
+  SUNMatrix J = SUNDenseMatrix(STATES, STATES, context);
+  double d[STATES];
+  static double e[STATES][STATES], term[STATES][STATES], next[STATES][STATES];
+  motion(0.0, s, d, J, v);
+  const double step = 1e-5;
+  for (int i = 0; i < STATES; ++i)
+    for (int j = 0; j < STATES; ++j) e[i][j] = term[i][j] = i == j;
+  for (int k = 1; k < 14; ++k) {
+    for (int i = 0; i < STATES; ++i)
+      for (int j = 0; j < STATES; ++j) {
+        double sum = 0.0;
+        for (int m = 0; m < STATES; ++m) sum += SM_ELEMENT_D(J, i, m) * term[m][j];
+        next[i][j] = sum * step / k;
+      }
+    memcpy(term, next, sizeof term);
+    for (int i = 0; i < STATES; ++i)
+      for (int j = 0; j < STATES; ++j) e[i][j] += term[i][j];
+  }
+  double logarithm = 0.0, time = step;
+  const int squarings = 27; /* 1300 s */
+  for (int n = 0; n < squarings; ++n) {
+    double norm = 0.0;
+    for (int i = 0; i < STATES; ++i)
+      for (int j = 0; j < STATES; ++j) {
+        double sum = 0.0;
+        for (int m = 0; m < STATES; ++m) sum += e[i][m] * e[m][j];
+        next[i][j] = sum;
+        norm = fmax(norm, fabs(sum));
+      }
+    for (int i = 0; i < STATES; ++i)
+      for (int j = 0; j < STATES; ++j) e[i][j] = next[i][j] / norm;
+    logarithm = 2.0 * logarithm + log(norm);
+    time *= 2.0;
+  }
+  SUNMatDestroy(J);
+  SUNContext_Free(&context);
+  return logarithm / time;
+}
+
+static void critical(FILE* file) {
+  Vehicle v;
+  double s[STATES];
+  open_contacts(&v, NULL, 0);
+  double low = 10.0, high = 180.0;
+  for (int n = 0; n < 24; ++n) {
+    v.speed = 0.5 * (low + high);
+    build(&v);
+    stand(&v, s);
+    if (growth(&v, s) > 1e-4)
+      high = v.speed;
+    else
+      low = v.speed;
+  }
+  const double linear = 0.5 * (low + high);
+  /* growth in time of small motions on both sides of it */
+  double rate[2];
+  const double speeds[2] = {0.97 * linear, 1.03 * linear};
+  for (int k = 0; k < 2; ++k) {
+    v.speed = speeds[k];
+    build(&v);
+    stand(&v, s);
+    s[Y] = s[FREEDOMS + Y] = s[FREEDOMS * FRAME + Y] = 20e-6;
+    Told told = {.file = NULL};
+    integrate(&v, s, 6.0, 2e-3, look, &told);
+    int first = told.peaks / 3, last = told.peaks - 1;
+    rate[k] = log(told.amplitude[last] / told.amplitude[first]) / (told.time[last] - told.time[first]);
+  }
+  const double found = speeds[0] - rate[0] * (speeds[1] - speeds[0]) / (rate[1] - rate[0]);
+  printf(
+      "critical: linearised %.2f m/s (%.0f km/h); in time, growth %.3f and %.3f 1/s at 3 %% below and above: "
+      "%.2f m/s (%+.2f %%)\n",
+      linear, 3.6 * linear, rate[0], rate[1], found, 100.0 * (found / linear - 1.0));
+  for (int k = 0; k < 6; ++k) { /* limit cycles, from a large motion */
+    v.speed = linear * (0.8 + 0.08 * k);
+    build(&v);
+    stand(&v, s);
+    s[Y] = s[FREEDOMS + Y] = s[FREEDOMS * FRAME + Y] = 5e-3;
+    Told told = {.file = NULL};
+    const double factor = integrate(&v, s, 4.0, 4e-3, look, &told);
+    const double left_over = told.peaks > 0 ? told.amplitude[told.peaks - 1] : 0.0;
+    printf("critical: %.1f m/s from 5 mm: %.3f mm after 4 s; real-time factor %.3f\n", v.speed,
+           1e3 * left_over, factor);
+    if (file) fprintf(file, "cycle,%g,%g,0,%g,0,0,0,0\n", v.speed, 4.0, left_over);
+  }
+  close_contacts(&v);
+}
+
+static void curve(FILE* file) {
+  Vehicle v;
+  double s[STATES];
+  open_contacts(&v, NULL, 0);
+  v.speed = 15.0;
+  v.curvature = 1.0 / 300.0;
+  v.transition = 30.0;
+  stand(&v, s);
+  Told told = {.file = file, .run = "curve", .value = 300.0};
+  const double factor = integrate(&v, s, 5.0, 0.01, look, &told);
+  printf(
+      "curve: radius 300 m at %.0f m/s: first wheelset at %.2f mm, yaw %.2f mrad, outer wheel %.1f kN "
+      "lateral; real-time factor %.3f\n",
+      v.speed, 1e3 * s[Y], 1e3 * s[YAW], 1e-3 * v.wheel_force[0][left][1], factor);
+  close_contacts(&v);
+}
+
+static void turnout(FILE* file) {
+  /* the stock rail leaves outwards, the blade rises beside it from below */
+  static wrc_rail_section section[12];
+  int n = 0;
+  for (int k = 0; k < 7; ++k, ++n) {
+    const double t = k < 2 ? 0.0 : (k - 1) * 0.5;
+    section[n].distance = k < 6 ? 10.0 * (k > 0) + 1.0 * (k > 1 ? k - 1 : 0) : 100.0;
+    section[n].y = 6e-3 * t * t;
+    section[n].profile.kind = WRC_PROFILE_60E1;
+  }
+  for (int k = 0; k < 5; ++k, ++n) {
+    static const double at[5] = {10.5, 11.5, 12.5, 13.5, 100.0}, deep[5] = {6e-3, 3e-3, 0.6e-3, 0.0, 0.0};
+    section[n].face = 1;
+    section[n].distance = at[k];
+    section[n].z = deep[k];
+    section[n].profile.kind = WRC_PROFILE_60E1;
+  }
+  wrc_config config = pair_of_profiles();
+  config.rail_sections = (uint32_t)n;
+  config.rail_section = section;
+  for (int k = 0; k < 2; ++k) {
+    Vehicle v;
+    double s[STATES];
+    open_contacts(&v, &config, 1);
+    v.sections = 1;
+    v.start = 4.0;
+    v.speed = (k == 0 ? 40.0 : 80.0) / 3.6;
+    stand(&v, s);
+    Told told = {.file = file, .run = "turnout", .value = 3.6 * v.speed};
+    const double factor = integrate(&v, s, 16.0 / v.speed, 0.01 / v.speed, look, &told);
+    printf("turnout at %.0f km/h: vertical %.1f to %.1f kN, lateral up to %.1f kN; real-time factor %.3f\n",
+           3.6 * v.speed, 1e-3 * told.least_vertical, 1e-3 * told.largest_vertical,
+           1e-3 * told.largest_lateral, factor);
+    close_contacts(&v);
+  }
+}
+
+static void flat(FILE* file) {
+  enum { angles = 2001 };
+  static double angle[angles], deviation[angles];
+  const double turn = 6.283185307179586, half = 0.045 / radius;
+  for (int i = 0; i < angles; ++i) {
+    angle[i] = turn * i / (angles - 1);
+    const double from = i > angles / 2 ? angle[i] - turn : angle[i];
+    deviation[i] = fabs(from) < half ? -0.25e-3 * (1.0 + cos(0.5 * turn * from / half)) : 0.0;
+  }
+  wrc_config config = pair_of_profiles();
+  config.roundness.angles = angles;
+  config.roundness.rows = 1;
+  config.roundness.angle = angle;
+  config.roundness.deviation = deviation;
+  Vehicle v;
+  double s[STATES];
+  open_contacts(&v, &config, 0);
+  v.flat = 1;
+  v.flat_angle = 1.0;
+  v.speed = 60.0 / 3.6;
+  stand(&v, s);
+  Told told = {.file = file, .run = "flat", .value = 60.0};
+  const double factor = integrate(&v, s, 0.12, 2e-4, look, &told);
+  printf("flat of 0.5 mm at 60 km/h: vertical %.1f to %.1f kN; real-time factor %.3f\n",
+         1e-3 * told.least_vertical, 1e-3 * told.largest_vertical, factor);
+  close_contacts(&v);
+}
+
+static void irregular(FILE* file) {
+  Vehicle v;
+  double s[STATES];
+  open_contacts(&v, NULL, 0);
+  v.irregular = 1;
+  v.speed = 40.0;
+  stand(&v, s);
+  Told told = {.file = file, .run = "irregular", .value = 40.0};
+  const double factor = integrate(&v, s, 2.0, 2e-3, look, &told);
+  printf(
+      "irregular track at 40 m/s: vertical %.1f to %.1f kN, lateral up to %.1f kN; real-time factor %.3f\n",
+      1e-3 * told.least_vertical, 1e-3 * told.largest_vertical, 1e-3 * told.largest_lateral, factor);
+  close_contacts(&v);
+}
+
+int main(int argc, char** argv) {
+  static const struct {
+    const char* name;
+    void (*run)(FILE*);
+  } runs[] = {{"klingel", klingel}, {"critical", critical}, {"curve", curve},
+              {"turnout", turnout}, {"flat", flat},         {"irregular", irregular}};
+  FILE* file = argc > 2 ? fopen(argv[2], "w") : NULL;
+  if (file) fprintf(file, "run,value,time,distance,y,yaw,lateral_right,vertical_right,lateral_left\n");
+  int done = 0;
+  for (int k = 0; k < 6; ++k) {
+    if (argc > 1 && strcmp(argv[1], "all") != 0 && strcmp(argv[1], runs[k].name) != 0) continue;
+    runs[k].run(file);
+    ++done;
+  }
+  if (file) fclose(file);
+  return done > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
