@@ -66,6 +66,9 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_contact_functions(14)
   integer(c_size_t), bind(C) :: layout_wrc_conicity_problem(10)
   integer(c_size_t), bind(C) :: layout_wrc_conicity(6)
+  integer(c_size_t), bind(C) :: layout_wrc_profile_wear(14)
+  integer(c_size_t), bind(C) :: layout_wrc_worn_profile(10)
+  integer(c_size_t), bind(C) :: layout_wrc_flange(4)
 end module
 program layout_test
   use wrc
@@ -136,7 +139,10 @@ program layout_test
   call test_wrc_contact_functions()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
-  print '(i0,a)', 64, ' types compared'
+  call test_wrc_profile_wear()
+  call test_wrc_worn_profile()
+  call test_wrc_flange()
+  print '(i0,a)', 67, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -1381,6 +1387,70 @@ contains
       distance(c_loc(a), c_loc(a%wavelength)), layout_wrc_conicity(5))
     call same('wrc_conicity', 'centre', &
       distance(c_loc(a), c_loc(a%centre)), layout_wrc_conicity(6))
+  end subroutine
+  subroutine test_wrc_profile_wear()
+    type(wrc_profile_wear), target :: a
+    call wrc_init(a)
+    call same('wrc_profile_wear', 'size', c_sizeof(a), layout_wrc_profile_wear(1))
+    call same('wrc_profile_wear', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_profile_wear(2))
+    call same('wrc_profile_wear', 'body', &
+      distance(c_loc(a), c_loc(a%body)), layout_wrc_profile_wear(3))
+    call same('wrc_profile_wear', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_profile_wear(4))
+    call same('wrc_profile_wear', 'bins', &
+      distance(c_loc(a), c_loc(a%bins)), layout_wrc_profile_wear(5))
+    call same('wrc_profile_wear', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_profile_wear(6))
+    call same('wrc_profile_wear', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_profile_wear(7))
+    call same('wrc_profile_wear', 'depth', &
+      distance(c_loc(a), c_loc(a%depth)), layout_wrc_profile_wear(8))
+    call same('wrc_profile_wear', 'first', &
+      distance(c_loc(a), c_loc(a%first)), layout_wrc_profile_wear(9))
+    call same('wrc_profile_wear', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_profile_wear(10))
+    call same('wrc_profile_wear', 'passages', &
+      distance(c_loc(a), c_loc(a%passages)), layout_wrc_profile_wear(11))
+    call same('wrc_profile_wear', 'largest_depth', &
+      distance(c_loc(a), c_loc(a%largest_depth)), layout_wrc_profile_wear(12))
+    call same('wrc_profile_wear', 'smoothing', &
+      distance(c_loc(a), c_loc(a%smoothing)), layout_wrc_profile_wear(13))
+    call same('wrc_profile_wear', 'spacing', &
+      distance(c_loc(a), c_loc(a%spacing)), layout_wrc_profile_wear(14))
+  end subroutine
+  subroutine test_wrc_worn_profile()
+    type(wrc_worn_profile), target :: a
+    call wrc_init(a)
+    call same('wrc_worn_profile', 'size', c_sizeof(a), layout_wrc_worn_profile(1))
+    call same('wrc_worn_profile', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_worn_profile(2))
+    call same('wrc_worn_profile', 'capacity', &
+      distance(c_loc(a), c_loc(a%capacity)), layout_wrc_worn_profile(3))
+    call same('wrc_worn_profile', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_worn_profile(4))
+    call same('wrc_worn_profile', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_worn_profile(5))
+    call same('wrc_worn_profile', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_worn_profile(6))
+    call same('wrc_worn_profile', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_worn_profile(7))
+    call same('wrc_worn_profile', 'passages', &
+      distance(c_loc(a), c_loc(a%passages)), layout_wrc_worn_profile(8))
+    call same('wrc_worn_profile', 'depth', &
+      distance(c_loc(a), c_loc(a%depth)), layout_wrc_worn_profile(9))
+    call same('wrc_worn_profile', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_worn_profile(10))
+  end subroutine
+  subroutine test_wrc_flange()
+    type(wrc_flange), target :: a
+    call same('wrc_flange', 'size', c_sizeof(a), layout_wrc_flange(1))
+    call same('wrc_flange', 'height', &
+      distance(c_loc(a), c_loc(a%height)), layout_wrc_flange(2))
+    call same('wrc_flange', 'thickness', &
+      distance(c_loc(a), c_loc(a%thickness)), layout_wrc_flange(3))
+    call same('wrc_flange', 'slope', &
+      distance(c_loc(a), c_loc(a%slope)), layout_wrc_flange(4))
   end subroutine
   function distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

@@ -145,6 +145,12 @@ struct wrc_api {
   int32_t (*model_arc_places)(const wrc_model*, int32_t, uint32_t, const double*, double*, double*);
     /**< wrc_model_arc_places() */
   int32_t (*contact_roll)(wrc_contact*, double); /**< wrc_contact_roll() */
+  int32_t (*profile_wear_init)(wrc_profile_wear*); /**< wrc_profile_wear_init() */
+  int32_t (*worn_profile_init)(wrc_worn_profile*); /**< wrc_worn_profile_init() */
+  int32_t (*profile_take_off)(const wrc_profile_wear*, wrc_worn_profile*, char*, uint64_t);
+    /**< wrc_profile_take_off() */
+  int32_t (*flange_dimensions)(uint32_t, const double*, const double*, double, wrc_flange*, char*, uint64_t);
+    /**< wrc_flange_dimensions() */
 };
 
 #endif /* WRC_API_H */

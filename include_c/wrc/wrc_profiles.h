@@ -1,6 +1,6 @@
 /** @file wrc_profiles.h
  * Pairs of profiles, before and after they run on each other: where a wheelset touches its track, rolling radius
- * difference, contact angles, equivalent conicity. Not for real-time use.
+ * difference, contact angles, equivalent conicity; profiles that wear. Not for real-time use.
  *
  * Part of wrc_offline.h, which includes it; the conventions there hold here. Everything allocates and is "@rt init". Arrays
  * are the caller's.
@@ -76,6 +76,45 @@ typedef struct wrc_conicity {
   double* centre;       /**< middle between the two ends of the motion [m] */
 } wrc_conicity;
 
+/** Wear of a profile, to be taken off. */
+typedef struct wrc_profile_wear {
+  uint32_t struct_size;  /**< sizeof this struct, 88 or more */
+  int32_t body;          /**< enum wrc_body: which side of the curve is steel [WRC_BODY_WHEEL] */
+  uint32_t count;        /**< points, 4..20000 [0]. Too small: a spline needs at least four points */
+  uint32_t bins;         /**< of the depth, 1..1000000 [0]. Too small: say how many bins there are */
+  const double* y;       /**< points as in wrc_profile, `count` of them, -1..1 m [required]. Did you pass mm? */
+  const double* z;       /**< see y */
+  const double* depth;   /**< along the normal, of each bin for one passage, `bins` of them, 0..0.1 m [required]. Did you pass
+                              a volume? */
+  double first;          /**< arc length at which the first bin begins, 0 at y = 0, -1..1 m [0]. Did you pass mm? */
+  double width;          /**< of a bin, 1e-5..1 m [1e-3]. Did you pass mm? */
+  double passages;       /**< wanted, 0..1e12 [1] */
+  double largest_depth;  /**< most that is taken off in one step, 1e-9..1e-2 m [1e-4]. Too large: did you pass mm? */
+  double smoothing;      /**< waves of the depth of this length along the curve keep half their height, 0..0.05 m; 0: as it
+                              is [5e-3]. Did you pass mm? */
+  double spacing;        /**< of the new points along the curve, 5e-5..5e-3 m [5e-4]. Did you pass mm? */
+} wrc_profile_wear;
+
+/** A worn profile: arrays of the caller, set before the call. */
+typedef struct wrc_worn_profile {
+  uint32_t struct_size; /**< sizeof this struct, 56 or more */
+  uint32_t capacity;    /**< points there is room for; set before the call */
+  uint32_t count;       /**< points */
+  uint32_t reserved;    /**< 0 */
+  double* y;            /**< `capacity` of the caller [m]; set before the call */
+  double* z;            /**< see y */
+  double passages;      /**< that were taken off: those wanted, or as many as largest_depth allows [-] */
+  double depth;         /**< largest that was taken off [m] */
+  double area;          /**< taken off the section [m^2] */
+} wrc_worn_profile;
+
+/** Dimensions of a wheel's flange as gauges have them, EN 15313; datum: the tread at y = 0. */
+typedef struct wrc_flange {
+  double height;    /**< Sh: the tip below the datum [m] */
+  double thickness; /**< Sd: from the flange back to the face 10 mm below the datum [m] */
+  double slope;     /**< qR: along y from there to the point of the face 2 mm above the tip [m] */
+} wrc_flange;
+
 /** @name Defaults
  * As in wrc.h.
  * @rt hard @thread free
@@ -84,11 +123,15 @@ WRC_API int32_t wrc_contact_functions_problem_init(wrc_contact_functions_problem
 WRC_API int32_t wrc_contact_functions_init(wrc_contact_functions* functions); /**< Defaults: functions. */
 WRC_API int32_t wrc_conicity_problem_init(wrc_conicity_problem* problem); /**< Defaults: problem. */
 WRC_API int32_t wrc_conicity_init(wrc_conicity* conicity); /**< Defaults: result. */
+WRC_API int32_t wrc_profile_wear_init(wrc_profile_wear* wear); /**< Defaults: wear. */
+WRC_API int32_t wrc_worn_profile_init(wrc_worn_profile* worn); /**< Defaults: result. */
 /** @cond */
 WRC_DEFAULT_SIZED(wrc_contact_functions_problem)
 WRC_DEFAULT_SIZED(wrc_contact_functions)
 WRC_DEFAULT_SIZED(wrc_conicity_problem)
 WRC_DEFAULT_SIZED(wrc_conicity)
+WRC_DEFAULT_SIZED(wrc_profile_wear)
+WRC_DEFAULT_SIZED(wrc_worn_profile)
 /** @endcond */
 /** @} */
 
@@ -117,5 +160,31 @@ WRC_API int32_t wrc_profile_contact_functions(const wrc_model* model, const wrc_
  * @rt init @thread free */
 WRC_API int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
                                         uint64_t size);
+
+/** Takes wear off a profile along its normals: depth smoothed, points moved and laid anew at equal spacing. As many passages
+ * as are wanted, or as `largest_depth` allows; the next step then begins with contacts of the worn profile. Its points go
+ * straight into a wrc_profile; those of a rail into a model of WRC_PLACEMENT_ORIGIN, whose rails stay where they were. Theory
+ * manual, "Profiles that wear".
+ * @param wear profile and depths
+ * @param[in,out] worn the worn profile; its arrays say where
+ * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _PROFILE (points that are no profile, a worn one that
+ * crosses itself), _BUFFER (more points than there is room for), _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_profile_take_off(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text, uint64_t size);
+
+/** Flange dimensions of a wheel's profile.
+ * @param count points, 4..20000
+ * @param y points as in wrc_profile, `count`
+ * @param z see y
+ * @param flange_back_to_origin config.wheelset's: from the flange back to y = 0, 0.01..0.2 m
+ * @param[out] flange the dimensions; zero on failure
+ * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _PROFILE (no profile, or no flange of 12 mm), _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
+                                      wrc_flange* flange, char* text, uint64_t size);
 
 #endif /* WRC_PROFILES_H */

@@ -7,6 +7,7 @@
 #include "abi/structs.hpp"
 #include "profiles/conicity.hpp"
 #include "profiles/contact_functions.hpp"
+#include "profiles/evolution.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace wrc::abi {
@@ -96,6 +97,68 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
   return fault;
 }
 
+Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
+  wrc_worn_profile into;
+  wrc_profile_wear ours;
+  Fault fault = read(worn, "worn", into);
+  if (fault.failed()) return fault;
+  into.count = 0;
+  into.passages = into.depth = into.area = 0.0;
+  write(into, worn);
+  fault = read(theirs, "wear", ours);
+  if (fault.failed()) return fault;
+  if (into.y == nullptr || into.z == nullptr) return {.status = WRC_ERROR_NULL, .field = "worn.y"};
+  WornProfile found;
+  fault = wear_profile(ours.count, ours.y, ours.z,
+                       {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
+                        .bins = ours.bins,
+                        .first = ours.first,
+                        .width = ours.width,
+                        .depth = ours.depth,
+                        .passages = ours.passages,
+                        .largest_depth = ours.largest_depth,
+                        .smoothing = ours.smoothing,
+                        .spacing = ours.spacing},
+                       found);
+  if (fault.failed()) {
+    if (fault.field == nullptr) fault.field = "wear";
+    return fault;
+  }
+  if (found.y.size() > into.capacity)
+    return {.status = WRC_ERROR_BUFFER,
+            .field = "worn.capacity",
+            .value = static_cast<double>(into.capacity),
+            .unit = "",
+            .low = static_cast<double>(found.y.size()),
+            .high = static_cast<double>(found.y.size()),
+            .cause = "give more room, or a wider spacing"};
+  std::copy(found.y.begin(), found.y.end(), into.y);
+  std::copy(found.z.begin(), found.z.end(), into.z);
+  into.count = static_cast<std::uint32_t>(found.y.size());
+  into.passages = found.passages;
+  into.depth = found.depth;
+  into.area = found.area;
+  write(into, worn);
+  return fault;
+}
+
+Fault find_flange(std::uint32_t count, const double* y, const double* z, double back, wrc_flange* flange) {
+  if (flange == nullptr) return {.status = WRC_ERROR_NULL, .field = "flange"};
+  *flange = {};
+  if (y == nullptr || z == nullptr) return {.status = WRC_ERROR_NULL, .field = "y"};
+  Fault fault = first_of({check(static_cast<double>(count), "count", "", 4.0, 20000.0),
+                          check(back, "flange_back_to_origin", "m", 0.01, 0.2)});
+  for (const double* each : {y, z})
+    if (!fault.failed())
+      fault = check_all(each, count, "y or z", "m", -1.0, 1.0, nullptr, "did you pass mm?");
+  if (fault.failed()) return fault;
+  FlangeDimensions found;
+  fault = measure_flange(count, y, z, back, found);
+  if (fault.failed()) return fault;
+  *flange = {found.height, found.thickness, found.slope};
+  return fault;
+}
+
 constexpr const char *memory_of = "problem.count", *memory_cause = "there is not enough memory for so many";
 
 }  // namespace
@@ -116,6 +179,20 @@ int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicit
                                 uint64_t size) {
   return abi::finish(
       abi::guarded([&] { return abi::find_conicity(problem, conicity); }, abi::memory_of, abi::memory_cause),
+      text, size);
+}
+
+int32_t wrc_profile_take_off(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
+                             uint64_t size) {
+  return abi::finish(
+      abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause), text, size);
+}
+
+int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
+                              wrc_flange* flange, char* text, uint64_t size) {
+  return abi::finish(
+      abi::guarded([&] { return abi::find_flange(count, y, z, flange_back_to_origin, flange); },
+                   abi::memory_of, abi::memory_cause),
       text, size);
 }
 

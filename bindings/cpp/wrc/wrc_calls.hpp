@@ -59,6 +59,10 @@ inline status exact_transient_create(const wrc_grid& grid, const wrc_materials& 
 inline status exact_transient_step(wrc_exact_transient& transient, const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_transient_step(&transient, &problem, &solution, text.data(), text.size()); }
 /** wrc_equivalent_conicity() */
 inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conicity& conicity, span<char> text) noexcept { return wrc_equivalent_conicity(&problem, &conicity, text.data(), text.size()); }
+/** wrc_profile_take_off() */
+inline status profile_take_off(const wrc_profile_wear& wear, wrc_worn_profile& worn, span<char> text) noexcept { return wrc_profile_take_off(&wear, &worn, text.data(), text.size()); }
+/** wrc_flange_dimensions() */
+inline status flange_dimensions(std::uint32_t count, const double* y, const double* z, double flange_back_to_origin, wrc_flange& flange, span<char> text) noexcept { return wrc_flange_dimensions(count, y, z, flange_back_to_origin, &flange, text.data(), text.size()); }
 
 namespace detail {
 

@@ -3064,6 +3064,124 @@ class Conicity(s.Struct):
 assert c.sizeof(Conicity) == 32
 
 
+class ProfileWear(s.Struct):
+    """Wear of a profile, to be taken off.
+
+    Members:
+      body: Body: which side of the curve is steel (default Body.WHEEL)
+      count: points (4 .. 20000; default 0)
+      bins: of the depth (1 .. 1000000; default 0)
+      y [m]: points as in Profile, count of them (-1 .. 1; required)
+      z [m]: see y (-1 .. 1; required)
+      depth [m]: along the normal, of each bin for one passage, bins of them (0 .. 0.1; required)
+      first [m]: arc length at which the first bin begins, 0 at y = 0 (-1 .. 1; default 0)
+      width [m]: of a bin (1e-5 .. 1; default 1e-3)
+      passages: wanted (0 .. 1e12; default 1)
+      largest_depth [m]: most that is taken off in one step (1e-9 .. 1e-2; default 1e-4)
+      smoothing [m]: waves of the depth of this length along the curve keep half their height; 0: as it is (0
+          .. 0.05; default 5e-3)
+      spacing [m]: of the new points along the curve (5e-5 .. 5e-3; default 5e-4)
+    """
+
+    _c_name_ = 'wrc_profile_wear'
+    __slots__ = ()
+    struct_size: int
+    body: Body = s.Chosen('body', Body)  # type: ignore[assignment]
+    count: int = s.Count('count')  # type: ignore[assignment]
+    bins: int = s.Count('bins')  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'z'))  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z', count='count', group=('y', 'z'))  # type: ignore[assignment]
+    depth: Optional[np.ndarray] = s.Pointer('depth', count='bins', group=('depth',))  # type: ignore[assignment]
+    first: float
+    width: float
+    passages: float
+    largest_depth: float
+    smoothing: float
+    spacing: float
+    _units_ = {'y': 'm', 'z': 'm', 'depth': 'm', 'first': 'm', 'width': 'm', 'largest_depth': 'm', 'smoothing': 'm', 'spacing': 'm'}
+    _hidden_ = ('struct_size',)
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('_body', c.c_int32),
+        ('_count', c.c_uint32),
+        ('_bins', c.c_uint32),
+        ('_y', c.POINTER(c.c_double)),
+        ('_z', c.POINTER(c.c_double)),
+        ('_depth', c.POINTER(c.c_double)),
+        ('first', c.c_double),
+        ('width', c.c_double),
+        ('passages', c.c_double),
+        ('largest_depth', c.c_double),
+        ('smoothing', c.c_double),
+        ('spacing', c.c_double),
+    ]
+assert c.sizeof(ProfileWear) == 88
+
+
+class WornProfile(s.Struct):
+    """A worn profile: arrays of the caller, set before the call.
+
+    Members:
+      capacity: points there is room for; set before the call
+      count: points
+      y [m]: capacity of the caller; set before the call
+      z [m]: see y
+      passages: that were taken off: those wanted, or as many as largest_depth allows
+      depth [m]: largest that was taken off
+      area [m^2]: taken off the section
+    """
+
+    _c_name_ = 'wrc_worn_profile'
+    __slots__ = ()
+    struct_size: int
+    capacity: int
+    count: int
+    reserved: int
+    y: Optional[np.ndarray] = s.Pointer('y')  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z')  # type: ignore[assignment]
+    passages: float
+    depth: float
+    area: float
+    _units_ = {'y': 'm', 'z': 'm', 'depth': 'm', 'area': 'm^2'}
+    _hidden_ = ('struct_size', 'reserved')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('capacity', c.c_uint32),
+        ('count', c.c_uint32),
+        ('reserved', c.c_uint32),
+        ('_y', c.POINTER(c.c_double)),
+        ('_z', c.POINTER(c.c_double)),
+        ('passages', c.c_double),
+        ('depth', c.c_double),
+        ('area', c.c_double),
+    ]
+assert c.sizeof(WornProfile) == 56
+
+
+class Flange(s.Struct):
+    """Dimensions of a wheel's flange as gauges have them, EN 15313; datum: the tread at y = 0.
+
+    Members:
+      height [m]: Sh: the tip below the datum
+      thickness [m]: Sd: from the flange back to the face 10 mm below the datum
+      slope [m]: qR: along y from there to the point of the face 2 mm above the tip
+    """
+
+    _c_name_ = 'wrc_flange'
+    __slots__ = ()
+    height: float
+    thickness: float
+    slope: float
+    _units_ = {'height': 'm', 'thickness': 'm', 'slope': 'm'}
+    _hidden_ = ()
+    _fields_ = [
+        ('height', c.c_double),
+        ('thickness', c.c_double),
+        ('slope', c.c_double),
+    ]
+assert c.sizeof(Flange) == 24
+
+
 # The C functions, as ctypes calls them: without the GIL.
 FUNCTIONS: dict = {}
 _wrc_version = _l.function(FUNCTIONS, 'wrc_version', c.c_uint32, [])
@@ -3176,8 +3294,12 @@ _wrc_contact_functions_problem_init = _l.function(FUNCTIONS, 'wrc_contact_functi
 _wrc_contact_functions_init = _l.function(FUNCTIONS, 'wrc_contact_functions_init', c.c_int32, [c.POINTER(ContactFunctions)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
 _wrc_conicity_init = _l.function(FUNCTIONS, 'wrc_conicity_init', c.c_int32, [c.POINTER(Conicity)])
+_wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
+_wrc_worn_profile_init = _l.function(FUNCTIONS, 'wrc_worn_profile_init', c.c_int32, [c.POINTER(WornProfile)])
 _wrc_profile_contact_functions = _l.function(FUNCTIONS, 'wrc_profile_contact_functions', c.c_int32, [c.c_void_p, c.POINTER(ContactFunctionsProblem), c.POINTER(ContactFunctions), c.c_char_p, c.c_uint64])
 _wrc_equivalent_conicity = _l.function(FUNCTIONS, 'wrc_equivalent_conicity', c.c_int32, [c.POINTER(ConicityProblem), c.POINTER(Conicity), c.c_char_p, c.c_uint64])
+_wrc_profile_take_off = _l.function(FUNCTIONS, 'wrc_profile_take_off', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
+_wrc_flange_dimensions = _l.function(FUNCTIONS, 'wrc_flange_dimensions', c.c_int32, [c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), c.c_double, c.POINTER(Flange), c.c_char_p, c.c_uint64])
 
 
 class ModelCalls(_l.Handle):
@@ -3718,6 +3840,9 @@ STRUCTS = {
     'wrc_contact_functions': ContactFunctions,
     'wrc_conicity_problem': ConicityProblem,
     'wrc_conicity': Conicity,
+    'wrc_profile_wear': ProfileWear,
+    'wrc_worn_profile': WornProfile,
+    'wrc_flange': Flange,
 }
 __all__ = [
     'Status',
@@ -3813,6 +3938,9 @@ __all__ = [
     'ContactFunctions',
     'ConicityProblem',
     'Conicity',
+    'ProfileWear',
+    'WornProfile',
+    'Flange',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',

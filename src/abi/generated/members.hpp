@@ -2047,4 +2047,78 @@ struct Description<wrc_conicity> {
 };
 static_assert(sizeof(wrc_conicity) == 32, "run tools/interface/describe.py");
 
+template <>
+struct Description<wrc_profile_wear> {
+  static constexpr const char* name = "wrc_profile_wear";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 88;
+  static constexpr wrc_profile_wear defaults = [] {
+    wrc_profile_wear value{};
+    value.struct_size = sizeof value;
+    value.width = 1e-3;
+    value.passages = 1;
+    value.largest_depth = 1e-4;
+    value.smoothing = 5e-3;
+    value.spacing = 5e-4;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_profile_wear, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "body", .offset = offsetof(wrc_profile_wear, body), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_body},
+      {.name = "count", .offset = offsetof(wrc_profile_wear, count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? its default is 0"},
+      {.name = "bins", .offset = offsetof(wrc_profile_wear, bins), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000, .too_small = "say how many bins there are", .not_set = "was it set? its default is 0"},
+      {.name = "y", .offset = offsetof(wrc_profile_wear, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_profile_wear, count)},
+      {.name = "z", .offset = offsetof(wrc_profile_wear, z), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_profile_wear, count)},
+      {.name = "depth", .offset = offsetof(wrc_profile_wear, depth), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 0.1, .unit = "m", .too_small = "did you pass a volume?", .too_large = "did you pass a volume?", .counted_by = offsetof(wrc_profile_wear, bins)},
+      {.name = "first", .offset = offsetof(wrc_profile_wear, first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "width", .offset = offsetof(wrc_profile_wear, width), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "passages", .offset = offsetof(wrc_profile_wear, passages), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e12},
+      {.name = "largest_depth", .offset = offsetof(wrc_profile_wear, largest_depth), .type = Type::real, .rule = Rule::range, .low = 1e-9, .high = 1e-2, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "smoothing", .offset = offsetof(wrc_profile_wear, smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "spacing", .offset = offsetof(wrc_profile_wear, spacing), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 5e-3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(sizeof(wrc_profile_wear) == 88, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_worn_profile> {
+  static constexpr const char* name = "wrc_worn_profile";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 56;
+  static constexpr wrc_worn_profile defaults = [] {
+    wrc_worn_profile value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_worn_profile, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "capacity", .offset = offsetof(wrc_worn_profile, capacity), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_worn_profile, count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_worn_profile, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_worn_profile, y), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "z", .offset = offsetof(wrc_worn_profile, z), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "passages", .offset = offsetof(wrc_worn_profile, passages), .type = Type::real, .rule = Rule::none},
+      {.name = "depth", .offset = offsetof(wrc_worn_profile, depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "area", .offset = offsetof(wrc_worn_profile, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+  };
+};
+static_assert(sizeof(wrc_worn_profile) == 56, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_flange> {
+  static constexpr const char* name = "wrc_flange";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 24;
+  static constexpr wrc_flange defaults = [] {
+    wrc_flange value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "height", .offset = offsetof(wrc_flange, height), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "thickness", .offset = offsetof(wrc_flange, thickness), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "slope", .offset = offsetof(wrc_flange, slope), .type = Type::real, .rule = Rule::none, .unit = "m"},
+  };
+};
+static_assert(sizeof(wrc_flange) == 24, "run tools/interface/describe.py");
+
 }  // namespace wrc::abi

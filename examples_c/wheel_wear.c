@@ -1,0 +1,379 @@
+/* wheel_wear.c - a wheelset over a network of curves: what wears where, and what becomes of the profile.
+ *
+ *   wheel_wear FOLDER [distance in km] [curves] [processes]     100000 km, 1000 curves, 2 processes
+ *
+ * Writes into FOLDER, which exists: wheel_wear.csv, a line for every update of the profile (distance, largest
+ * depth, flange height, thickness, qR, equivalent conicity at 3 mm), profile_NNNNNN.csv every 10 000 km, and
+ * state.bin, from which the next call goes on where this one ended, or was ended. draw_wheel_wear.py draws
+ * them.
+ *
+ * The leading wheelset of a bogie stands in each curve at half the angle of attack of a rigid bogie of 2.5 m
+ * and is free to roll and to move sideways: its rotation and its place are those at which no moment turns the
+ * axle and its lateral forces carry the cant deficiency. Every curve is run through both ways; tangent track
+ * lies between. Depth is worn by Archard's law. The profile is renewed whenever some place of it has lost 0.1
+ * mm. Needs POSIX: curves are dealt out to processes. */
+#define _DEFAULT_SOURCE
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "wrc/wrc_offline.h"
+
+enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64 };
+
+/* dry coefficients of the KTH map times this: rails are wet and greasy for most of a year */
+static const double natural_lubrication = 0.1;
+
+static const double wheel_load = 70e3, friction = 0.3, wheelbase = 2.5, radius = 0.46, base = 1.5,
+                    gravity = 9.81;
+
+typedef struct curve {
+  double curvature;  /* 1/m; > 0: to the right */
+  double length;     /* m */
+  double deficiency; /* of the cant, over the gauge: lateral acceleration over gravity, outwards */
+  double speed;      /* m/s */
+} curve;
+
+typedef struct state { /* all that a later call needs */
+  double distance;     /* km */
+  uint32_t points;
+  uint32_t updates;
+  double y[POINTS], z[POINTS];
+} state;
+
+static curve network[MOST_CURVES];
+
+static void check(int32_t status, const char* what, const char* text) {
+  if (status >= 0) return;
+  fprintf(stderr, "%s: %s %s\n", what, wrc_status_name(status), text);
+  exit(EXIT_FAILURE);
+}
+
+/* The same numbers everywhere: 0..1. */
+static double random_number(uint32_t* seed) {
+  *seed = 1664525u * *seed + 1013904223u;
+  return *seed / 4294967296.0;
+}
+
+/* Half of the length tangent, radii from 400 m with a tail to 6 km, sorted so that neighbours are alike,
+ * speeds for up to 100 mm of deficiency.
+ */
+static void make_network(int curves) {
+  uint32_t seed = 2026;
+  for (int i = 0; i < curves; ++i) {
+    const double pick = random_number(&seed), side = i % 2 == 0 ? 1.0 : -1.0;
+    const double r = pick < 0.5 ? 0.0 : 400.0 / (1.0 - 0.94 * (pick - 0.5) / 0.5);
+    network[i].curvature = r > 0.0 ? side / r : 0.0;
+    network[i].length = 200.0 + 600.0 * random_number(&seed);
+    network[i].deficiency = r > 0.0 ? (-0.02 + 0.12 * random_number(&seed)) / base : 0.0;
+    network[i].speed = r > 0.0 ? sqrt(gravity * r * (0.08 + network[i].deficiency)) : 40.0;
+    if (network[i].speed > 45.0) network[i].speed = 45.0;
+  }
+}
+
+static int by_curvature(const void* a, const void* b) {
+  const double one = ((const curve*)a)->curvature, other = ((const curve*)b)->curvature;
+  return one < other ? -1 : one > other;
+}
+
+typedef struct wheelset {
+  wrc_contact* contact[2];
+  double y, rotation; /* where the last curve left it: the next begins there */
+} wheelset;
+
+/* Lateral force on the wheelset [N] and moment about the axle [N m] at a place, rotating. */
+static int32_t forces(wheelset* set, const curve* c, double y, double rotation, double* lateral,
+                      double* moment) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  *lateral = *moment = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.friction.coefficient = friction;
+  input.wheel.y = y;
+  input.wheel.yaw = -0.25 * wheelbase * c->curvature; /* lags behind the track: nose outwards */
+  input.wheel.velocity[0] = c->speed;
+  input.wheel.angular_velocity[1] = -c->speed / radius * (1.0 + rotation);
+  input.wheel.angular_velocity[2] = c->speed * c->curvature;
+  for (int side = 0; side < 2; ++side) {
+    wrc_wrench wrench = wrc_wrench_default();
+    const double outer = side == 0 ? -1.0 : 1.0; /* a curve to the right loads the left wheel */
+    input.vertical_load = wheel_load * (1.0 + outer * (c->curvature > 0.0 ? 1.2 : -1.2) * c->deficiency);
+    const int32_t status = wrc_contact_wrench(set->contact[side], &input, &wrench);
+    if (status < 0 || status == WRC_FLAG_CLIMBING) return -1;
+    *lateral += wrench.force[1];
+    *moment += wrench.moment[1];
+  }
+  /* outwards is to the left of a curve to the right */
+  *lateral += (c->curvature > 0.0 ? -1.0 : c->curvature < 0.0 ? 1.0 : 0.0) * 2.0 * wheel_load * c->deficiency;
+  return 0;
+}
+
+/* The rotation at which nothing turns the axle: secants. Returns the lateral force there. */
+static int32_t spin_free(wheelset* set, const curve* c, double y, double* lateral) {
+  double a = set->rotation, b = a + 1e-4, fa, fb;
+  if (forces(set, c, y, a, lateral, &fa) < 0) return -1;
+  for (int n = 0; n < 8; ++n) {
+    if (forces(set, c, y, b, lateral, &fb) < 0) return -1;
+    if (fabs(fb) < 20.0 || fb == fa) break;
+    double step = -fb * (b - a) / (fb - fa);
+    if (fabs(step) > 3e-3) step = copysign(3e-3, step);
+    a = b, fa = fb, b += step;
+  }
+  set->rotation = b;
+  return 0;
+}
+
+/* The place at which the lateral forces balance: it lies between the two flanges. */
+static int32_t settle(wheelset* set, const curve* c) {
+  double low = -0.0085, high = 0.0085, y = set->y, force = 0.0, step = 0.1e-3;
+  int known_low = 0, known_high = 0;
+  for (int n = 0; n < 24 && high - low > 1e-5; ++n) {
+    if (spin_free(set, c, y, &force) < 0) return -1;
+    if (fabs(force) < 300.0) break;
+    if (force > 0.0)
+      low = y, known_low = 1;
+    else
+      high = y, known_high = 1;
+    if (known_low && known_high) {
+      y = 0.5 * (low + high);
+    } else {
+      y += force > 0.0 ? step : -step;
+      step *= 2.0;
+      if (y > high) y = 0.5 * (low + high);
+      if (y < low) y = 0.5 * (low + high);
+    }
+  }
+  set->y = y;
+  return 0;
+}
+
+/* Adds what every `processes`-th curve from `first` on does to the bins, in seconds of one passage each. */
+static int run(const wrc_model* model, wrc_damage_bins* bins, int curves, int first, int processes) {
+  wheelset set = {{NULL, NULL}, 0.0, 0.0};
+  int lost = 0;
+  wrc_wear_laws laws = wrc_wear_laws_default();
+  laws.archard_slow *= natural_lubrication;
+  laws.archard_severe *= natural_lubrication;
+  laws.archard_fast *= natural_lubrication;
+  laws.archard_seizure *= natural_lubrication;
+  for (int side = 0; side < 2; ++side)
+    check(wrc_contact_create(model, side, NULL, &set.contact[side]), "contact", "");
+  for (int i = first; i < curves; i += processes) {
+    if (i > first && network[i].curvature * network[i - processes].curvature <= 0.0)
+      set.y = set.rotation = 0.0;
+    wrc_accumulation step = wrc_accumulation_default();
+    step.wear = &laws;
+    step.duration = network[i].length / network[i].speed;
+    if (settle(&set, &network[i]) < 0) {
+      ++lost;
+      set.y = set.rotation = 0.0;
+      continue;
+    }
+    /* both ways: the wheel is the outer as often as the inner one */
+    for (int side = 0; side < 2; ++side)
+      if (wrc_contact_accumulate(set.contact[side], &step, bins, NULL, NULL) < 0) ++lost;
+  }
+  for (int side = 0; side < 2; ++side) wrc_contact_destroy(set.contact[side]);
+  return lost;
+}
+
+static wrc_model* make_model(const state* now) {
+  wrc_config config = wrc_config_default();
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.rail_inclination = 1.0 / 40.0;
+  config.wheelset.wheel_radius = radius;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  if (now->points > 0) {
+    config.wheel.kind = WRC_PROFILE_POINTS;
+    config.wheel.count = now->points;
+    config.wheel.y = now->y;
+    config.wheel.z = now->z;
+  }
+  char text[256] = "";
+  check(wrc_config_check(&config, text, sizeof text), "configuration", text);
+  wrc_model* model = NULL;
+  check(wrc_model_create(&config, NULL, &model), "model", "");
+  return model;
+}
+
+/* The new profile: points of the model's, every half millimetre. */
+static void take_points(const wrc_model* model, state* now) {
+  double arc[POINTS];
+  for (int i = 0; i < 262; ++i) arc[i] = -0.0795 + 0.5e-3 * i;
+  now->points = 262;
+  check(wrc_model_arc_places(model, WRC_BODY_WHEEL, now->points, arc, now->y, now->z), "points", "");
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < now->points; ++i)
+    if (kept == 0 || now->y[i] > now->y[kept - 1] + 1e-5)
+      now->y[kept] = now->y[i], now->z[kept] = now->z[i], ++kept;
+  now->points = kept;
+}
+
+static double conicity(const wrc_model* model) {
+  double y[81], dr[81], amplitude = 3e-3, found = 0.0;
+  for (int i = 0; i < 81; ++i) y[i] = 0.1e-3 * (i - 40);
+  wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
+  where.count = 81;
+  where.lateral = y;
+  wrc_contact_functions functions = wrc_contact_functions_default();
+  functions.radius_difference = dr;
+  if (wrc_profile_contact_functions(model, &where, &functions, NULL, 0) < 0) return 0.0;
+  wrc_conicity_problem problem = wrc_conicity_problem_default();
+  problem.count = 81;
+  problem.lateral = y;
+  problem.radius_difference = dr;
+  problem.amplitudes = 1;
+  problem.amplitude = &amplitude;
+  problem.radius = radius;
+  wrc_conicity result = wrc_conicity_default();
+  result.conicity = &found;
+  return wrc_equivalent_conicity(&problem, &result, NULL, 0) < 0 ? 0.0 : found;
+}
+
+static FILE* open_in(const char* folder, const char* name, const char* mode) {
+  char path[4096];
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  return fopen(path, mode);
+}
+
+static void write_profile(const char* folder, const state* now) {
+  char name[64];
+  snprintf(name, sizeof name, "profile_%06.0f.csv", now->distance);
+  FILE* file = open_in(folder, name, "w");
+  if (file == NULL) check(-1, name, "cannot be written");
+  fprintf(file, "y_mm,z_mm\n");
+  for (uint32_t i = 0; i < now->points; ++i) fprintf(file, "%.6f,%.6f\n", 1e3 * now->y[i], 1e3 * now->z[i]);
+  fclose(file);
+}
+
+static void write_line(const char* folder, const state* now, const wrc_model* model, double depth, int lost) {
+  wrc_flange flange = {0.0, 0.0, 0.0};
+  char text[256] = "";
+  check(wrc_flange_dimensions(now->points, now->y, now->z, 0.070, &flange, text, sizeof text), "flange",
+        text);
+  FILE* file = open_in(folder, "wheel_wear.csv", now->updates == 0 ? "w" : "a");
+  if (file == NULL) check(-1, "wheel_wear.csv", "cannot be written");
+  if (now->updates == 0)
+    fprintf(file,
+            "distance_km,depth_mm,flange_height_mm,flange_thickness_mm,qR_mm,conicity,curves_left_out\n");
+  fprintf(file, "%.1f,%.4f,%.4f,%.4f,%.4f,%.5f,%d\n", now->distance, 1e3 * depth, 1e3 * flange.height,
+          1e3 * flange.thickness, 1e3 * flange.slope, conicity(model), lost);
+  fclose(file);
+  printf("%8.0f km  flange %6.3f x %6.3f mm, qR %6.3f mm, tread %6.3f mm lower%s\n", now->distance,
+         1e3 * flange.height, 1e3 * flange.thickness, 1e3 * flange.slope, -1e3 * now->z[now->points / 2],
+         lost > 0 ? ", curves left out" : "");
+  fflush(stdout);
+}
+
+static void write_state(const char* folder, const state* now) {
+  char path[4096], next[4096];
+  snprintf(path, sizeof path, "%s/state.bin", folder);
+  snprintf(next, sizeof next, "%s/state.new", folder);
+  FILE* file = fopen(next, "wb");
+  if (file == NULL || fwrite(now, sizeof *now, 1, file) != 1 || fclose(file) != 0 || rename(next, path) != 0)
+    check(-1, path, "cannot be written");
+}
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    fprintf(stderr, "wheel_wear FOLDER [distance in km] [curves] [processes]\n");
+    return EXIT_FAILURE;
+  }
+  const char* folder = argv[1];
+  const double distance = argc > 2 ? atof(argv[2]) : 100e3;
+  const int curves = argc > 3 ? atoi(argv[3]) : 1000, processes = argc > 4 ? atoi(argv[4]) : 2;
+  if (!(curves >= 1 && curves <= MOST_CURVES && processes >= 1 && processes <= MOST_PROCESSES))
+    return EXIT_FAILURE;
+  make_network(curves);
+  qsort(network, (size_t)curves, sizeof network[0], by_curvature);
+  double length = 0.0; /* of the network [km] */
+  for (int i = 0; i < curves; ++i) length += 1e-3 * network[i].length;
+
+  static state now;
+  FILE* old = open_in(folder, "state.bin", "rb");
+  if (old != NULL) {
+    if (fread(&now, sizeof now, 1, old) != 1) check(-1, "state.bin", "is of another program");
+    fclose(old);
+    printf("going on from %.0f km\n", now.distance);
+  }
+  wrc_model* model = make_model(&now);
+  if (now.points == 0) {
+    take_points(model, &now);
+    write_profile(folder, &now);
+    write_line(folder, &now, model, 0.0, 0);
+    write_state(folder, &now);
+  }
+
+  /* bins of every process where the parent sees them, and the number of curves it could not run */
+  const size_t bytes = (BINS + 1) * sizeof(wrc_damage_bin);
+  char* shared =
+      mmap(NULL, processes * (bytes + 64), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) return EXIT_FAILURE;
+  wrc_damage_bins bins[MOST_PROCESSES];
+  int* lost = (int*)(shared + processes * bytes);
+  for (int k = 0; k < processes; ++k) {
+    bins[k] = wrc_damage_bins_default();
+    bins[k].count = BINS;
+    bins[k].first = -0.080;
+    bins[k].width = 0.5e-3;
+    bins[k].bin = (wrc_damage_bin*)(shared + k * bytes);
+  }
+
+  while (now.distance < distance) {
+    memset(shared, 0, processes * (bytes + 64));
+    for (int k = 0; k < processes; ++k) {
+      if (fork() != 0) continue;
+      lost[k] = run(model, &bins[k], curves, k, processes);
+      _exit(0);
+    }
+    for (int k = 0; k < processes; ++k) {
+      int outcome = 0;
+      if (wait(&outcome) < 0 || outcome != 0) check(-1, "process", "ended early");
+    }
+    for (int k = 1; k < processes; ++k)
+      check(wrc_damage_merge(&bins[0], &bins[k]), "merge", ""), lost[0] += lost[k];
+    double volume[BINS + 1], depth[BINS];
+    check(wrc_damage_values(&bins[0], WRC_DAMAGE_WEAR_ARCHARD, volume), "values", "");
+    /* depth of one wheel for each time through the network: both wheels' volumes are in there, of which it
+     * has half */
+    for (int i = 0; i < BINS; ++i) depth[i] = 0.5 * volume[i] / (0.5e-3 * 2.0 * 3.14159265358979 * radius);
+
+    const double mark = 10e3 * (floor(now.distance / 10e3 + 1e-9) + 1.0); /* the next profile to be written */
+    const double until = mark < distance ? mark : distance;
+    wrc_profile_wear wear = wrc_profile_wear_default();
+    wear.count = now.points;
+    wear.y = now.y;
+    wear.z = now.z;
+    wear.bins = BINS;
+    wear.depth = depth;
+    wear.first = -0.080;
+    wear.width = 0.5e-3;
+    wear.passages = (until - now.distance) / length;
+    wear.largest_depth = 0.1e-3;
+    double y[POINTS], z[POINTS];
+    wrc_worn_profile worn = wrc_worn_profile_default();
+    worn.capacity = POINTS;
+    worn.y = y;
+    worn.z = z;
+    char text[256] = "";
+    check(wrc_profile_take_off(&wear, &worn, text, sizeof text), "wear", text);
+    now.points = worn.count;
+    memcpy(now.y, y, sizeof y);
+    memcpy(now.z, z, sizeof z);
+    const double before = now.distance;
+    now.distance += worn.passages * length;
+    if (now.distance > until - 1e-6) now.distance = until;
+    ++now.updates;
+    wrc_model_destroy(model);
+    model = make_model(&now);
+    if (now.distance == until) write_profile(folder, &now);
+    write_line(folder, &now, model, worn.depth, lost[0]);
+    write_state(folder, &now);
+    if (now.distance <= before) check(-1, "wear", "takes off no whole passage");
+  }
+  wrc_model_destroy(model);
+  return EXIT_SUCCESS;
+}
