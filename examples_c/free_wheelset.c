@@ -50,7 +50,6 @@ int main(int argc, char** argv) {
   wheel->velocity[0] = speed;
   wheel->angular_velocity[1] = -speed / radius;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  if (argc > 2) input.start = WRC_START_ANEW;
   input.vertical_load = 0.5 * load;
   status = wrc_contact_wrench(contact[right], &input, &wrench);
   if (status < 0) return failed("standing", contact[right], status);

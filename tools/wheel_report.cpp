@@ -63,7 +63,6 @@ double height_for(wrc_contact* contact, wrc_wheel_input input, double load) {
   wrc_wrench wrench = wrc_wrench_default();
   input.friction.coefficient = 0.0;
   input.damping = 0.0;
-  input.start = WRC_START_ANEW;
   input.wheel.z = 0.0;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = load;
@@ -170,7 +169,6 @@ int lines(const Csv& file) {
   wrc_contact* const contact = pairs.of(options).contact();
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wheel_input input = wrc_wheel_input_default();
-  input.start = WRC_START_ANEW;
   input.friction.coefficient = 0.0;
   struct {
     double y, yaw;

@@ -35,15 +35,8 @@ constexpr Unit unit_of[columns] = {
     length,           length,           angle,  angle,  velocity, velocity, velocity, angular_velocity,
     angular_velocity, angular_velocity, length, length, angle,    velocity, velocity, angular_velocity};
 
-/// Differences of calls must not depend on the calls before.
-wrc_wheel_input anew() {
-  wrc_wheel_input input = wrc_wheel_input_default();
-  input.start = WRC_START_ANEW;
-  return input;
-}
-
 struct Case {
-  wrc_wheel_input input = anew();
+  wrc_wheel_input input = wrc_wheel_input_default();
 
   double* number(int column) { return &wrench_input(input, column); }
 };

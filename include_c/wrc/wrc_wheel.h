@@ -84,9 +84,10 @@ enum wrc_wheel_prescribed {
 
 /** Where the sweeps over the strips, and the search for the height of a load, begin. */
 enum wrc_wheel_start {
-  WRC_START_FROM_LAST = 0, /**< the contact's last solution: faster where poses follow each other. Results then depend on
-                                the calls before, by at most 1e-6 of the normal force, or load_tolerance of a load */
-  WRC_START_ANEW = 1       /**< results depend on the inputs of the call alone, to the last bit */
+  WRC_START_ANEW = 0,     /**< results depend on the inputs of the call alone, to the last bit */
+  WRC_START_FROM_LAST = 1 /**< the contact's last solution: a third faster where poses follow each other. Results then depend
+                               on the calls before, by at most 1e-7 of the normal force. For explicit integrators and fixed
+                               steps: the iterations of an implicit one that are to end at 1e-8 see that */
 };
 
 /** Where a wheel or wheelset is and how it moves, against the ground. */
@@ -139,7 +140,7 @@ typedef struct wrc_frame_motion {
 typedef struct wrc_wheel_input {
   uint32_t struct_size;  /**< sizeof this struct, 304 or more */
   int32_t prescribed;    /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
-  int32_t start;         /**< enum wrc_wheel_start [WRC_START_FROM_LAST] */
+  int32_t start;         /**< enum wrc_wheel_start [WRC_START_ANEW] */
   uint32_t reserved;     /**< 0 */
   wrc_wheel_state wheel; /**< where the wheel is and how it moves */
   wrc_rail_state rail;   /**< where the rail is and how it moves */

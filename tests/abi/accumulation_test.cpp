@@ -74,7 +74,6 @@ class Line : public testing::Test {
     wrc_wheel_input input = wrc_wheel_input_default();
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 90e3;
-    input.start = WRC_START_ANEW;  // results of the input alone
     input.wheel.y = sign * y;
     input.wheel.yaw = sign * 4e-3;
     input.wheel.velocity[0] = 20.0;

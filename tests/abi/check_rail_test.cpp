@@ -20,7 +20,6 @@ class CheckRail : public testing::Test, protected PlacedWheel {
     config.check_rail.y = apart;
     config.check_rail.z = above;
     config.check_rail.profile = points_.profile();
-    input.start = WRC_START_ANEW;
     wheel.z = 0.18e-3;
     wheel.velocity[1] = -0.05;
   }

@@ -93,7 +93,6 @@ Vector turning(Rotation&& rotation) {
 
 class FrameMotion : public testing::Test, protected PlacedWheel {
  protected:
-  FrameMotion() { input.start = WRC_START_ANEW; }
   void put(const Vector& velocity, const Vector& angular) {
     std::copy(velocity.begin(), velocity.end(), wheel.velocity);
     std::copy(angular.begin(), angular.end(), wheel.angular_velocity);

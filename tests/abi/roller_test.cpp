@@ -30,7 +30,6 @@ class Roller : public testing::Test, protected PlacedWheel {
     config.track.rail_origin = 0.75;
     config.roller_curvature = 1.0 / radius;
     config.normal.warm_start = 0;
-    input.start = WRC_START_ANEW;
     wheel.reference = WRC_REFERENCE_WHEEL;
     wheel.velocity[0] = 0.0;
     roll_at(20.0);

@@ -24,7 +24,6 @@ class PlacedWheel {
   PlacedWheel() {
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    input.start = WRC_START_ANEW;  // calls are compared to the last bit
     wheel.velocity[0] = 20.0;
     wheel.angular_velocity[1] = -20.0 / 0.46;
   }

@@ -976,7 +976,6 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
   EXPECT_EQ(batch[0].force[2], 0.0);
 
   expect_works();
-  create();  // the flat call starts from a contact's last solution, which a new one does not have
   const double in[WRC_FLAT_WHEEL_INPUTS] = {static_cast<double>(wheel.reference),
                                             wheel.y,
                                             wheel.z,

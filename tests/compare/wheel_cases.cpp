@@ -111,7 +111,6 @@ PairOptions pair_of(const Csv& file, std::size_t row) {
 
 WheelCase wheel_case(const Csv& file, std::size_t row) {
   WheelCase made_case;
-  made_case.input.start = WRC_START_ANEW;  // a row does not depend on those before
   wrc_wheel_state& wheel = made_case.input.wheel;
   const auto if_there = [&](const char* column) { return file.has(column) ? file(row, column) : 0.0; };
   wheel.angular_axes = WRC_AXES_BODY;

@@ -183,11 +183,11 @@ inline constexpr Enumeration wrc_wheel_prescribed{wrc_wheel_prescribed_values, 2
     "see enum wrc_wheel_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
 
 inline constexpr Enumerator wrc_wheel_start_values[] = {
-    {"WRC_START_FROM_LAST", WRC_START_FROM_LAST},
     {"WRC_START_ANEW", WRC_START_ANEW},
+    {"WRC_START_FROM_LAST", WRC_START_FROM_LAST},
 };
 inline constexpr Enumeration wrc_wheel_start{wrc_wheel_start_values, 2,
-    "see enum wrc_wheel_start: WRC_START_FROM_LAST (0), _ANEW (1)"};
+    "see enum wrc_wheel_start: WRC_START_ANEW (0), _FROM_LAST (1)"};
 
 inline constexpr Enumerator wrc_region_field_values[] = {
     {"WRC_REGION_X", WRC_REGION_X},
