@@ -354,6 +354,65 @@ static void look(double t, const double* s, const Vehicle* v, void* user) {
 
 /* ------------------------------------------------------------------------------------------------- runs */
 
+/* A wheelset so slow that it has no inertia: rates at which no force is left along y, about z and its axle.
+ */
+static void slow_rates(Vehicle* v, double y, double z, double roll, double yaw, double rate[3]) {
+  static const int row[3] = {1, 5, 4};
+  static const int column[3] = {WRC_BY_VELOCITY_Y, WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
+  for (int n = 0; n < 3; ++n) {
+    double a[3][4] = {{0}};
+    for (int side = 0; side < 2; ++side) {
+      wrc_wheel_input input = wrc_wheel_input_default();
+      input.wheel.angular_axes = WRC_AXES_BODY;
+      input.wheel.y = y, input.wheel.z = z, input.wheel.roll = roll, input.wheel.yaw = yaw;
+      input.wheel.velocity[0] = 1.0, input.wheel.velocity[1] = rate[0];
+      input.wheel.angular_velocity[1] = rate[2], input.wheel.angular_velocity[2] = rate[1];
+      wrc_wrench w = wrc_wrench_default();
+      wrc_wrench_sensitivities by;
+      must(wrc_contact_wrench_sensitivities(v->contact[0][side], &input, &w, &by), "slow rolling");
+      const double all[6] = {w.force[0], w.force[1], w.force[2], w.moment[0], w.moment[1], w.moment[2]};
+      for (int i = 0; i < 3; ++i) {
+        a[i][3] -= all[row[i]];
+        for (int j = 0; j < 3; ++j) a[i][j] += by.wrench[row[i]][column[j]];
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) {
+        const double f = a[i][k] / a[k][k];
+        for (int j = 0; i != k && j < 4; ++j) a[i][j] -= f * a[k][j];
+      }
+    for (int k = 0; k < 3; ++k) rate[k] += a[k][3] / a[k][k];
+  }
+}
+
+/* Its wave [m]; heights and roll over y from contact functions. */
+static double slow_wave(Vehicle* v, double amplitude, int points, const double* y, const double* z,
+                        const double* roll) {
+  const double step = 0.05;
+  double at[2] = {amplitude, 0.0}, rate[3] = {0.0, 0.0, -1.0 / radius}, first = 0.0, last = 0.0;
+  int crossings = 0;
+  for (double x = 0.0; x < 45.0; x += step) {
+    const double before = at[0];
+    double middle[2] = {at[0], at[1]};
+    for (int half = 0; half < 2; ++half) {
+      const double place = (middle[0] - y[0]) / (y[1] - y[0]);
+      const int k = place < 0.0 ? 0 : place > points - 2 ? points - 2 : (int)place;
+      const double f = place - k;
+      slow_rates(v, middle[0], z[k] + f * (z[k + 1] - z[k]), roll[k] + f * (roll[k + 1] - roll[k]), middle[1],
+                 rate);
+      const double h = half == 0 ? 0.5 * step : step;
+      middle[0] = at[0] + h * rate[0];
+      middle[1] = at[1] + h * rate[1];
+    }
+    at[0] = middle[0], at[1] = middle[1];
+    if (before < 0.0 && at[0] >= 0.0) {
+      last = x + step * before / (before - at[0]);
+      if (crossings++ == 0) first = last;
+    }
+  }
+  return crossings > 1 ? (last - first) / (crossings - 1) : 0.0;
+}
+
 static void klingel(FILE* file) {
   enum { points = 121 };
   static double y[points], dr[points], z[points], roll[points];
@@ -421,10 +480,12 @@ static void klingel(FILE* file) {
     double kinematic = 0.0;
     result.wavelength = &kinematic;
     must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
+    const double slow = slow_wave(&v, amplitude[k], points, y, z, roll);
     printf(
-        "klingel: from %.1f mm, mean amplitude %.3f mm: wave of %.3f m, kinematics %.3f m (%+.2f %%); "
-        "real-time factor %.3f\n",
-        1e3 * amplitude[k], 1e3 * mean, wave, kinematic, 100.0 * (wave / kinematic - 1.0), factor);
+        "klingel: from %.1f mm, mean amplitude %.3f mm: wave of %.3f m; without inertia %.3f m (%+.2f %%), "
+        "Klingel's formula "
+        "%.3f m; real-time factor %.3f\n",
+        1e3 * amplitude[k], 1e3 * mean, wave, slow, 100.0 * (wave / slow - 1.0), kinematic, factor);
   }
   primary_x = kx, primary_y = ky;
   close_contacts(&v);
