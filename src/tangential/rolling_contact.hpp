@@ -49,7 +49,7 @@ struct RollingContact {
   PatchModel model{};                       ///< what `region` and the coefficients are those of
   double normal_force = 0.0;                ///< of the patch, for methods that do not look at its strips [N]
   const ForceTable* force_table = nullptr;  ///< of the model, if it has one
-  RollingMemory memory;
+  RollingMemory memory{};
   void* workspace = nullptr;  ///< as many bytes as the method asks for
 
   /// psi of the linear theory the method follows.
