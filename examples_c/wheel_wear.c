@@ -26,7 +26,7 @@
 enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64 };
 
 /* dry coefficients of the KTH map times this: rails are wet and greasy for most of a year */
-static const double natural_lubrication = 0.1;
+static const double natural_lubrication = 0.05;
 
 static const double wheel_load = 70e3, friction = 0.3, wheelbase = 2.5, radius = 0.46, base = 1.5,
                     gravity = 9.81;
@@ -91,6 +91,7 @@ static int32_t forces(wheelset* set, const curve* c, double y, double rotation, 
   wrc_wheel_input input = wrc_wheel_input_default();
   *lateral = *moment = 0.0;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.start = WRC_START_FROM_LAST;
   input.friction.coefficient = friction;
   input.wheel.y = y;
   input.wheel.yaw = -0.25 * wheelbase * c->curvature; /* lags behind the track: nose outwards */
@@ -126,24 +127,31 @@ static int32_t spin_free(wheelset* set, const curve* c, double y, double* latera
   return 0;
 }
 
-/* The place at which the lateral forces balance: it lies between the two flanges. */
+/* The place at which the lateral forces balance, which lies between the two flanges: steps that double until
+ * the force changes its sign, then secants between the two places, of which one that stays loses weight
+ * (Illinois). */
 static int32_t settle(wheelset* set, const curve* c) {
-  double low = -0.0085, high = 0.0085, y = set->y, force = 0.0, step = 0.1e-3;
-  int known_low = 0, known_high = 0;
-  for (int n = 0; n < 24 && high - low > 1e-5; ++n) {
+  struct {
+    double y, force;
+    int known, last;
+  } left = {-0.0085, 0.0, 0, 0}, right = {0.0085, 0.0, 0, 0}; /* pushed to the right; to the left */
+  double y = set->y, force = 0.0, step = 0.1e-3;
+  for (int n = 0; n < 24 && right.y - left.y > 1e-5; ++n) {
     if (spin_free(set, c, y, &force) < 0) return -1;
     if (fabs(force) < 300.0) break;
-    if (force > 0.0)
-      low = y, known_low = 1;
-    else
-      high = y, known_high = 1;
-    if (known_low && known_high) {
-      y = 0.5 * (low + high);
+    if (force > 0.0) {
+      if (left.last) right.force *= 0.5;
+      left.y = y, left.force = force, left.known = left.last = 1, right.last = 0;
     } else {
-      y += force > 0.0 ? step : -step;
-      step *= 2.0;
-      if (y > high) y = 0.5 * (low + high);
-      if (y < low) y = 0.5 * (low + high);
+      if (right.last) left.force *= 0.5;
+      right.y = y, right.force = force, right.known = right.last = 1, left.last = 0;
+    }
+    if (left.known && right.known) {
+      y = left.y + (right.y - left.y) * left.force / (left.force - right.force);
+    } else {
+      y += copysign(step, force);
+      step *= 3.0;
+      if (y >= right.y || y <= left.y) y = 0.5 * (left.y + right.y);
     }
   }
   set->y = y;
@@ -262,9 +270,8 @@ static void write_line(const char* folder, const state* now, const wrc_model* mo
   fprintf(file, "%.1f,%.4f,%.4f,%.4f,%.4f,%.5f,%d\n", now->distance, 1e3 * depth, 1e3 * flange.height,
           1e3 * flange.thickness, 1e3 * flange.slope, conicity(model), lost);
   fclose(file);
-  printf("%8.0f km  flange %6.3f x %6.3f mm, qR %6.3f mm, tread %6.3f mm lower%s\n", now->distance,
-         1e3 * flange.height, 1e3 * flange.thickness, 1e3 * flange.slope, -1e3 * now->z[now->points / 2],
-         lost > 0 ? ", curves left out" : "");
+  printf("%8.0f km  flange %6.3f x %6.3f mm, qR %6.3f mm%s\n", now->distance, 1e3 * flange.height,
+         1e3 * flange.thickness, 1e3 * flange.slope, lost > 0 ? ", curves left out" : "");
   fflush(stdout);
 }
 
@@ -352,7 +359,7 @@ int main(int argc, char** argv) {
     wear.first = -0.080;
     wear.width = 0.5e-3;
     wear.passages = (until - now.distance) / length;
-    wear.largest_depth = 0.1e-3;
+    wear.largest_depth = 0.2e-3;
     double y[POINTS], z[POINTS];
     wrc_worn_profile worn = wrc_worn_profile_default();
     worn.capacity = POINTS;

@@ -76,21 +76,30 @@ class PlaneOver {
     constexpr double close = 5e-6;  // [m]: the next step would be some nanometres
     at_ += (y - y_) / run_;
     y_ = y;
+    ProfilePoint point;
     for (int n = 0; n < most_steps; ++n) {
-      const ProfilePoint point = evaluate(*measured_.profile, at_, piece_);
+      point = evaluate(*measured_.profile, at_, piece_);
       run_ =
           std::max(cosine_ + sine_ * point.slope, 0.1);  // small where the profile turns away from the plane
       const double off = y - cosine_ * (at_ - y0_) - sine_ * (point.z - z0_);
       at_ += std::clamp(off / run_, -0.02, 0.02);
       if (std::abs(off) < close) break;
     }
-    return arc_at(measured_, at_, piece_);
+    // From the strip before by the trapezoidal rule, some nanometres a strip: a tenth of the integral's cost.
+    constexpr double beside = 0.6e-3;  // [m]
+    const double stretch = std::sqrt(1.0 + point.slope * point.slope), step = at_ - last_;
+    arc_ =
+        std::abs(step) < beside ? arc_ + 0.5 * (stretch + stretch_) * step : arc_at(measured_, at_, piece_);
+    last_ = at_;
+    stretch_ = stretch;
+    return arc_;
   }
 
  private:
   MeasuredProfile measured_;
   double y0_, z0_ = 0.0, cosine_ = 1.0, sine_ = 0.0, at_;
-  double y_ = 0.0, run_ = 1.0;  // of the strip before
+  double last_ = -1.0, arc_ = 0.0, stretch_ = 1.0;  // of the strip before; none so far
+  double y_ = 0.0, run_ = 1.0;                      // of the strip before
   std::int32_t piece_;
 };
 
