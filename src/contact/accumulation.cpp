@@ -105,16 +105,23 @@ class PlaneOver {
 
 /// Resultants of the tractions of up to `chunk` strips over the area of a cell [Pa]; element (cell i, strip
 /// j) at i * strips + j.
-constexpr std::int32_t chunk = 64;
+constexpr std::int32_t chunk = 8;  ///< whose sums stay in registers
 void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips,
                std::int32_t count, double (&sum)[chunk]) {
   double x[chunk] = {}, y[chunk] = {};
-  for (std::int32_t i = 0; i < cells; ++i) {
-    const double *const row_x = tx + i * strips, *const row_y = ty + i * strips;
-    for (std::int32_t j = 0; j < count; ++j) {
-      x[j] += row_x[j];
-      y[j] += row_y[j];
+  const auto add_rows = [&](auto of_them) {
+    for (std::int32_t i = 0; i < cells; ++i) {
+      const double *const row_x = tx + i * strips, *const row_y = ty + i * strips;
+      for (std::int32_t j = 0; j < of_them(); ++j) {
+        x[j] += row_x[j];
+        y[j] += row_y[j];
+      }
     }
+  };
+  if (count == chunk) {
+    add_rows([] { return chunk; });
+  } else {
+    add_rows([&] { return count; });
   }
   for (std::int32_t j = 0; j < count; ++j) sum[j] = std::sqrt(x[j] * x[j] + y[j] * y[j]);
 }

@@ -27,9 +27,10 @@ class Shares {
     from_ = (from - axis.first) / axis.length;
     to_ = std::max(from_, (to - axis.first) / axis.length);
     count_ = axis.count;
-    next_ = static_cast<std::int64_t>(std::clamp(std::floor(from_), -1.0, most));
-    last_ = static_cast<std::int64_t>(std::clamp(std::floor(to_), -1.0, most));
-    width_ = to_ - from_;
+    // the next whole number below, -1 .. count
+    next_ = static_cast<std::int64_t>(std::clamp(from_, -1.0, most) + 1.0) - 1;
+    last_ = static_cast<std::int64_t>(std::clamp(to_, -1.0, most) + 1.0) - 1;
+    width_ = next_ < last_ ? to_ - from_ : 0.0;  // in one interval it is as good as a point
   }
 
   bool next(Share& share) {
