@@ -63,6 +63,7 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
                  {Option::traction_bound, "`config.tangential.bound`"},
                  {Option::flexibility, "`config.tangential.flexibility`"},
                  {Option::force_table, "`config.tangential.force_table`"},
+                 {Option::non_steady, "`config.non_steady`"},
                  {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"}};
   ASSERT_EQ(std::size(options), static_cast<std::size_t>(Option::count));
   std::ifstream file(WRC_DOCS "/embedding.md");

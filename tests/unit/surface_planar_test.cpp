@@ -109,7 +109,11 @@ struct FlatRail {
       s.push_back(at);
       width.push_back(strip_width);
     }
-    rail = {static_cast<std::int32_t>(s.size()), s.data(), width.data(), nullptr, nullptr, nullptr, nullptr};
+    rail.count = static_cast<std::int32_t>(s.size());
+    rail.s = s.data();
+    rail.width = width.data();
+    rail.ranges = 1;
+    rail.range[0] = {0, rail.count};
   }
   PlanarResult press(const PlanarNormal& method, const std::vector<Wheel>& wheels) {
     strip.clear();
