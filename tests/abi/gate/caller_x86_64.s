@@ -41,43 +41,43 @@ bits:
 main:
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3704, %rsp
+	subq	$3784, %rsp
 	movl	$2, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	je	.L5
 	movq	%rax, %rbx
 	movl	$2, %ebp
-	cmpl	$879, (%rax)
+	cmpl	$919, (%rax)
 	jbe	.L3
 	movq	%rsp, %rbp
-	movl	$44, %ecx
+	movl	$50, %ecx
 	movl	$0, %eax
 	movq	%rbp, %rdi
 	rep stosq
-	movl	$352, (%rsp)
+	movl	$400, (%rsp)
 	movq	%rbp, %rdi
 	call	wrc_config_init@PLT
-	leaq	3344(%rsp), %rdi
-	movl	$44, %ecx
+	leaq	3376(%rsp), %rdi
+	movl	$50, %ecx
 	movq	%rbp, %rsi
 	rep movsq
-	movl	$2, 3352(%rsp)
-	movl	$4, 3384(%rsp)
-	movl	$40, 3560(%rsp)
-	movl	$2, 3608(%rsp)
-	movq	$0, 3336(%rsp)
-	movq	$0, 3328(%rsp)
-	leaq	3336(%rsp), %rdx
-	leaq	3344(%rsp), %rdi
+	movl	$2, 3384(%rsp)
+	movl	$4, 3416(%rsp)
+	movl	$40, 3592(%rsp)
+	movl	$2, 3640(%rsp)
+	movq	$0, 3368(%rsp)
+	movq	$0, 3360(%rsp)
+	leaq	3368(%rsp), %rdx
+	leaq	3376(%rsp), %rdi
 	movl	$0, %esi
 	call	wrc_model_create@PLT
 	testl	%eax, %eax
 	js	.L7
-	leaq	3328(%rsp), %rcx
+	leaq	3360(%rsp), %rcx
 	movl	$0, %edx
 	movl	$1, %esi
-	movq	3336(%rsp), %rdi
+	movq	3368(%rsp), %rdi
 	call	*192(%rbx)
 	testl	%eax, %eax
 	js	.L8
@@ -92,7 +92,7 @@ main:
 	movl	$256, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_input_init@PLT
-	leaq	3072(%rsp), %rdi
+	leaq	3104(%rsp), %rdi
 	movl	$32, %ecx
 	movq	%rbx, %rsi
 	rep movsq
@@ -103,34 +103,34 @@ main:
 	movl	$344, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_output_init@PLT
-	leaq	2720(%rsp), %rdi
+	leaq	2752(%rsp), %rdi
 	movl	$43, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC1(%rip), %rax
-	movq	%rax, 3080(%rsp)
+	movq	%rax, 3112(%rsp)
 	movq	.LC2(%rip), %rax
-	movq	%rax, 3120(%rsp)
+	movq	%rax, 3152(%rsp)
 	movq	.LC3(%rip), %rax
-	movq	%rax, 3160(%rsp)
+	movq	%rax, 3192(%rsp)
 	movq	.LC4(%rip), %rax
-	movq	%rax, 3200(%rsp)
-	leaq	2720(%rsp), %rdx
-	leaq	3072(%rsp), %rsi
-	movq	3328(%rsp), %rdi
+	movq	%rax, 3232(%rsp)
+	leaq	2752(%rsp), %rdx
+	leaq	3104(%rsp), %rsi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	testl	%eax, %eax
 	jne	.L9
-	movsd	2736(%rsp), %xmm0
+	movsd	2768(%rsp), %xmm0
 	leaq	.LC5(%rip), %rdi
 	call	bits
-	movsd	2880(%rsp), %xmm0
+	movsd	2912(%rsp), %xmm0
 	leaq	.LC6(%rip), %rdi
 	call	bits
-	movsd	2936(%rsp), %xmm0
+	movsd	2968(%rsp), %xmm0
 	leaq	.LC7(%rip), %rdi
 	call	bits
-	movsd	3000(%rsp), %xmm0
+	movsd	3032(%rsp), %xmm0
 	leaq	.LC8(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
@@ -141,32 +141,32 @@ main:
 	movl	$208, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_patch_init@PLT
-	leaq	2512(%rsp), %rdi
+	leaq	2544(%rsp), %rdi
 	movl	$52, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	2512(%rsp), %rdx
+	leaq	2544(%rsp), %rdx
 	movl	$0, %esi
-	movq	3328(%rsp), %rdi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_patch@PLT
 	testl	%eax, %eax
 	jne	.L10
-	leaq	2464(%rsp), %rcx
+	leaq	2496(%rsp), %rcx
 	movl	$3, %edx
 	movl	$0, %esi
-	movq	3328(%rsp), %rdi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_field@PLT
 	testl	%eax, %eax
 	jne	.L11
-	movsd	2536(%rsp), %xmm0
+	movsd	2568(%rsp), %xmm0
 	leaq	.LC9(%rip), %rdi
 	call	bits
-	movq	2480(%rsp), %rax
+	movq	2512(%rsp), %rax
 	shrq	%rax
-	imulq	2496(%rsp), %rax
-	imulq	$3, 2488(%rsp), %rdx
+	imulq	2528(%rsp), %rax
+	imulq	$3, 2520(%rsp), %rdx
 	addq	%rdx, %rax
-	movq	2464(%rsp), %rdx
+	movq	2496(%rsp), %rdx
 	movsd	(%rdx,%rax,8), %xmm0
 	leaq	.LC10(%rip), %rdi
 	call	bits
@@ -177,7 +177,7 @@ main:
 	movl	$360, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wheel_input_init@PLT
-	leaq	2096(%rsp), %rdi
+	leaq	2128(%rsp), %rdi
 	movl	$45, %ecx
 	movq	%rbx, %rsi
 	rep movsq
@@ -189,78 +189,78 @@ main:
 	movl	$160, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_wrench_init@PLT
-	leaq	1936(%rsp), %rdi
+	leaq	1968(%rsp), %rdi
 	movl	$40, %ecx
 	movq	%rbx, %rsi
 	rep movsl
 	movq	.LC11(%rip), %rax
-	movq	%rax, 2128(%rsp)
-	movq	.LC1(%rip), %rax
-	movq	%rax, 2144(%rsp)
-	movq	.LC12(%rip), %rax
 	movq	%rax, 2160(%rsp)
-	movq	.LC13(%rip), %rax
+	movq	.LC1(%rip), %rax
+	movq	%rax, 2176(%rsp)
+	movq	.LC12(%rip), %rax
 	movq	%rax, 2192(%rsp)
+	movq	.LC13(%rip), %rax
+	movq	%rax, 2224(%rsp)
 	movq	.LC14(%rip), %rax
-	movq	%rax, 2392(%rsp)
-	leaq	864(%rsp), %rcx
-	leaq	1936(%rsp), %rdx
-	leaq	2096(%rsp), %rsi
-	movq	3328(%rsp), %rdi
+	movq	%rax, 2424(%rsp)
+	leaq	896(%rsp), %rcx
+	leaq	1968(%rsp), %rdx
+	leaq	2128(%rsp), %rsi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_wrench_sensitivities@PLT
 	testl	%eax, %eax
 	jne	.L12
-	movsd	1968(%rsp), %xmm0
+	movsd	2000(%rsp), %xmm0
 	leaq	.LC15(%rip), %rdi
 	call	bits
-	movsd	2088(%rsp), %xmm0
+	movsd	2120(%rsp), %xmm0
 	leaq	.LC16(%rip), %rdi
 	call	bits
-	movsd	1176(%rsp), %xmm0
+	movsd	1208(%rsp), %xmm0
 	leaq	.LC17(%rip), %rdi
 	call	bits
 	leaq	4(%rsp), %rdx
-	movl	$45, %ecx
+	movl	$47, %ecx
 	movl	$0, %eax
 	movq	%rdx, %rdi
 	rep stosl
-	movl	$184, (%rsp)
+	movl	$192, (%rsp)
 	movq	%rbx, %rdi
 	call	wrc_region_init@PLT
-	leaq	672(%rsp), %rdi
-	movl	$46, %ecx
+	leaq	704(%rsp), %rdi
+	movl	$48, %ecx
 	movq	%rbx, %rsi
 	rep movsl
-	leaq	672(%rsp), %rdx
+	leaq	704(%rsp), %rdx
 	movl	$0, %esi
-	movq	3328(%rsp), %rdi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_region@PLT
 	testl	%eax, %eax
 	jne	.L13
-	movsd	840(%rsp), %xmm0
+	movsd	872(%rsp), %xmm0
 	leaq	.LC18(%rip), %rdi
 	call	bits
 	movq	.LC19(%rip), %rax
-	movq	%rax, 3120(%rsp)
-	leaq	2720(%rsp), %rdx
-	leaq	3072(%rsp), %rsi
-	movq	3328(%rsp), %rdi
+	movq	%rax, 3152(%rsp)
+	leaq	2752(%rsp), %rdx
+	leaq	3104(%rsp), %rsi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_step@PLT
 	movl	$9, %ebp
 	cmpl	$-4, %eax
 	jne	.L3
-	leaq	368(%rsp), %rsi
+	leaq	400(%rsp), %rsi
 	movl	$300, %edx
-	movq	3328(%rsp), %rdi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %ebp
 	testl	%eax, %eax
 	jne	.L15
-	leaq	368(%rsp), %rdi
+	leaq	400(%rsp), %rdi
 	call	puts@PLT
-	movq	3328(%rsp), %rdi
+	movq	3360(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	3336(%rsp), %rdi
+	movq	3368(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	jmp	.L3
 .L5:
@@ -273,7 +273,7 @@ main:
 	movl	$3, %ebp
 .L3:
 	movl	%ebp, %eax
-	addq	$3704, %rsp
+	addq	$3784, %rsp
 	popq	%rbx
 	popq	%rbp
 	ret
