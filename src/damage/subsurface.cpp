@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/elementary.hpp"
+#include "base/golden_section.hpp"
 
 namespace wrc {
 namespace {
@@ -191,30 +192,13 @@ StressPeaks LoadLanes::peaks(double z) const {
 
 void LoadLanes::refine(const StressPeak& from, StressPeak StressPeaks::*which, double low, double high,
                        StressPeaks& below) const {
-  constexpr double golden = 0.61803398874989485;
   const auto value_at = [&](double z) {
     StressPeaks here;
     here.take(numbers_of(at(from.x, from.y, z)), from.x, from.y, z);
     below.take(here);
     return (here.*which).value;
   };
-  double z1 = high - golden * (high - low), z2 = low + golden * (high - low);
-  double v1 = value_at(z1), v2 = value_at(z2);
-  for (int k = 0; k < 6; ++k) {
-    if (v1 > v2) {
-      high = z2;
-      z2 = z1;
-      v2 = v1;
-      z1 = high - golden * (high - low);
-      v1 = value_at(z1);
-    } else {
-      low = z1;
-      z1 = z2;
-      v1 = v2;
-      z2 = low + golden * (high - low);
-      v2 = value_at(z2);
-    }
-  }
+  narrow_to_largest(low, high, 6, value_at);
 }
 
 }  // namespace wrc

@@ -18,8 +18,7 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   kxx_.assign(coefficients, 0.0);
   kyy_.assign(coefficients, 0.0);
   kxy_.assign(coefficients, 0.0);
-  const bool shear =
-      kernel == Kernel::shear || kernel == Kernel::shear_slip || kernel == Kernel::tangential;
+  const bool shear = kernel == Kernel::shear || kernel == Kernel::shear_slip || kernel == Kernel::tangential;
   const bool differenced = kernel == Kernel::normal_slip || kernel == Kernel::tangential;
   const auto coefficient = [&](double at, double upstream) {
     if (kernel == Kernel::shear_slip) return at / grid.dx;
@@ -53,15 +52,6 @@ void Convolution::transform(int rows) {
   std::fill(re_.begin() + static_cast<std::ptrdiff_t>(used), re_.end(), 0.0);
   std::fill(im_.begin() + static_cast<std::ptrdiff_t>(used), im_.end(), 0.0);
   fft_y_.forward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), padded_x_);
-}
-
-void Convolution::transform_back() {
-  fft_y_.backward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), padded_x_);
-  transpose(re_.data(), work_re_.data(), ny_, padded_x_);
-  transpose(im_.data(), work_im_.data(), ny_, padded_x_);
-  std::swap(re_, work_re_);
-  std::swap(im_, work_im_);
-  fft_x_.backward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), ny_);
 }
 
 void Convolution::transform_kernel(const Field& kernel, Field& spectrum_re, Field& spectrum_im) {
@@ -111,7 +101,7 @@ void Convolution::apply(const double* px, const double* py, double* out_x, doubl
   std::fill(im_.begin() + used, im_.begin() + padded, 0.0);
   transform(ny_);
   multiply_by_kernel();
-  transform_back();
+  backward_2d(fft_x_, fft_y_, ny_, {re_, im_, work_re_, work_im_});
   transpose(re_.data(), out_x, nx_, ny_);
   transpose(im_.data(), out_y, nx_, ny_);
 }

@@ -43,7 +43,6 @@ class Convolution {
            static_cast<std::size_t>(mx + nx_ - 1);
   }
   void transform(int rows);  // re_, im_ from space (x slow, `rows` signals) to spectrum (y slow)
-  void transform_back();     // and back, for the first ny_ rows
   void multiply_by_kernel();
   void transform_kernel(const Field& kernel, Field& spectrum_re, Field& spectrum_im);
 

@@ -189,4 +189,14 @@ void transpose(const double* in, double* out, int rows, int columns) {
   }
 }
 
+void backward_2d(const Fft& along_x, const Fft& along_y, int rows, const Plane& p) {
+  const int length = along_x.length();
+  along_y.backward(p.re.data(), p.im.data(), p.work_re.data(), p.work_im.data(), length);
+  transpose(p.re.data(), p.work_re.data(), rows, length);
+  transpose(p.im.data(), p.work_im.data(), rows, length);
+  p.re.swap(p.work_re);
+  p.im.swap(p.work_im);
+  along_x.backward(p.re.data(), p.im.data(), p.work_re.data(), p.work_im.data(), rows);
+}
+
 }  // namespace wrc::halfspace

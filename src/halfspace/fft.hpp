@@ -43,4 +43,13 @@ class Fft {
 /// out[j * rows + i] = in[i * columns + j], in small tiles that stay in cache.
 void transpose(const double* in, double* out, int rows, int columns);
 
+/// Real and imaginary parts of signals over x and y, and arrays of the same size to work with.
+struct Plane {
+  std::vector<double>&re, &im, &work_re, &work_im;
+};
+
+/// From the spectrum (y slow) back to space (x slow), without the factors, for the first `rows` rows; what
+/// stands in the work arrays is lost.
+void backward_2d(const Fft& along_x, const Fft& along_y, int rows, const Plane& plane);
+
 }  // namespace wrc::halfspace

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/golden_section.hpp"
+
 namespace wrc::halfspace {
 namespace {
 
@@ -77,15 +79,6 @@ void StressField::transform(Field& re, Field& im) {
   }
 }
 
-void StressField::transform_back(Field& re, Field& im) {
-  fft_y_.backward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_x_);
-  transpose(re.data(), work_re_.data(), padded_y_, padded_x_);
-  transpose(im.data(), work_im_.data(), padded_y_, padded_x_);
-  std::swap(re, work_re_);
-  std::swap(im, work_im_);
-  fft_x_.backward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_y_);
-}
-
 void StressField::evaluate(double z) {
   const int reach_x = grid_.nx - 1, reach_y = grid_.ny - 1;
   const auto ny = static_cast<std::size_t>(padded_y_);
@@ -141,7 +134,7 @@ void StressField::evaluate(double z) {
         im_[pair][k] += kernel_re_[k] * load_im_[f][k] + kernel_im_[k] * load_re_[f][k];
       }
     }
-    transform_back(re_[pair], im_[pair]);
+    backward_2d(fft_x_, fft_y_, padded_y_, {re_[pair], im_[pair], work_re_, work_im_});
   }
 }
 
@@ -210,30 +203,12 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
       if ((at_depth[k].*which).value > (at_depth[best].*which).value) best = k;
     double low = best > 0 ? shares[best - 1] * size : 0.0;
     double high = shares[std::min(best + 1, coarse - 1)] * size;
-    constexpr double golden = 0.61803398874989485;
     const auto at = [&](double z) {
       const StressPeaks found = field.peaks(z);
       solution.below.take(found);
       return (found.*which).value;
     };
-    double z1 = high - golden * (high - low), z2 = low + golden * (high - low);
-    double v1 = at(z1), v2 = at(z2);
-    for (int k = 0; k < refined; ++k) {
-      if (v1 > v2) {
-        high = z2;
-        z2 = z1;
-        v2 = v1;
-        z1 = high - golden * (high - low);
-        v1 = at(z1);
-      } else {
-        low = z1;
-        z1 = z2;
-        v1 = v2;
-        z2 = low + golden * (high - low);
-        v2 = at(z2);
-      }
-      if (!goes_on()) return solution;
-    }
+    if (!narrow_to_largest(low, high, refined, at, goes_on)) return solution;
   }
   for (const double depth : depths) {
     solution.levels.push_back(field.peaks(depth));

@@ -40,7 +40,6 @@ class StressField {
  private:
   void evaluate(double z);
   void transform(Field& re, Field& im);
-  void transform_back(Field& re, Field& im);
 
   double poisson_ = 0.0;
   Grid grid_;                        // the loads' with a margin

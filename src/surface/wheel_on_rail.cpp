@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.hpp"
+#include "base/golden_section.hpp"
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
 #include "surface/along_track.hpp"
@@ -744,29 +745,12 @@ WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, Work& w, Sur
 /// The wrench where the vertical force is largest between two heights.
 Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double low, double high, Work& w,
                       SurfaceStart& start, double& height, Wrench& out) {
-  constexpr double golden = 0.6180339887498949;
   constexpr int steps = 20;
   const auto load_at = [&](double at) {
     solve_at(model, in, at, false, w, start, {}, out);
     return -out.force[2];
   };
-  double left = high - golden * (high - low), right = low + golden * (high - low);
-  double at_left = load_at(left), at_right = load_at(right);
-  for (int n = 0; n < steps; ++n) {
-    if (at_left >= at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - golden * (high - low);
-      at_left = load_at(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + golden * (high - low);
-      at_right = load_at(right);
-    }
-  }
+  narrow_to_largest(low, high, steps, load_at);
   height = 0.5 * (low + high);
   return solve_at(model, in, height, false, w, start, {}, out);
 }
