@@ -309,6 +309,8 @@ int main(int argc, char** argv) {
   wrc_model* model = make_model(&now);
   if (now.points == 0) {
     take_points(model, &now);
+    wrc_model_destroy(model);
+    model = make_model(&now); /* of the points, as it is when a later call goes on from here */
     write_profile(folder, &now);
     write_line(folder, &now, model, 0.0, 0);
     write_state(folder, &now);
@@ -360,7 +362,7 @@ int main(int argc, char** argv) {
     wear.width = 0.5e-3;
     wear.passages = (until - now.distance) / length;
     wear.largest_depth = 0.2e-3;
-    double y[POINTS], z[POINTS];
+    double y[POINTS] = {0}, z[POINTS] = {0};
     wrc_worn_profile worn = wrc_worn_profile_default();
     worn.capacity = POINTS;
     worn.y = y;
