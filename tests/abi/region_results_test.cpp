@@ -67,17 +67,15 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
                     half = field(i, WRC_REGION_STRIP_HALF), width = field(i, WRC_REGION_STRIP_WIDTH),
                     angle = field(i, WRC_REGION_STRIP_ANGLE), x = field(i, WRC_REGION_X),
                     centre = field(i, WRC_REGION_STRIP_CENTRE), y = field(i, WRC_REGION_STRIP_Y),
-                    z = field(i, WRC_REGION_STRIP_Z), s = field(i, WRC_REGION_STRIP_S),
-                    px = field(i, WRC_REGION_TRACTION_X), ps = field(i, WRC_REGION_TRACTION_S);
-      double load = 0.0, area = 0.0, at_s = 0.0, at_y = 0.0, at_z = 0.0, across = 0.0, down = 0.0,
-             middle = 0.0;
+                    z = field(i, WRC_REGION_STRIP_Z), px = field(i, WRC_REGION_TRACTION_X),
+                    ps = field(i, WRC_REGION_TRACTION_S);
+      double load = 0.0, area = 0.0, at_y = 0.0, at_z = 0.0, across = 0.0, down = 0.0, middle = 0.0;
       const Numbers coefficient = field(i, WRC_REGION_STRIP_FRICTION);
       Numbers lateral = ps;
       for (std::size_t j = 0; j < half.size(); ++j) {
         const double N = 1.5707963267948966 * peak[j] * half[j] * width[j];
         load += N;
         area += 2.0 * half[j] * width[j];
-        at_s += N * s[j];
         at_y += N * y[j];
         at_z += N * z[j];
         middle += N * centre[j];

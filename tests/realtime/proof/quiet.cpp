@@ -54,6 +54,8 @@ void step_quietly(void* context, Record& record) {
     if (i % 16 == 0) run_entries(wheel);
   }
   touch_stack();
+  // As a real-time host does. Without the right to it the warm-up has to meet every page a later step needs.
+  mlockall(MCL_CURRENT);
   if (task.filter && !forbid_system_calls()) {
     record.steps = -1;
     return;
