@@ -70,7 +70,8 @@ struct ModelOptions {
   std::uint64_t numbers = 0;      ///< checksum of all numbers of the configuration that results depend on
   double shear_yield = 0.0;       ///< k [Pa]
   Effusivities effusivities;
-  double wheel_poisson = 0.0, rail_poisson = 0.0;  ///< of each body by itself; `material` has both combined [-]
+  double wheel_poisson = 0.0,
+         rail_poisson = 0.0;  ///< of each body by itself; `material` has both combined [-]
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;

@@ -49,7 +49,8 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     sentence = text;
     return status;
   }
-  /// Level up to 2 m and from 5 m on, between them 1:50 downwards: straight from 3 to 4 m, rounded beside that.
+  /// Level up to 2 m and from 5 m on, between them 1:50 downwards: straight from 3 to 4 m, rounded beside
+  /// that.
   void give_ramp() {
     const double z[] = {0.0, 0.0, 0.0, 0.02, 0.04, 0.06, 0.06, 0.06};
     for (int k = 0; k < 8; ++k) add(1.0 * k, z[k]);
