@@ -150,7 +150,8 @@ int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, ui
     fault = abi::check_header(contact, header, bytes);
   }
   const std::size_t state = wrc::state_bytes(*contact.model);
-  const auto* const begin = static_cast<const unsigned char*>(buffer) + sizeof header;
+  const auto* const begin =
+      fault.failed() ? nullptr : static_cast<const unsigned char*>(buffer) + sizeof header;
   if (!fault.failed() && header.checksum != abi::checksum_of(header, begin, state))
     fault = abi::damaged("bytes of it have changed since it was written");
   if (fault.failed()) {
