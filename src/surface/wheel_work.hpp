@@ -1,4 +1,4 @@
-/// A solve of wheel_on_rail.cpp on its way: its working memory, and the wheel as the rail sees it.
+/// A solve of a wheel on a rail on its way: its working memory, and the wheel as the rail sees it.
 #pragma once
 
 #include <cstdint>

@@ -60,6 +60,14 @@ class PortableState : public testing::Test, protected PlacedWheel {
 
 constexpr const char* files = "WRC_PORTABLE_STATE_FILES";
 
+int set_environment(const char* name, const char* value) {
+#ifdef _WIN32
+  return _putenv_s(name, value);
+#else
+  return setenv(name, value, 1);
+#endif
+}
+
 Bytes read_file(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -93,7 +101,7 @@ TEST_F(PortableState, AnotherProcessGoesOnWithTheSameBits) {
   Bytes results;
   const double y = wheel.y;
   go_on(4, &results);
-  ASSERT_EQ(setenv(files, name.c_str(), 1), 0);
+  ASSERT_EQ(set_environment(files, name.c_str()), 0);
   const std::string command =
       testing::internal::GetArgvs()[0] +
       " --gtest_filter=PortableState.DISABLED_TheOtherProcess --gtest_also_run_disabled_tests > " + name +

@@ -41,6 +41,7 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i) {
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
+  input.start = WRC_START_FROM_LAST;
   input.wheel.y = 2.8e-3 + 0.2e-3 * (i % 16) / 16.0;
   input.wheel.z = 0.1e-3;
   input.wheel.yaw = 3e-3;

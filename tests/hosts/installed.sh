@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The folders of hosts/ as their users build them, against the installed and moved tree (test install_tree).
+# The folders of bindings/hosts/ as their users build them, against the installed and moved tree (test install_tree).
 #   installed.sh BUILD SOURCE simbody|simulink|modelica
 # Status 77: the host is not there.
 set -euo pipefail
@@ -41,7 +41,7 @@ cc -std=c99 "${flags[@]}" "$scratch/direct.c" -lwrc -o "$scratch/direct"
 
 case $host in
   simbody)
-    cmake -S "$source/hosts/simbody" -B "$scratch/project" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 ||
+    cmake -S "$source/bindings/hosts/simbody" -B "$scratch/project" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 ||
       { grep -q 'Could not find.*Simbody\|SimbodyConfig.cmake' "$scratch/log" &&
           { echo "skipped: no Simbody (Debian: libsimbody-dev)"; exit 77; }
         cat "$scratch/log"; exit 1; }
@@ -51,8 +51,8 @@ case $host in
   simulink)
     command -v mkoctfile >/dev/null || { echo "skipped: no Octave with mkoctfile (Debian: octave-dev)"; exit 77; }
     cd "$scratch"
-    cp "$source/hosts/simulink/wrc_wheel.c" . # it leaves an object beside the source
-    mkoctfile --mex -DMATLAB_MEX_FILE -Wall -Wextra wrc_wheel.c -I"$source/hosts" -I"$source/hosts/simulink/stub" "${flags[@]}" -lwrc
+    cp "$source/bindings/hosts/simulink/wrc_wheel.c" . # it leaves an object beside the source
+    mkoctfile --mex -DMATLAB_MEX_FILE -Wall -Wextra wrc_wheel.c -I"$source/bindings/hosts" -I"$source/bindings/hosts/simulink/stub" "${flags[@]}" -lwrc
     octave --no-gui --no-init-file --eval '
       in = [1e-3; 3e-4; 0; 1e-3; 20; 0; 0; 0; -20/0.46; 0; 0; 1e-5; 0; 0; 0; 0];
       w = wrc_wheel([in, in], 0, 2, 4, 0, 0.3);
@@ -96,7 +96,7 @@ int main(int count, char** words) {
   return 0;
 }
 C
-    cc -std=c99 -Wall -Wextra -I"$scratch" -I"$source/hosts" -I"$source/hosts/modelica" "${flags[@]}" "$scratch/driver.c" -lwrc -o "$scratch/driver"
+    cc -std=c99 -Wall -Wextra -I"$scratch" -I"$source/bindings/hosts" -I"$source/bindings/hosts/modelica" "${flags[@]}" "$scratch/driver.c" -lwrc -o "$scratch/driver"
     "$scratch/driver" | diff "$scratch/direct.txt" -
     status=0
     "$scratch/driver" wrong >"$scratch/said" || status=$?
@@ -105,8 +105,8 @@ C
     command -v omc >/dev/null || { echo "left out: no omc, so Wrc.mo itself is not compiled"; exit 0; }
     cd "$scratch"
     cat >run.mos <<MOS
-loadFile("$source/hosts/modelica/Wrc.mo"); getErrorString();
-simulate(Wrc.Drop, stopTime=0.05, cflags="-I$source/hosts -I$source/hosts/modelica -I$prefix/include -L$library"); getErrorString();
+loadFile("$source/bindings/hosts/modelica/Wrc.mo"); getErrorString();
+simulate(Wrc.Drop, stopTime=0.05, cflags="-I$source/bindings/hosts -I$source/bindings/hosts/modelica -I$prefix/include -L$library"); getErrorString();
 val(z, 0.05);
 MOS
     omc run.mos | tee said

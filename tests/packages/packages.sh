@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The packages of packages/make.py as their users meet them.
+# The packages of tools/packages/make.py as their users meet them.
 #   packages.sh BUILD SOURCE WAY
 #     make      twice from one build, in other places, time zones and with other rights: the same bytes
 #     debian    installed by dpkg into an empty root, the smallest program built and run against that, and purged
@@ -24,8 +24,8 @@ case $way in
   make)
     need dpkg-deb
     rm -rf "$packages"
-    "$source/packages/make.py" "$build" "$packages"
-    (cd / && umask 077 && TZ=Asia/Tokyo "$source/packages/make.py" "$build" "$scratch/again" >"$scratch/log")
+    "$source/tools/packages/make.py" "$build" "$packages"
+    (cd / && umask 077 && TZ=Asia/Tokyo "$source/tools/packages/make.py" "$build" "$scratch/again" >"$scratch/log")
     diff -r "$packages" "$scratch/again"
     ;;
   debian)
@@ -66,8 +66,8 @@ assert round(result.forces.fx) == -7463 and os.path.exists(wrc.force_table()), r
     ;;
   zip)
     need unzip
-    "$source/packages/make.py" --windows "$build" "$scratch/one"
-    (umask 077 && TZ=Asia/Tokyo "$source/packages/make.py" --windows "$build" "$scratch/other" >"$scratch/log")
+    "$source/tools/packages/make.py" --windows "$build" "$scratch/one"
+    (umask 077 && TZ=Asia/Tokyo "$source/tools/packages/make.py" --windows "$build" "$scratch/other" >"$scratch/log")
     diff -r "$scratch/one" "$scratch/other"
     unzip -q "$scratch"/one/*.zip -d "$scratch"
     root=$(echo "$scratch"/wrc-*)
@@ -86,7 +86,7 @@ assert round(result.forces.fx) == -7463 and os.path.exists(wrc.force_table()), r
       CCACHE_DISABLE=1 cmake -S "$scratch/$each/clone" -B "$scratch/$each/build" -DWRC_TESTS=OFF -DWRC_EXAMPLES=OFF \
         -DWRC_FORTRAN=OFF -DCMAKE_BUILD_TYPE=Release >"$scratch/log"
       CCACHE_DISABLE=1 cmake --build "$scratch/$each/build" -j 2 >>"$scratch/log"
-      "$scratch/$each/clone/packages/make.py" "$scratch/$each/build" "$scratch/$each/packages" >>"$scratch/log"
+      "$scratch/$each/clone/tools/packages/make.py" "$scratch/$each/build" "$scratch/$each/packages" >>"$scratch/log"
       mv "$scratch/$each/clone" "$scratch/a_clone"
     done
     diff -r "$scratch/one/packages" "$scratch/two/packages"

@@ -21,11 +21,11 @@ TABS = [
     ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
                  ("Sweeps", "in_bindings_python_examples_sweep.md"), ("Fortran", "in_bindings_fortran.md"), ("FMI", "in_bindings_fmi.md"),
-                 ("Other programs", "in_hosts.md"), ("Simbody", "in_hosts_simbody.md"), ("Simulink", "in_hosts_simulink.md"),
-                 ("Modelica", "in_hosts_modelica.md"), ("User forces", "user_forces.md"), ("A wheelset in hosts", "hosts.md")]),
+                 ("Other programs", "in_bindings_hosts.md"), ("Simbody", "in_bindings_hosts_simbody.md"), ("Simulink", "in_bindings_hosts_simulink.md"),
+                 ("Modelica", "in_bindings_hosts_modelica.md"), ("User forces", "user_forces.md"), ("A wheelset in hosts", "hosts.md")]),
     ("Gallery", "gallery.md"),
     ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.1 to 0.2", "interface_0_2.md"),
-              ("Packages", "in_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
+              ("Packages", "in_tools_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
               ("Architecture", "architecture.md"), ("Code of others", "third_party.md")]),
 ]
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
@@ -36,7 +36,7 @@ def pages():
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True).stdout.split()
     if not listed:  # no history
         listed = [str(each.relative_to(ROOT)) for each in ROOT.rglob("*.md") if "build" not in each.parts]
-    wanted = [each for each in listed if re.match(r"(README|CHANGELOG|SECURITY|docs/\w+|(bindings|hosts|packages)/.*README|hosts/README)\.md$", each)]
+    wanted = [each for each in listed if re.match(r"(README|CHANGELOG|docs/\w+|(bindings|tools/packages)/(.*/)?README)\.md$", each)]
     names = {}
     for each in wanted:
         name = re.sub("^docs/", "", each) if "README" not in each else "in_" + each.removesuffix("/README.md").replace("/", "_") + ".md"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Packages of a built library, the same bytes from the same build whoever makes them, wherever.
 
-    packages/make.py BUILD OUT            Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
+    tools/packages/make.py BUILD OUT      Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
                                           and a .tar.gz
-    packages/make.py BUILD OUT --windows  the .zip of a mingw build
+    tools/packages/make.py BUILD OUT --windows  the .zip of a mingw build
                        --mingw BUILD      of the Debian packages and the .tar.gz: the FMUs are for Windows, too, by this build
 
 Times in the packages are SOURCE_DATE_EPOCH, or that of the last commit. Each holds a list of its files and of the code of
@@ -24,7 +24,7 @@ import tempfile
 import time
 import zipfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 VERSION = re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
 SERIES = VERSION.rpartition(".")[0]  # of the SONAME
 SUPPLIER = "NOASSERTION"

@@ -1,0 +1,397 @@
+#include "surface/wrench_at_height.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.hpp"
+#include "base/number.hpp"
+#include "geometry/creepages.hpp"
+#include "surface/along_track.hpp"
+#include "surface/wrench_sum.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
+constexpr double deepest_overlap = 2e-3;
+
+/// (x, y, z) of track axes turned into rail axes.
+void into_rail(double cosine, double sine, const double (&v)[3], double (&turned)[3]) {
+  turned[0] = v[0];
+  turned[1] = cosine * v[1] + sine * v[2];
+  turned[2] = cosine * v[2] - sine * v[1];
+}
+
+/// What a rail that changes along the track and a wheel that is not round add to the overlaps; those within
+/// the margin are kept.
+void follow_track(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin,
+                  WheelWork& w) {
+  Overlaps& o = w.overlaps;
+  const Curve& profile = model.wheel.curve;
+  std::int32_t kept = 0;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const std::int32_t j = o.strip[i];
+    StripOverlap<double> s{o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], 0.0};
+    if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, s);
+    if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, w.rail.z[j], w.distance, s);
+    if (model.out_of_round.rows > 0) {
+      const double y = evaluate(profile, w.scratch.piece[j], w.scratch.along[j]).y;
+      follow_wheel(model.out_of_round, seen.pose, y, in.angle, s);
+    }
+    if (!(s.depth > -margin)) continue;
+    o.strip[kept] = j;
+    o.depth[kept] = s.depth;
+    o.centre[kept] = s.centre;
+    o.curvature[kept] = s.curvature;
+    o.ny[kept] = s.ny;
+    o.nz[kept] = s.nz;
+    o.wy[kept] = s.wy;
+    o.wz[kept] = s.wz;
+    o.lean[kept] = s.lean;
+    ++kept;
+  }
+  o.count = kept;
+}
+
+}  // namespace
+
+Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
+  Seen s;
+  const SineCosine roll = sine_cosine(in.rail.roll);
+  s.cosine = roll.cosine;
+  s.sine = roll.sine;
+  for (int k = 0; k < 3; ++k) {
+    double turned[3];
+    into_rail(s.cosine, s.sine, {in.wheel.rotation[0][k], in.wheel.rotation[1][k], in.wheel.rotation[2][k]},
+              turned);
+    for (int i = 0; i < 3; ++i) s.pose.rotation[i][k] = turned[i];
+  }
+  const double dy = in.wheel.position[1] - model.rail_origin_y - in.rail.y;
+  const double dz = height - model.rail_origin_z - in.rail.z;
+  s.pose.y = s.cosine * dy + s.sine * dz;
+  s.pose.z = s.cosine * dz - s.sine * dy;
+  // rail material moves with the rail, not along the track
+  const double relative[3] = {in.wheel.velocity[0],
+                              in.wheel.velocity[1] - in.rail.velocity_y + in.rail.velocity_roll * dz,
+                              in.wheel.velocity[2] - in.rail.velocity_z - in.rail.velocity_roll * dy};
+  into_rail(s.cosine, s.sine, relative, s.velocity);
+  const double turning[3] = {in.wheel.angular_velocity[0] - in.rail.velocity_roll,
+                             in.wheel.angular_velocity[1], in.wheel.angular_velocity[2]};
+  into_rail(s.cosine, s.sine, turning, s.angular_velocity);
+  s.rail_turning = 0.0;
+  if (model.roller_curvature != 0.0) {
+    s.rail_turning = in.rail.turning;
+    s.velocity[0] -= in.rail.turning * (s.pose.z - 1.0 / model.roller_curvature);
+    s.velocity[2] += in.rail.turning * in.distance;
+    s.angular_velocity[1] -= in.rail.turning;
+  }
+  return s;
+}
+
+void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, WheelWork& w) {
+  const bool varying = varies(model);
+  // what follow_track() may add: on a slope a, a^2 r / 2, and more where the rail is concave
+  constexpr double concave = 1.5;
+  const double more = varying ? smaller(0.5 * concave * w.steepest * w.steepest * model.wheel_radius, 2e-3) +
+                                    model.out_of_round.largest
+                              : 0.0;
+  find_overlaps(*model.kernels, w.rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
+  if (varying) follow_track(model, in, seen, margin, w);
+}
+
+bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
+  return model.methods.region.solve && (model.methods.by_region || in.slope.falls());
+}
+
+Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, WheelWork& w,
+           const TangentialFields& fields, SurfaceRollingForces forces) {
+  const auto mirror = [&](double* a) {
+    for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
+  };
+  const SurfaceMethods& methods = model.methods;
+  auto rolls = rolling_input<double>(model, in, count, w);
+  rolls.method = methods.strips;
+  rolls.parabolic = methods.parabolic;
+  if (backwards) {
+    mirror(w.slip_x);
+    mirror(w.spin);
+  }
+  Fault fault;
+  if (rolls_by_region(model, in)) {
+    for (std::int32_t k = 0; k < count; ++k) {
+      const double x = w.pressure.centre[w.candidate[k]];
+      w.along[k] = backwards ? -x : x;
+    }
+    fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
+                           forces);
+  } else {
+    const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
+    roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);
+  }
+  if (backwards)
+    for (double* a : {w.slip_x, w.spin, forces.fx, forces.mz}) mirror(a);
+  return fault;
+}
+
+namespace {
+
+/// Velocity of the wheel's point less the rail's, rail axes; r from the wheel's reference point.
+void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
+  const auto& o = s.angular_velocity;
+  v[0] = s.velocity[0] + o[1] * z - o[2] * y;
+  v[1] = s.velocity[1] + o[2] * x - o[0] * z;
+  v[2] = s.velocity[2] + o[0] * y - o[1] * x;
+}
+
+/// The law's coefficient of each strip: over its width on the rail, at the root mean square of its rigid slip
+/// times `speed` (tangential/friction/friction.hpp).
+void find_friction(const FrictionLaw& law, double speed, std::int32_t count, WheelWork& w) {
+  for (std::int32_t k = 0; k < count; ++k) {
+    const double at_rest = friction_at_rest(w.rail, law, w.overlaps.strip[w.candidate[k]]);
+    const double turning = w.spin[k] * w.half_length[k];
+    const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
+    w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));
+  }
+}
+
+/// The strips in contact, and their sums.
+struct Loaded {
+  std::int32_t count = 0;
+  double load = 0.0;     ///< [N]
+  double sliding = 0.0;  ///< load times sliding velocity along the rail [N m/s]
+  double below = 0.0;    ///< load times how far below the wheel's reference point it acts [N m]
+};
+
+/// Takes the strips that carry load from the overlaps and their pressure, with damping: into w's arrays,
+/// slips as velocities [m/s], [rad/s].
+Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, WheelWork& w) {
+  Loaded loaded;
+  const Overlaps& o = w.overlaps;
+  const SurfacePressure& p = w.pressure;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+    const std::int32_t j = o.strip[i];
+    const double l = std::sqrt(p.length_squared[i]);
+    double v[3];
+    sliding_at(seen, p.centre[i], o.wy[i], o.wz[i], v);
+    // a roller's own point, as the wheel's, is that of the undeformed body: the overlap nearer to its axle
+    if (seen.rail_turning != 0.0) v[0] += seen.rail_turning * (o.depth[i] * o.nz[i]);
+    double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
+    if (o.lean) {  // along the slope, and against its normal
+      const double along = v[0] + o.lean[i] * approach_velocity;
+      approach_velocity -= o.lean[i] * v[0];
+      v[0] = along;
+    }
+    const double damped = std::max(0.0, 1.0 + 1.5 * in.damping * approach_velocity);
+    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
+    if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
+    const std::int32_t k = loaded.count++;
+    w.candidate[k] = i;
+    w.place[k] = w.rail.s[j];
+    w.width[k] = w.rail.width[j];
+    w.half_length[k] = l;
+    w.peak[k] = peak;
+    w.curvature[k] = o.curvature[i];
+    w.slip_x[k] = v[0];
+    w.slip_y[k] = v[1] * o.nz[i] - v[2] * o.ny[i];
+    w.spin[k] = seen.angular_velocity[1] * o.ny[i] + seen.angular_velocity[2] * o.nz[i];
+    w.friction[k] = in.friction;
+    w.fx[k] = w.fy[k] = w.mz[k] = 0.0;
+    loaded.load += N;
+    loaded.sliding += N * v[0];
+    loaded.below += N * o.wz[i];
+  }
+  return loaded;
+}
+
+/// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to.
+RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen,
+                             const Loaded& loaded, WheelWork& w, Fault& fault) {
+  // the mean of the speeds at which wheel and rail material pass through the contact
+  double rolling_speed = seen.velocity[0] - 0.5 * loaded.sliding / loaded.load;
+  if (seen.rail_turning != 0.0) rolling_speed -= seen.rail_turning * loaded.below / loaded.load;
+  const RollingReference reference = rolling_reference(rolling_speed);
+  w.rolling_speed = rolling_speed;
+  w.backwards = rolling_speed < 0.0;
+  const double speed = reference.divisor;
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
+    w.slip_x[k] /= speed;
+    w.slip_y[k] /= speed;
+    w.spin[k] /= speed;
+  }
+  if (!(in.friction > 0.0)) return reference;
+  if (in.law) find_friction(*in.law, speed, loaded.count, w);
+  const bool backwards = w.backwards;
+  keep_worst(fault, roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz}));
+  const double other = reference.other_way;
+  if (!(other > 0.0)) return reference;
+  keep_worst(fault, roll(model, in, loaded.count, !backwards, w, {}, {w.other_fx, w.other_fy, w.other_mz}));
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
+    w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
+    w.fy[k] += other * (w.other_fy[k] - w.fy[k]);
+    w.mz[k] += other * (w.other_mz[k] - w.mz[k]);
+  }
+  return reference;
+}
+
+/// Is a strip the first or the last of its surface?
+bool at_end(const RailStrips& rail, std::int32_t strip) {
+  for (std::int32_t r = 0; r < rail.ranges; ++r)
+    if (strip == rail.range[r].first || strip == rail.range[r].first + rail.range[r].count - 1) return true;
+  return false;
+}
+
+/// What of a solution lies beyond what is known of the bodies, or has no room.
+Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelWork& w) {
+  const Overlaps& o = w.overlaps;
+  if (o.full)
+    return {.status = WRC_FLAG_MORE_PATCHES,
+            .field = "strips that overlap",
+            .value = 1.0 + most_overlapping_strips,
+            .unit = "",
+            .high = 1.0 * most_overlapping_strips,
+            .cause = "those beyond, on the field side, carry nothing"};
+  const Curve& wheel = model.wheel.curve;
+  for (std::int32_t k = 0; k < loaded.count; ++k) {
+    constexpr double rounding = 1e-9;  // [m]
+    const double depth = o.depth[w.candidate[k]];
+    if (depth > deepest_overlap + rounding)
+      return {.status = WRC_FLAG_BEYOND_GAP,
+              .field = "overlap",
+              .value = depth,
+              .unit = "m",
+              .high = deepest_overlap,
+              .cause = "the load is far beyond what steel carries there"};
+    const std::int32_t j = o.strip[w.candidate[k]];
+    const bool rail_ends = at_end(w.rail, j);
+    // rays beyond the wheel's end meet nothing
+    const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = w.rail.width[j];
+    const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
+    if (rail_ends || wheel_ends)
+      return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+  }
+  return {};
+}
+
+/// Pressures at the overlaps, by the model's method.
+Fault press(const SurfaceModel& model, WheelWork& w, SurfaceStart& start, const SurfaceNormalOptions& options,
+            Wrench& out) {
+  if (model.methods.planar.solve) {
+    const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
+                                                    *model.kernels, w.planar, w.pressure);
+    out.sweeps += planar.iterations;
+    out.leaps = planar.leaps ? 1 : 0;
+    return planar.fault;
+  }
+  const SurfaceNormalResult normal =
+      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
+                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
+  out.sweeps += normal.sweeps;
+  if (normal.converged) return {};
+  return {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+}
+
+/// All forces times a factor.
+void scale(double factor, Wrench& out) {
+  const auto by = [factor](double& x) { x *= factor; };
+  for (double& x : out.force) by(x);
+  for (double& x : out.moment) by(x);
+  for (double* const x : {&out.normal_force, &out.peak_pressure, &out.power}) by(*x);
+  for (std::int32_t i = 0; i < out.regions; ++i) {
+    SurfaceRegion& r = out.region[i];
+    for (double& x : r.force) by(x);
+    for (double& x : r.moment) by(x);
+    for (double* const x : {&r.normal_force, &r.peak_pressure, &r.power}) by(*x);
+  }
+}
+
+}  // namespace
+
+double margin_of(const SurfaceModel& model) { return model.methods.planar.solve ? planar_margin : 0.0; }
+
+Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,
+               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
+  const std::int32_t sweeps_before = out.sweeps;
+  w.factor = 1.0;
+  out = {};
+  out.sweeps = sweeps_before;
+  out.height = height;
+  const Seen seen = w.seen = see(model, in, height);
+  if (!found) find(model, in, seen, margin_of(model), w);
+  Fault fault = press(model, w, start, options, out);
+  if (fault.failed()) return fault;
+  const Loaded loaded = take_loaded_strips(in, seen, w);
+  w.loaded = 0;
+  if (loaded.count == 0)
+    return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
+  const RollingReference reference = roll_strips(model, in, seen, loaded, w, fault);
+  w.loaded = loaded.count;
+  w.speed = reference.divisor;
+  keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
+  keep_worst(fault, extrapolated(model, loaded, w));
+  if (in.friction > 0.0 && reference.other_way > 0.0)
+    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
+  if (model.methods.region.solve) out.power = larger(out.power, 0.0);
+  return fault;
+}
+
+double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double height, WheelWork& w) {
+  constexpr int most_steps = 12;
+  for (int n = 0; n < most_steps; ++n) {
+    const Seen seen = see(model, in, height);
+    Overlaps& o = w.overlaps;
+    find(model, in, seen, margin_of(model), w);
+    double rise = 0.0;
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = larger(seen.cosine * o.nz[i] + seen.sine * o.ny[i], 0.1);
+      rise = larger(rise, (o.depth[i] - deepest_overlap) / down);
+    }
+    height -= rise;
+    if (rise < 1e-12) break;
+  }
+  return height;
+}
+
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+                         Wrench& out) {
+  constexpr double step = 2e-6;  // [m]
+  const double asked = in.wheel.position[2], border = height_at_border(model, in, asked, w);
+  if (!(asked > border)) return solve_at(model, in, asked, asked == border, w, start, {}, out);
+  solve_at(model, in, border - step, false, w, start, {}, out);
+  const double before = out.normal_force;
+  Fault fault = solve_at(model, in, border, false, w, start, {}, out);
+  if (out.normal_force > 0.0) {
+    const double stiffness = larger(out.normal_force - before, 0.0) / step;
+    w.factor = 1.0 + stiffness * (asked - border) / out.normal_force;
+    scale(w.factor, out);
+  }
+  out.height = asked;
+  keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
+                     .field = "overlap",
+                     .value = deepest_overlap + asked - border,
+                     .unit = "m",
+                     .high = deepest_overlap,
+                     .cause = "did you pass millimetres?"});
+  return fault;
+}
+
+double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w) {
+  constexpr double margin = 50e-3;  // [m]
+  double height = in.wheel.position[2];
+  for (int n = 0; n < 12; ++n) {
+    const Seen seen = see(model, in, height);
+    const Overlaps& o = w.overlaps;
+    find(model, in, seen, margin, w);
+    double fall = margin;
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
+      if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
+    }
+    height += fall;
+    if (std::abs(fall) < 1e-7) break;
+  }
+  return height;
+}
+
+}  // namespace wrc

@@ -1,0 +1,42 @@
+/// The wrench of a wheel at a height: overlaps, pressures, slips, tractions, sums.
+#pragma once
+
+#include "surface/wheel_work.hpp"
+
+namespace wrc {
+
+/// The wheel at this height as the rail sees it.
+Seen see(const SurfaceModel& model, const WheelOnRail& in, double height);
+
+/// Finds all strips with depth > -margin.
+void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, WheelWork& w);
+
+/// Strips nearer than this to the wheel are candidates [m].
+double margin_of(const SurfaceModel& model);
+
+/// Does the whole of a patch roll at a time?
+bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
+
+/// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
+/// slip along x and spin, change sign, and so do their forces.
+Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, WheelWork& w,
+           const TangentialFields& fields, SurfaceRollingForces forces);
+
+/// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
+/// the overlaps at this height stand in w.overlaps already.
+Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,
+               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out);
+
+/// The greatest height, no greater than `height`, at which no overlap is deeper than `deepest_overlap` [m].
+/// Leaves the overlaps at that height where it is the one.
+double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double height, WheelWork& w);
+
+/// The wrench at the height given. Beyond the deepest overlap that is solved the load goes on with the
+/// stiffness it had, in the directions it had.
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+                         Wrench& out);
+
+/// The height [m] at which the wheel first touches: lowered, or raised, from the one given until it does.
+double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w);
+
+}  // namespace wrc
