@@ -79,6 +79,28 @@ static void stages(wrc_contact* contact) {
   printf("        strips of one's own: N %.0f N; flat call: Fx %.0f N\n", normal.normal_force, out[0]);
 }
 
+static void remembered(void) {
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.non_steady = 1;
+  wrc_model* model = NULL;
+  wrc_contact* contact = NULL;
+  wrc_input input = wrc_input_default();
+  wrc_output output = wrc_output_default();
+  input.load.normal_force = 80e3;
+  input.creepage.longitudinal = 1e-3;
+  DO(wrc_model_create(&config, NULL, &model));
+  DO(wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact));
+  for (int step = 0; step < 3; ++step) {
+    DO(wrc_contact_roll(contact, 1e-3)); /* a millimetre further each */
+    DO(wrc_contact_step(contact, &input, &output));
+  }
+  printf("memory: Fx %.0f N after 3 mm\n", output.forces.fx);
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
 static void states(const wrc_model* model, wrc_contact* contact) {
   uint64_t bytes, portable_bytes;
   DO(wrc_contact_state_size(model, &bytes));
@@ -220,6 +242,7 @@ int main(void) {
   printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0],
          1e3 * y.data[y.stride[0] * (y.count[0] - 1)]);
   stages(contact);
+  remembered();
   states(model, contact);
   wheel_on_rail(contact);
   line(model, contact);
