@@ -101,11 +101,15 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     double* const shift = w.matrix + (2 * n + a) * size.stride;
     for (double* row : {contact, level, shift}) std::fill_n(row, size.stride, 0.0);
     const OverlapSlopes& o = s.overlap[a];
-    const double q = s.strength[a], l = w.l[a], kappa = o.curvature.value, depth = o.depth.value;
+    const double q = s.strength[a], l = w.l[a], kappa = o.curvature.value;
+    const double aside = s.centre[a] - o.centre.value;
+    const double depth = o.depth.value - 0.5 * kappa * aside * aside;  // at the centre
+    const double by_centre = -kappa * aside;
     const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x, w.ny[a], w.nz[a]}; };
 
     kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
     const Displacement middle = add_row(s, w, a, 1.0, contact);
+    contact[2 * n + a] -= by_centre;
 
     // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
     kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
@@ -128,6 +132,7 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
       level[c] = 0.5 * by_drop * (at_leading + at_trailing);
       shift[c] = by_edges * (at_trailing - at_leading);
     }
+    level[2 * n + a] -= by_drop * by_centre;
     level[a] += 1.0 / (l * l * kept);
     if (!free) level[n + a] -= 2.0 * w.wanted_level[a] / l * w.growth[a];
     shift[n + a] -= w.wanted_shift[a] / l * w.growth[a];
@@ -136,8 +141,9 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
       const auto d = static_cast<std::size_t>(k);
       const double bent = o.curvature.d[d] / kappa;
       const double edges = 0.5 * (leading.turned[k] + trailing.turned[k]);
-      contact[size.rows + k] = o.depth.d[d] - middle.turned[k];
-      level[size.rows + k] = -(free ? w.wanted_level[a] * bent - by_drop * (o.depth.d[d] - edges) : 0.0);
+      const double deeper = o.depth.d[d] - 0.5 * o.curvature.d[d] * aside * aside - by_centre * o.centre.d[d];
+      contact[size.rows + k] = deeper - middle.turned[k];
+      level[size.rows + k] = -(free ? w.wanted_level[a] * bent - by_drop * (deeper - edges) : 0.0);
       shift[size.rows + k] =
           -(by_edges * (trailing.turned[k] - leading.turned[k]) - w.wanted_shift[a] * bent);
     }

@@ -4,8 +4,8 @@
 /// With M, E+, E- the displacement at a strip's middle and edges per unit of q = lambda L, the unknowns q, L
 /// and c of the strips in contact obey
 ///
-///     sum_b M_ab q_b = depth_a
-///     L_a lambda_a - q_a = 0,           lambda_a = mean of q_b kappa_b / (2 (depth_b - (E+ q + E- q)_b / 2))
+///     sum_b M_ab q_b = d_a,            d_a = depth_a - kappa_a/2 (c_a - middle_a)^2
+///     L_a lambda_a - q_a = 0,           lambda_a = mean of q_b kappa_b / (2 (d_b - (E+ q + E- q)_b / 2))
 ///     c_a = middle_a + shift_a,         shift_a = mean of ((E- - E+) q)_b / (2 l_b kappa_b)
 ///
 /// with the means of surface_normal.cpp, weighted by q. One elimination gives the changes of all three for

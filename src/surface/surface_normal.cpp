@@ -86,6 +86,11 @@ void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[hist
   }
 }
 
+/// Overlap where the pressure of a strip has its centre, beside the place of the largest overlap under yaw.
+double overlap_at_centre(const StripSet& s, std::int32_t i) {
+  return s.depth[i] - 0.5 * s.curvature[i] * s.shift[i] * s.shift[i];
+}
+
 /// The active strips as sources of unit q.
 simd::SurfaceSources list_sources(const Problem& problem, const StripSet& s, std::int32_t kept, Scratch& w) {
   for (std::int32_t a = 0; a < kept; ++a) {
@@ -135,7 +140,7 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
                                               {w.place[a], w.centre[a], w.ny[a], w.nz[a]}, skewed, w.row);
         std::copy_n(w.row, kept, row);
         for (std::int64_t c = kept; c < stride; ++c) row[c] = 0.0;
-        row[size] = s.depth[i];
+        row[size] = overlap_at_centre(s, i);
       } else {
         std::fill_n(row, stride, 0.0);
         row[a] = 1.0;
@@ -150,7 +155,7 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
           problem.tables, sources, {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
       double u = 0.0;
       for (std::int32_t a = 0; a < kept; ++a) u += w.row[a] * w.r[a];
-      if (u < s.depth[i] * (1.0 - 1e-12)) {
+      if (u < overlap_at_centre(s, i) * (1.0 - 1e-12)) {
         w.in[i] = 1;
         changed = true;
       }
@@ -180,7 +185,7 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     };
     const double leading = at(w.centre[a] + l);
     const double trailing = skewed ? at(w.centre[a] - l) : leading;
-    const double drop = s.depth[i] - 0.5 * (leading + trailing);
+    const double drop = overlap_at_centre(s, i) - 0.5 * (leading + trailing);
     const double ratio =
         smaller(larger(drop / (0.5 * s.curvature[i] * L), least_edge_ratio), most_edge_ratio);
     w.wanted_level[a] = w.strength[a] / (L * ratio);

@@ -4,11 +4,12 @@
 /// lambda_j its level, and the load N_j = pi/2 w_j lambda_j L_j along its own normal n_j.
 ///
 ///   contact   u_i = sum_j C w_j lambda_j l_j J(|s_i - s_j| / l_j, (c_i - c_j) / l_j) cos(a_i - a_j)
-///             u_i = depth_i   where L_i > 0
-///             u_i >= depth_i  where L_i = 0
+///             d_i = depth_i - kappa_i/2 shift_i^2, the overlap at c_i, shift_i from where it is largest
+///             u_i = d_i   where L_i > 0
+///             u_i >= d_i  where L_i = 0
 ///   edges     over the half length the displacement falls by kappa_i/2 l_i^2; the level that makes it so
 ///             is smoothed over the strips beside, weighted by their loads: a strip that enters has weight
-///             zero
+///             zero. Its difference between the edges is 2 kappa_i l_i shift_i, smoothed the same way.
 ///
 /// A sweep solves the contact condition for q = lambda L at the present lengths, finds the levels from the
 /// edges, and with them the next lengths L = q / lambda and centres. Alone that contracts by about 0.4;

@@ -1,0 +1,100 @@
+#include "surface/surface_normal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "base/instruction_set.hpp"
+#include "base/number.hpp"
+#include "kernels/kernels.hpp"
+#include "normal/elasticity/hertz_theory.hpp"
+#include "normal_gaps.hpp"
+
+namespace wrc {
+namespace {
+
+/// A flat rail's strips under a gap A x'^2 + B y'^2 whose axes are turned by an angle.
+struct TurnedGap {
+  static constexpr double width = 0.25e-3;
+  std::vector<std::int32_t> strip;
+  std::vector<double> place, widths, depth, curvature, middle, none, one;
+
+  TurnedGap(double A, double B, double angle, double approach) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double xx = A * c * c + B * s * s, xy = 2.0 * (A - B) * c * s, yy = A * s * s + B * c * c;
+    for (int i = -120; i <= 120; ++i) {
+      const double y = i * width, overlap = approach - (yy - xy * xy / (4.0 * xx)) * y * y;
+      if (overlap <= 0.0) continue;
+      strip.push_back(static_cast<std::int32_t>(strip.size()));
+      place.push_back(y);
+      widths.push_back(width);
+      depth.push_back(overlap);
+      curvature.push_back(2.0 * xx);
+      middle.push_back(-xy * y / (2.0 * xx));
+      none.push_back(0.0);
+      one.push_back(1.0);
+    }
+  }
+
+  std::vector<double> length_squared, level, centre, strength;
+
+  SurfaceNormalResult solve(double compliance) {
+    static const auto influence = [] {
+      auto made = std::make_unique<InfluenceTables>();
+      tabulate(*made);
+      return made;
+    }();
+    const std::size_t n = strip.size();
+    const auto count = static_cast<std::int32_t>(n);
+    RailStrips rail;
+    rail.count = count;
+    rail.s = place.data();
+    rail.width = widths.data();
+    Overlaps overlaps;
+    overlaps.capacity = overlaps.count = count;
+    overlaps.strip = strip.data();
+    overlaps.depth = depth.data();
+    overlaps.curvature = curvature.data();
+    overlaps.centre = middle.data();
+    overlaps.ny = none.data();
+    overlaps.nz = one.data();
+    for (auto* a : {&length_squared, &level, &centre, &strength}) a->assign(n, 0.0);
+    std::vector<double> workspace(static_cast<std::size_t>(surface_normal_doubles(count))), L(n), shift(n);
+    SurfaceStart start{L.data(), shift.data(), false};
+    return solve_surface_normal(rail, overlaps, *influence, kernels_for(best_instruction_set()), compliance,
+                                {}, workspace.data(), start,
+                                {length_squared.data(), level.data(), centre.data(), strength.data()});
+  }
+};
+
+// Hertz's ellipse is a semi-ellipse along whatever strips it is cut into.
+TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
+  const double compliance = test::steel.normal_compliance(), approach = 60e-6;
+  for (const double ratio : {0.15, 0.4, 3.0})
+    for (const double degrees : {0.0, 10.0, 30.0, 60.0}) {
+      SCOPED_TRACE(testing::Message() << "A / B " << ratio << ", " << degrees << " degrees");
+      const double A = 1.2, B = A / ratio;
+      const HertzEllipse hertz = hertz_ellipse(A, B, approach, compliance);
+      TurnedGap gap(A, B, degrees * pi / 180.0, approach);
+      ASSERT_TRUE(gap.solve(compliance).converged);
+      double load = 0.0, moment = 0.0, peak = 0.0;
+      for (std::size_t i = 0; i < gap.place.size(); ++i) {
+        const double N = 0.5 * pi * TurnedGap::width * gap.strength[i];
+        load += N;
+        moment += N * gap.centre[i] * gap.place[i];
+        peak = std::fmax(peak, gap.level[i] * std::sqrt(gap.length_squared[i]));
+      }
+      EXPECT_NEAR(load, hertz.normal_force, 2e-3 * hertz.normal_force);
+      // levels are means over 0.75 mm, a quarter of the narrowest half ellipse
+      EXPECT_NEAR(peak, hertz.peak, 1e-2 * hertz.peak);
+      // mean of x y over its pressure
+      const double a2 = hertz.a * hertz.a, b2 = hertz.b * hertz.b, angle = degrees * pi / 180.0;
+      const double product = 0.2 * (a2 - b2) * std::sin(angle) * std::cos(angle);
+      EXPECT_NEAR(moment / load, product, 2e-2 * std::fmax(a2, b2) / 5.0);
+    }
+}
+
+}  // namespace
+}  // namespace wrc
