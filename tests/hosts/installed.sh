@@ -46,7 +46,9 @@ case $host in
           { echo "skipped: no Simbody (Debian: libsimbody-dev)"; exit 77; }
         cat "$scratch/log"; exit 1; }
     cmake --build "$scratch/project" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
-    "$scratch/project/wheelset" 0.25
+    "$scratch/project/wheelset" 0.25 >"$scratch/rows.csv"
+    lines=$(cat "$source"/bindings/hosts/simbody/{CMakeLists.txt,wheelset.cpp} | wc -l)
+    [ "$lines" -le 100 ] || { echo "the example has $lines lines, more than 100"; exit 1; }
     ;;
   simulink)
     command -v mkoctfile >/dev/null || { echo "skipped: no Octave with mkoctfile (Debian: octave-dev)"; exit 77; }

@@ -22,15 +22,19 @@ else
 fi
 environment=bindings/python/tests/environment.sh
 $environment install
-python() { $environment run "$build/libwrc.so" "$build/python_hosts" "$PWD/bindings/python/examples/$1" "${@:2}" || [ $? -eq 77 ]; }
-exudyn() { python exudyn/wheelset_exudyn.py "$@"; }
+python() { $environment run "$build/libwrc.so" "$build/python_hosts" "$PWD/$1" "${@:2}" || [ $? -eq 77 ]; }
+run() { # run FOLDER ROWS [RMS]: an example, and what the rails did
+  python "bindings/python/examples/$1/wheelset_$1.py" --rows "$PWD/$2" ${3:+--rms "$3"}
+  [ ! -f "$2" ] || python tests/hosts/wheelset_rows.py "$PWD/$2" ${3:+"$3"}
+}
 echo "== Exudyn"
-exudyn --rows $PWD/$out/exudyn.csv
-exudyn --rms 0.008 --rows $PWD/$out/exudyn_flange.csv
+rm -f $out/exudyn*.csv $out/scipy.csv
+run exudyn $out/exudyn.csv
+run exudyn $out/exudyn_flange.csv 0.008
 echo "== scipy"
-python scipy/wheelset_scipy.py --check --rows $PWD/$out/scipy.csv
-python scipy/wheelset_scipy.py --differences
-python scipy/wheelset_scipy.py --method BDF
+run scipy $out/scipy.csv
+python bindings/python/examples/scipy/wheelset_scipy.py --differences
+python bindings/python/examples/scipy/wheelset_scipy.py --method BDF
 for case in "" _flange; do
   rows=()
   for host in exudyn simbody; do [ ! -f $out/$host$case.csv ] || rows+=($out/$host$case.csv); done
