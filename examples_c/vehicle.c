@@ -1,6 +1,6 @@
 /* vehicle.c - a wheelset and a bogie on S1002 and 60E1, integrated implicitly with the library's derivatives.
  *
- *   vehicle [RUN [FILE.csv]]    RUN: klingel, critical, curve, turnout, flat, irregular; none: all of them
+ *   vehicle [RUN [FILE.csv]]    RUN: klingel, cones, critical, curve, turnout, flat, irregular; none: all of them
  *
  * Two wheelsets carry a frame on primary springs, the frame hangs on secondary ones below a car body that
  * runs on undisturbed. Every body has its place against the track axes where it runs; forward speed is held.
@@ -29,7 +29,8 @@ static const double across[BODIES] = {900.0, 900.0, 1500.0}, about_z[BODIES] = {
 static const double about_y[BODIES] = {110.0, 110.0, 1800.0}; /* kg m^2 */
 static double tolerance = 1e-5;                  /* relative; of places 1e-3 m of it, of velocities 0.1 m/s */
 static double primary_x = 12e6, primary_y = 5e6; /* N/m, of a box */
-static const double primary_z = 1.2e6, primary_damping = 8e3, box = 1.0; /* N/m, N s/m, m from the middle */
+static double primary_z = 1.2e6;
+static const double primary_damping = 8e3, box = 1.0; /* N s/m, m from the middle */
 static const double secondary_y = 160e3, secondary_z = 430e3, secondary_yaw = 250e3; /* of a bogie */
 static const double secondary_y_damping = 32e3, secondary_z_damping = 30e3, secondary_yaw_damping = 30e3;
 
@@ -105,19 +106,30 @@ static double curvature_at(const Vehicle* v, double distance) {
   return v->curvature * (t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t * t * (3.0 - 2.0 * t));
 }
 
-/* Rail displacements, and their rates, of a few waves. */
-static void irregularity(const Vehicle* v, double distance, int side, wrc_rail_state* rail) {
-  static const double length[6] = {2.3, 3.7, 5.9, 9.1, 14.3, 23.0};
-  for (int i = 0; v->irregular && i < 6; ++i) {
-    const double along = fmin(fmax(distance / 20.0, 0.0), 1.0), grown = along * along * (3.0 - 2.0 * along);
-    const double k = 6.283185307179586 / length[i], amplitude = 0.08e-3 * grown * length[i] / 2.3;
-    const double phase = k * distance + 1.7 * i;
-    rail->y += 0.4 * amplitude * sin(phase + 0.9);
-    rail->z += amplitude * sin(phase + (side == 0 ? 0.0 : 1.1));
+/* Both rails' displacement to the side and its slope: 40 waves of 3 to 60 m in geometric steps, amplitudes in
+ * proportion to them, 1.5 mm in the root mean square, faded in over 10 m. */
+static double irregularity(const Vehicle* v, double distance, double* slope) {
+  enum { waves = 40 };
+  const double turn = 6.283185307179586, t = fmin(fmax(distance / 10.0, 0.0), 1.0);
+  const double fade = t * t * (3.0 - 2.0 * t), fading = 0.6 * t * (1.0 - t);
+  double y = 0.0, by_x = 0.0, square = 0.0;
+  *slope = 0.0;
+  if (!v->irregular) return 0.0;
+  for (int k = 1; k <= waves; ++k) {
+    const double length = 3.0 * pow(20.0, (k - 1) / (waves - 1.0));
+    const double angle = turn * (distance / length + fmod(0.618034 * k, 1.0));
+    y += length * cos(angle);
+    by_x -= turn * sin(angle);
+    square += 0.5 * length * length;
   }
+  const double scale = 1.5e-3 / sqrt(square);
+  *slope = scale * (fade * by_x + fading * y);
+  return scale * fade * y;
 }
 
-static void input_of(const Vehicle* v, double t, const double* s, int w, int side, wrc_wheel_input* input) {
+/* What the element is given: of a rail that is bent, but at rest, in axes turned into its direction. Returns
+ * the slope. */
+static double input_of(const Vehicle* v, double t, const double* s, int w, int side, wrc_wheel_input* input) {
   const double *q = s + FREEDOMS * w, *rate = s + N + FREEDOMS * w;
   const double distance = v->start + v->speed * t - (w == 0 ? 0.0 : 2.0 * half_base);
   wrc_wheel_state* wheel = &input->wheel;
@@ -135,9 +147,16 @@ static void input_of(const Vehicle* v, double t, const double* s, int w, int sid
   wheel->angular_velocity[0] = rate[ROLL];
   wheel->angular_velocity[1] = -v->speed / radius + rate[PITCH];
   wheel->angular_velocity[2] = rate[YAW] + v->speed * curvature_at(v, distance);
-  irregularity(v, distance, side, &input->rail);
+  double slope;
+  input->rail.y = irregularity(v, distance, &slope);
+  if (slope != 0.0) { /* small: the axes of roll and yaw turn with the yaw */
+    wheel->yaw -= slope;
+    wheel->velocity[0] += slope * rate[Y];
+    wheel->velocity[1] -= slope * v->speed;
+  }
   if (side == right && v->sections) input->distance = distance;
   if (side == right && w == 0 && v->flat) input->angle = v->flat_angle - v->speed / radius * t;
+  return slope;
 }
 
 /* Accelerations, and if wanted their derivatives. */
@@ -164,7 +183,7 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
   for (int w = 0; w < 2; ++w) {
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input;
-      input_of(v, t, s, w, side, &input);
+      const double turned = input_of(v, t, s, w, side, &input);
       wrc_wrench wrench = wrc_wrench_default();
       wrc_wrench_sensitivities by;
       const int32_t status = J ? wrc_contact_wrench_sensitivities(v->contact[w][side], &input, &wrench, &by)
@@ -174,8 +193,12 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
         return 1; /* recoverable: CVODE takes a smaller step */
       }
       memcpy(v->wheel_force[w][side], wrench.force, sizeof wrench.force);
-      const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],
-                             wrench.moment[0], wrench.moment[1], wrench.moment[2]};
+      const double all[6] = {wrench.force[0],
+                             wrench.force[1] + turned * wrench.force[0],
+                             wrench.force[2],
+                             wrench.moment[0] - turned * wrench.moment[1],
+                             wrench.moment[1] + turned * wrench.moment[0],
+                             wrench.moment[2]};
       static const int by_place[FREEDOMS] = {WRC_BY_Y, WRC_BY_Z, WRC_BY_ROLL, WRC_BY_YAW, -1};
       static const int by_rate[FREEDOMS] = {WRC_BY_VELOCITY_Y, WRC_BY_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_X,
                                             WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
@@ -273,13 +296,14 @@ static wrc_config pair_of_profiles(void) {
   return config;
 }
 
-/* Contacts; `special`: the model of the right wheel of the first wheelset, or of both right wheels. */
+/* Contacts; `plain`: NULL: the usual pair of profiles; `special`: the model of the right wheel of the first
+ * wheelset, or of both right wheels. */
 static wrc_model* models[2];
-static void open_contacts(Vehicle* v, const wrc_config* special, int both) {
+static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config* special, int both) {
   memset(v, 0, sizeof *v);
-  const wrc_config plain = pair_of_profiles();
+  const wrc_config usual = pair_of_profiles();
   models[1] = NULL;
-  must(wrc_model_create(&plain, NULL, &models[0]), "model");
+  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0]), "model");
   if (special) must(wrc_model_create(special, NULL, &models[1]), "model");
   for (int w = 0; w < 2; ++w)
     for (int side = 0; side < 2; ++side)
@@ -322,7 +346,7 @@ typedef struct {
   const char* run;
   double value; /* what tells runs of one name apart */
   double at[3], y[3];
-  double crossed[64], peak;
+  double crossed[64];
   int crossings, peaks;
   double amplitude[4096], time[4096];
   double largest_lateral, largest_vertical, least_vertical;
@@ -338,73 +362,89 @@ static void look(double t, const double* s, const Vehicle* v, void* user) {
           told->at[1] + (told->at[2] - told->at[1]) * told->y[1] / (told->y[1] - told->y[2]);
     const double a = fabs(told->y[0]), b = fabs(told->y[1]), c = fabs(told->y[2]);
     if (b > a && b >= c && told->peaks < 4096) {
-      told->amplitude[told->peaks] = b;
-      told->time[told->peaks++] = told->at[1];
+      const double bend = a - 2.0 * b + c, step = told->at[2] - told->at[1];
+      told->amplitude[told->peaks] = bend < 0.0 ? b - 0.125 * (c - a) * (c - a) / bend : b;
+      told->time[told->peaks++] = told->at[1] - (bend < 0.0 ? 0.5 * step * (c - a) / bend : 0.0);
     }
   }
   const double* f = v->wheel_force[0][right];
+  double slope;
   const double lateral = fmax(fabs(f[1]), fabs(v->wheel_force[0][left][1]));
   told->largest_lateral = fmax(told->largest_lateral, lateral);
   told->largest_vertical = fmax(told->largest_vertical, -f[2]);
   told->least_vertical = told->least_vertical == 0.0 ? -f[2] : fmin(told->least_vertical, -f[2]);
   if (told->file)
-    fprintf(told->file, "%s,%g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", told->run, told->value, t,
-            v->start + v->speed * t, s[Y], s[YAW], f[1], f[2], v->wheel_force[0][left][1]);
+    fprintf(told->file, "%s,%g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", told->run, told->value,
+            t, v->start + v->speed * t, s[Y], s[YAW], s[FREEDOMS + Y], f[1], f[2], v->wheel_force[0][left][1],
+            v->wheel_force[0][left][2], irregularity(v, v->start + v->speed * t, &slope));
 }
 
 /* ------------------------------------------------------------------------------------------------- runs */
 
-/* A wheelset so slow that it has no inertia: rates at which no force is left along y, about z and its axle.
- */
-static void slow_rates(Vehicle* v, double y, double z, double roll, double yaw, double rate[3]) {
-  static const int row[3] = {1, 5, 4};
-  static const int column[3] = {WRC_BY_VELOCITY_Y, WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
-  for (int n = 0; n < 3; ++n) {
-    double a[3][4] = {{0}};
+/* A wheelset so slow that it has no inertia: its rates along y, about z and its axle, its height and its roll
+ * are those at which no force is left but the load. How fast these two follow y and yaw counts: a wheelset
+ * that rolls about x carries its wheels' feet aside. */
+enum { SLOW = 5 };
+static void slow_rates(Vehicle* v, double y, double yaw, double u[SLOW]) {
+  static const int row[SLOW] = {1, 5, 4, 2, 3};
+  static const int column[SLOW + 2] = {WRC_BY_VELOCITY_Y,
+                                       WRC_BY_ANGULAR_VELOCITY_Z,
+                                       WRC_BY_ANGULAR_VELOCITY_Y,
+                                       WRC_BY_Z,
+                                       WRC_BY_ROLL,
+                                       WRC_BY_Y,
+                                       WRC_BY_YAW};
+  double rates[2] = {0.0, 0.0}; /* of height and roll */
+  for (int n = 0; n < 4; ++n) {
+    double a[SLOW][SLOW + 3] = {{0}}; /* what is left, and the columns of y and yaw, behind those of u */
+    a[3][SLOW] = -axle_load;
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input = wrc_wheel_input_default();
       input.wheel.angular_axes = WRC_AXES_BODY;
-      input.wheel.y = y, input.wheel.z = z, input.wheel.roll = roll, input.wheel.yaw = yaw;
-      input.wheel.velocity[0] = 1.0, input.wheel.velocity[1] = rate[0];
-      input.wheel.angular_velocity[1] = rate[2], input.wheel.angular_velocity[2] = rate[1];
+      input.wheel.y = y, input.wheel.z = u[3], input.wheel.roll = u[4], input.wheel.yaw = yaw;
+      input.wheel.velocity[0] = 1.0, input.wheel.velocity[1] = u[0], input.wheel.velocity[2] = rates[0];
+      input.wheel.angular_velocity[0] = rates[1], input.wheel.angular_velocity[1] = u[2];
+      input.wheel.angular_velocity[2] = u[1];
       wrc_wrench w = wrc_wrench_default();
       wrc_wrench_sensitivities by;
       must(wrc_contact_wrench_sensitivities(v->contact[0][side], &input, &w, &by), "slow rolling");
       const double all[6] = {w.force[0], w.force[1], w.force[2], w.moment[0], w.moment[1], w.moment[2]};
-      for (int i = 0; i < 3; ++i) {
-        a[i][3] -= all[row[i]];
-        for (int j = 0; j < 3; ++j) a[i][j] += by.wrench[row[i]][column[j]];
+      for (int i = 0; i < SLOW; ++i) {
+        a[i][SLOW] -= all[row[i]];
+        for (int j = 0; j < SLOW; ++j) a[i][j] += by.wrench[row[i]][column[j]];
+        for (int j = 0; j < 2; ++j) a[i][SLOW + 1 + j] -= by.wrench[row[i]][column[SLOW + j]];
       }
     }
-    for (int k = 0; k < 3; ++k)
-      for (int i = 0; i < 3; ++i) {
-        const double f = a[i][k] / a[k][k];
-        for (int j = 0; i != k && j < 4; ++j) a[i][j] -= f * a[k][j];
+    for (int k = 0; k < SLOW; ++k) {
+      int pivot = k;
+      for (int i = k + 1; i < SLOW; ++i)
+        if (fabs(a[i][k]) > fabs(a[pivot][k])) pivot = i;
+      for (int j = 0; j < SLOW + 3; ++j) {
+        const double other = a[pivot][j];
+        a[pivot][j] = a[k][j], a[k][j] = other;
       }
-    for (int k = 0; k < 3; ++k) rate[k] += a[k][3] / a[k][k];
+      for (int i = 0; i < SLOW; ++i) {
+        const double f = a[i][k] / a[k][k];
+        for (int j = 0; i != k && j < SLOW + 3; ++j) a[i][j] -= f * a[k][j];
+      }
+    }
+    for (int k = 0; k < SLOW; ++k) u[k] += a[k][SLOW] / a[k][k];
+    for (int k = 0; k < 2; ++k)
+      rates[k] = (a[3 + k][SLOW + 1] * u[0] + a[3 + k][SLOW + 2] * u[1]) / a[3 + k][3 + k];
   }
 }
 
-/* Its wave [m]; heights and roll over y from contact functions. */
-static double slow_wave(Vehicle* v, double amplitude, int points, const double* y, const double* z,
-                        const double* roll) {
-  const double step = 0.05;
-  double at[2] = {amplitude, 0.0}, rate[3] = {0.0, 0.0, -1.0 / radius}, first = 0.0, last = 0.0;
+/* Its wave [m], by the rule of the middle. */
+static double slow_wave(Vehicle* v, double amplitude, double height) {
+  const double step = 0.15;
+  double at[2] = {amplitude, 0.0}, u[SLOW] = {0.0, 0.0, -1.0 / radius, height, 0.0}, first = 0.0, last = 0.0;
   int crossings = 0;
-  for (double x = 0.0; x < 45.0; x += step) {
+  for (int i = 1; i <= 10; ++i) slow_rates(v, 0.1 * i * amplitude, 0.0, u); /* not in one leap */
+  for (double x = 0.0; x < 36.0; x += step) {
     const double before = at[0];
-    double middle[2] = {at[0], at[1]};
-    for (int half = 0; half < 2; ++half) {
-      const double place = (middle[0] - y[0]) / (y[1] - y[0]);
-      const int k = place < 0.0 ? 0 : place > points - 2 ? points - 2 : (int)place;
-      const double f = place - k;
-      slow_rates(v, middle[0], z[k] + f * (z[k + 1] - z[k]), roll[k] + f * (roll[k + 1] - roll[k]), middle[1],
-                 rate);
-      const double h = half == 0 ? 0.5 * step : step;
-      middle[0] = at[0] + h * rate[0];
-      middle[1] = at[1] + h * rate[1];
-    }
-    at[0] = middle[0], at[1] = middle[1];
+    slow_rates(v, at[0], at[1], u);
+    slow_rates(v, at[0] + 0.5 * step * u[0], at[1] + 0.5 * step * u[1], u);
+    at[0] += step * u[0], at[1] += step * u[1];
     if (before < 0.0 && at[0] >= 0.0) {
       last = x + step * before / (before - at[0]);
       if (crossings++ == 0) first = last;
@@ -413,86 +453,97 @@ static double slow_wave(Vehicle* v, double amplitude, int points, const double* 
   return crossings > 1 ? (last - first) / (crossings - 1) : 0.0;
 }
 
-static void klingel(FILE* file) {
-  enum { points = 121 };
-  static double y[points], dr[points], z[points], roll[points];
-  const double amplitude[3] = {1e-3, 2e-3, 3e-3};
-  double wavelength[3];
+/* Waves of a wheelset left to itself at 1 m/s: integrated in time, as slow rolling, and by Klingel's
+ * kinematics, which know nothing but rolling radii and roll. Cones on round rails touch them in places that
+ * hardly move; S1002 lies on 60E1 over a width in which the radii differ, and what steers it there are forces
+ * within that width. */
+static void waves(FILE* file, const char* name, const wrc_config* config, const double* amplitude,
+                  int amplitudes) {
+  enum { points = 161 };
+  static double y[points], dr[points], roll[points];
   char text[256] = "";
   Vehicle v;
-  const double kx = primary_x, ky = primary_y;
-  primary_x = primary_y = 0.0; /* wheelsets left to themselves */
-  open_contacts(&v, NULL, 0);
+  open_contacts(&v, config, NULL, 0);
   wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
-  for (int i = 0; i < points; ++i) y[i] = 0.08e-3 * (i - points / 2);
+  for (int i = 0; i < points; ++i) y[i] = 0.05e-3 * (i - points / 2);
   where.count = points;
   where.lateral = y;
   where.wheel_load = 0.5 * axle_load;
   wrc_contact_functions functions = wrc_contact_functions_default();
-  functions.vertical = z;
+  functions.radius_difference = dr;
   functions.roll = roll;
   must(wrc_profile_contact_functions(models[0], &where, &functions, text, sizeof text), text);
-  for (int i = 0; i < points; ++i) { /* radii at which a wheel rolls without a longitudinal force */
-    double rolls[2];
-    for (int side = 0; side < 2; ++side) {
-      wrc_wheel_input input = wrc_wheel_input_default();
-      input.start = WRC_START_ANEW;
-      input.wheel.y = y[i];
-      input.wheel.z = z[i];
-      input.wheel.roll = roll[i];
-      input.wheel.velocity[0] = 1.0;
-      input.wheel.angular_velocity[1] = -1.0 / radius;
-      for (int n = 0; n < 4; ++n) {
-        wrc_wrench wrench = wrc_wrench_default();
-        wrc_wrench_sensitivities by;
-        must(wrc_contact_wrench_sensitivities(v.contact[0][side], &input, &wrench, &by), "rolling");
-        if (by.wrench[0][WRC_BY_ANGULAR_VELOCITY_Y] != 0.0)
-          input.wheel.angular_velocity[1] -= wrench.force[0] / by.wrench[0][WRC_BY_ANGULAR_VELOCITY_Y];
-      }
-      rolls[side] = -1.0 / input.wheel.angular_velocity[1];
-    }
-    dr[i] = rolls[right] - rolls[left];
-  }
-  wrc_conicity_problem problem = wrc_conicity_problem_default();
-  problem.count = points;
-  problem.lateral = y;
-  problem.radius_difference = dr;
-  problem.amplitudes = 3;
-  problem.amplitude = amplitude;
-  problem.radius = radius;
-  wrc_conicity result = wrc_conicity_default();
-  result.wavelength = wavelength;
-  must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < amplitudes; ++k) {
     double s[STATES];
     v.speed = 1.0;
     build(&v);
     stand(&v, s);
+    const double height = s[Z];
+    wrc_region region = wrc_region_default(); /* of the last wheel that stood, a left one */
+    must(wrc_contact_region(v.contact[1][left], 0, &region), "region");
     s[Y] = amplitude[k];
-    Told told = {.file = file, .run = "klingel", .value = amplitude[k]};
-    const double factor = integrate(&v, s, 45.0, 0.05, look, &told);
-    double wave = 0.0, mean = 0.0;
+    Told told = {.file = file, .run = name, .value = amplitude[k]};
+    const double factor = integrate(&v, s, 36.0, 0.05, look, &told);
+    double wave = 0.0, mean = 0.0, kinematic = 0.0;
     if (told.crossings > 1)
       wave = v.speed * (told.crossed[told.crossings - 1] - told.crossed[0]) / (told.crossings - 1);
     for (int i = 0; i < told.peaks; ++i) mean += told.amplitude[i] / told.peaks;
+    /* y'' + dr / (e r) = 0 of what the wheels' feet do, who are aside by the roll, too */
+    double feet[points];
+    for (int i = 0; i < points; ++i) feet[i] = y[i] - radius * roll[i];
+    const int near = points / 2 + (int)(mean / (y[1] - y[0]));
+    const double swung = mean;
+    mean *= feet[near] / y[near];
+    wrc_conicity_problem problem = wrc_conicity_problem_default();
+    problem.count = points;
+    problem.lateral = feet;
+    problem.radius_difference = dr;
     problem.amplitudes = 1;
     problem.amplitude = &mean;
-    double kinematic = 0.0;
+    problem.contact_distance = -2.0 * region.point[1];
+    problem.radius = radius;
+    wrc_conicity result = wrc_conicity_default();
     result.wavelength = &kinematic;
     must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
-    const double slow = slow_wave(&v, amplitude[k], points, y, z, roll);
+    const double slow = slow_wave(&v, amplitude[k], height);
     printf(
-        "klingel: from %.1f mm, mean amplitude %.3f mm: wave of %.3f m; without inertia %.3f m (%+.2f %%), "
-        "Klingel's formula "
-        "%.3f m; real-time factor %.3f\n",
-        1e3 * amplitude[k], 1e3 * mean, wave, slow, 100.0 * (wave / slow - 1.0), kinematic, factor);
+        "%s: from %.1f mm, mean amplitude %.3f mm: wave of %.3f m; slow rolling %.3f m (%+.2f %%), "
+        "Klingel with the rolling radii %.3f m (%+.2f %%); real-time factor %.3f\n",
+        name, 1e3 * amplitude[k], 1e3 * swung, wave, slow, 100.0 * (wave / slow - 1.0), kinematic,
+        100.0 * (wave / kinematic - 1.0), factor);
+    if (file) fprintf(file, "%s_wave,%g,%g,%g,%g,0,0,0,0,0,0,0\n", name, swung, wave, slow, kinematic);
+    fflush(stdout);
   }
-  primary_x = kx, primary_y = ky;
   close_contacts(&v);
 }
 
-/* Largest growth rate of the linearised motion [1/s]: norm of exp(A t) over a long time, by squaring. */
-static double growth(Vehicle* v, const double* s) {
+static void left_to_itself(FILE* file, const char* name, const wrc_config* config, int amplitudes) {
+  const double amplitude[3] = {1e-3, 2e-3, 3e-3}, kx = primary_x, ky = primary_y, kz = primary_z;
+  primary_x = primary_y = primary_z = 0.0; /* nothing but its load */
+  waves(file, name, config, amplitude, amplitudes);
+  primary_x = kx, primary_y = ky, primary_z = kz;
+}
+
+static void klingel(FILE* file) {
+  const wrc_config config = pair_of_profiles();
+  left_to_itself(file, "klingel", &config, 3);
+}
+
+static void cones(FILE* file) {
+  wrc_config config = pair_of_profiles();
+  double y[] = {-60e-3, -30e-3, 0.0, 30e-3, 60e-3}, z[5];
+  for (int i = 0; i < 5; ++i) z[i] = -0.05 * y[i];
+  config.wheel.kind = WRC_PROFILE_POINTS;
+  config.wheel.count = 5;
+  config.wheel.y = y;
+  config.wheel.z = z;
+  config.track.rail_inclination = 1.0 / 20.0; /* so that it touches in the middle of the head */
+  left_to_itself(file, "cones", &config, 1);
+}
+
+/* Largest growth rate of the linearised motion [1/s]: norm of exp(A t) over a long time, by squaring. `mode`:
+ * what grows like that, 1 m at the first wheelset. */
+static double growth(Vehicle* v, const double* s, double* mode) {
   SUNContext context;
   if (SUNContext_Create(NULL, &context)) exit(EXIT_FAILURE);
   SUNMatrix J = SUNDenseMatrix(STATES, STATES, context);
@@ -513,6 +564,7 @@ static double growth(Vehicle* v, const double* s) {
     for (int i = 0; i < STATES; ++i)
       for (int j = 0; j < STATES; ++j) e[i][j] += term[i][j];
   }
+  for (int i = PITCH; i < FREEDOMS * FRAME; i += FREEDOMS) e[i][i] = 0.0; /* angles that nothing depends on */
   double logarithm = 0.0, time = step;
   const int squarings = 27; /* 1300 s */
   for (int n = 0; n < squarings; ++n) {
@@ -529,63 +581,134 @@ static double growth(Vehicle* v, const double* s) {
     logarithm = 2.0 * logarithm + log(norm);
     time *= 2.0;
   }
+  for (int i = 0; mode && i < STATES; ++i)
+    mode[i] = e[i][Y] / e[Y][Y]; /* what is left of a start with y alone */
   SUNMatDestroy(J);
   SUNContext_Free(&context);
   return logarithm / time;
 }
 
+/* Growth rate and last amplitude of a motion, from its peaks but the first quarter; 0 without peaks. */
+static double rate_of(const Told* told, double* amplitude) {
+  const int first = told->peaks / 4, last = told->peaks - 1;
+  *amplitude = told->peaks > 2 ? 0.5 * (told->amplitude[last] + told->amplitude[last - 1]) : 0.0;
+  if (last - first < 3) return 0.0;
+  double t = 0.0, a = 0.0, tt = 0.0, ta = 0.0;
+  const double n = last - first + 1;
+  for (int i = first; i <= last; ++i) {
+    t += told->time[i] / n;
+    a += log(told->amplitude[i]) / n;
+  }
+  for (int i = first; i <= last; ++i) {
+    tt += (told->time[i] - t) * (told->time[i] - t);
+    ta += (told->time[i] - t) * (log(told->amplitude[i]) - a);
+  }
+  return ta / tt;
+}
+
+/* Moves on from `s` for a time and says how the amplitude grew. */
+static double went(Vehicle* v, double* s, double time, double* amplitude, double* factor) {
+  static Told told;
+  memset(&told, 0, sizeof told);
+  *factor = integrate(v, s, time, 4e-3, look, &told);
+  return rate_of(&told, amplitude);
+}
+
+/* Rolls straight at a speed in the shape of a mode, with that amplitude of the first wheelset. */
+static void swing(const double* stands, const double* mode, double amplitude, double* s) {
+  for (int i = 0; i < STATES; ++i) s[i] = stands[i] + amplitude * mode[i];
+}
+
 static void critical(FILE* file) {
   Vehicle v;
-  double s[STATES];
-  open_contacts(&v, NULL, 0);
+  double stands[STATES], s[STATES], mode[STATES], amplitude, factor;
+  open_contacts(&v, NULL, NULL, 0);
   double low = 10.0, high = 180.0;
-  for (int n = 0; n < 24; ++n) {
+  for (int n = 0; n < 20; ++n) {
     v.speed = 0.5 * (low + high);
     build(&v);
-    stand(&v, s);
-    if (growth(&v, s) > 1e-4)
+    stand(&v, stands);
+    if (growth(&v, stands, mode) > 0.0)
       high = v.speed;
     else
       low = v.speed;
   }
   const double linear = 0.5 * (low + high);
-  /* growth in time of small motions on both sides of it */
-  double rate[2];
+  printf("critical: linearised %.2f m/s (%.0f km/h)\n", linear, 3.6 * linear);
+  fflush(stdout);
+  if (file) fprintf(file, "linear,%g,0,0,0,0,0,0,0,0,0,0\n", linear);
+  const double usual = tolerance;
+  tolerance = 1e-6;
+  double rate[2]; /* of small motions on both sides of it, in time */
   const double speeds[2] = {0.97 * linear, 1.03 * linear};
   for (int k = 0; k < 2; ++k) {
     v.speed = speeds[k];
     build(&v);
-    stand(&v, s);
-    s[Y] = s[FREEDOMS + Y] = s[FREEDOMS * FRAME + Y] = 20e-6;
-    Told told = {.file = NULL};
-    integrate(&v, s, 6.0, 2e-3, look, &told);
-    int first = told.peaks / 3, last = told.peaks - 1;
-    rate[k] = log(told.amplitude[last] / told.amplitude[first]) / (told.time[last] - told.time[first]);
+    stand(&v, stands);
+    const double expected = growth(&v, stands, mode);
+    swing(stands, mode, 20e-6, s);
+    rate[k] = went(&v, s, 1.5, &amplitude, &factor);
+    printf(
+        "critical: %.2f m/s, growth of 0.02 mm in time %.3f 1/s, linearised %.3f 1/s; real-time factor "
+        "%.2f\n",
+        v.speed, rate[k], expected, factor);
+    fflush(stdout);
   }
   const double found = speeds[0] - rate[0] * (speeds[1] - speeds[0]) / (rate[1] - rate[0]);
-  printf(
-      "critical: linearised %.2f m/s (%.0f km/h); in time, growth %.3f and %.3f 1/s at 3 %% below and above: "
-      "%.2f m/s (%+.2f %%)\n",
-      linear, 3.6 * linear, rate[0], rate[1], found, 100.0 * (found / linear - 1.0));
-  for (int k = 0; k < 6; ++k) { /* limit cycles, from a large motion */
-    v.speed = linear * (0.8 + 0.08 * k);
+  printf("critical: in time %.2f m/s (%+.2f %% from linearised)\n", found, 100.0 * (found / linear - 1.0));
+  /* limit cycles: the stable ones followed downwards, each from the one before, until there is none */
+  enum { most = 12 };
+  tolerance = 1e-4; /* where flanges strike the rails, steps are short */
+  static double cycle[STATES];
+  double upper = 0.0;
+  for (int k = 0; k < most; ++k) {
+    v.speed = linear * (1.06 - 0.03 * k);
     build(&v);
-    stand(&v, s);
-    s[Y] = s[FREEDOMS + Y] = s[FREEDOMS * FRAME + Y] = 5e-3;
-    Told told = {.file = NULL};
-    const double factor = integrate(&v, s, 4.0, 4e-3, look, &told);
-    const double left_over = told.peaks > 0 ? told.amplitude[told.peaks - 1] : 0.0;
-    printf("critical: %.1f m/s from 5 mm: %.3f mm after 4 s; real-time factor %.3f\n", v.speed,
-           1e3 * left_over, factor);
-    if (file) fprintf(file, "cycle,%g,%g,0,%g,0,0,0,0\n", v.speed, 4.0, left_over);
+    stand(&v, stands);
+    if (k == 0) {
+      growth(&v, stands, mode);
+      swing(stands, mode, 3e-3, s);
+    }
+    double now = 0.0, r = 0.0;
+    for (int part = 0; part < 4; ++part) { /* 2.4 s at most */
+      r = went(&v, s, 0.6, &now, &factor);
+      if (now < 0.3e-3 || fabs(r) < 0.03) break;
+    }
+    const int there = now > 0.3e-3 && (r > -0.15 || k == 0);
+    printf("critical: %.1f m/s: %s %.2f mm, changing by %.2f 1/s; real-time factor %.2f\n", v.speed,
+           there ? "limit cycle of" : "no limit cycle, left of the one before", 1e3 * now, r, factor);
+    fflush(stdout);
+    if (file) fprintf(file, "%s,%g,1,0,%g,0,0,0,0,0,0,0\n", there ? "cycle" : "none", v.speed, now);
+    if (!there) break;
+    memcpy(cycle, s, sizeof cycle);
+    upper = now;
+    if (v.speed > 0.99 * linear) continue;
+    /* below the linear speed small motions die out: between them and the cycle is one that is left both ways
+     */
+    double below = 0.0, above = 1.0;
+    for (int n = 0; n < 4; ++n) {
+      const double part = 0.5 * (below + above);
+      for (int i = 0; i < STATES; ++i) s[i] = stands[i] + part * (cycle[i] - stands[i]);
+      if (went(&v, s, 0.5, &now, &factor) < 0.0)
+        below = part;
+      else
+        above = part;
+    }
+    printf("critical: %.1f m/s: motions below %.2f to %.2f mm die out\n", v.speed, 1e3 * below * upper,
+           1e3 * above * upper);
+    fflush(stdout);
+    if (file) fprintf(file, "cycle,%g,0,0,%g,0,0,0,0,0,0,0\n", v.speed, 0.5 * (below + above) * upper);
+    memcpy(s, cycle, sizeof cycle);
   }
+  tolerance = usual;
   close_contacts(&v);
 }
 
+/* To the right, canted so that what the bodies' way round needs in force is there. */
 static void curve(FILE* file) {
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, NULL, 0);
+  open_contacts(&v, NULL, NULL, 0);
   v.speed = 15.0;
   v.curvature = 1.0 / 300.0;
   v.transition = 30.0;
@@ -622,7 +745,7 @@ static void turnout(FILE* file) {
   for (int k = 0; k < 2; ++k) {
     Vehicle v;
     double s[STATES];
-    open_contacts(&v, &config, 1);
+    open_contacts(&v, NULL, &config, 1);
     v.sections = 1;
     v.start = 4.0;
     v.speed = (k == 0 ? 40.0 : 80.0) / 3.6;
@@ -652,7 +775,7 @@ static void flat(FILE* file) {
   config.roundness.deviation = deviation;
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, &config, 0);
+  open_contacts(&v, NULL, &config, 0);
   v.flat = 1;
   v.flat_angle = 1.0;
   v.speed = 60.0 / 3.6;
@@ -667,7 +790,7 @@ static void flat(FILE* file) {
 static void irregular(FILE* file) {
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, NULL, 0);
+  open_contacts(&v, NULL, NULL, 0);
   v.irregular = 1;
   v.speed = 40.0;
   stand(&v, s);
@@ -683,12 +806,15 @@ int main(int argc, char** argv) {
   static const struct {
     const char* name;
     void (*run)(FILE*);
-  } runs[] = {{"klingel", klingel}, {"critical", critical}, {"curve", curve},
-              {"turnout", turnout}, {"flat", flat},         {"irregular", irregular}};
+  } runs[] = {{"klingel", klingel}, {"cones", cones}, {"critical", critical},  {"curve", curve},
+              {"turnout", turnout}, {"flat", flat},   {"irregular", irregular}};
   FILE* file = argc > 2 ? fopen(argv[2], "w") : NULL;
-  if (file) fprintf(file, "run,value,time,distance,y,yaw,lateral_right,vertical_right,lateral_left\n");
+  if (file)
+    fprintf(file,
+            "run,value,time,distance,y,yaw,y_second,lateral_right,vertical_right,lateral_left,vertical_left,"
+            "rail_y\n");
   int done = 0;
-  for (int k = 0; k < 6; ++k) {
+  for (int k = 0; k < 7; ++k) {
     if (argc > 1 && strcmp(argv[1], "all") != 0 && strcmp(argv[1], runs[k].name) != 0) continue;
     runs[k].run(file);
     ++done;
