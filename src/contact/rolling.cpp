@@ -508,7 +508,7 @@ Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::i
       tractions_needed(contact, "this method has no tractions over the patch: choose another");
   if (fault.status != WRC_OK) return fault;
   const ModelOptions& options = contact.model->options;
-  LoadLanes loads(in_rail ? options.rail_poisson : options.wheel_poisson);
+  LoadLanes loads(in_rail ? options.rail_poisson : options.wheel_poisson, *contact.model->kernels);
   std::int32_t strips = 0;
   for (std::int32_t k = 0; k < contact.patches; ++k) strips += contact.patch[k].region_count;
   for (std::int32_t k = 0; k < contact.patches; ++k) {

@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/elementary.hpp"
 #include "base/golden_section.hpp"
+#include "damage/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
 
-/// The share of a cell's border across, X ahead of it: the difference of its corners.
-CellStress border_stress(double poisson, double X, double y, double z, double width) {
-  CellStress share;
-  add(corner_stress(poisson, X, y + 0.5 * width, z), 1.0, share);
-  add(corner_stress(poisson, X, y - 0.5 * width, z), -1.0, share);
-  return share;
-}
+/// So many sizes of a cell away points stand for cells; so many distances of theirs deep, few points serve.
+constexpr double near_cell = 2.3, deep_steps = 1.8;
+
+double square(double a) { return a * a; }
 
 /// A place of the search: lane and cell, the latter from -beyond to cells + beyond - 1.
 struct Place {
@@ -25,31 +22,87 @@ struct Place {
 
 }  // namespace
 
-LoadLanes::LoadLanes(double poisson) : poisson_(poisson) {
+/// Corners of cells that wait for the kernel.
+struct LoadLanes::Corners {
+  static constexpr std::int32_t of_a_lane = 2 * (cells + 1), most = 160;
+  static_assert(of_a_lane + simd::stress_parts <= most && most % simd::stress_parts == 0);
+  std::int32_t count = 0;
+  double x[most], y[most], pressure[most], along[most], across[most];
+};
+
+/// Where the strips first..end - 1 of a patch have tractions: shares of the pressure at any place.
+struct LoadLanes::Shares {
+  const Strips& region;
+  const double* pressure;
+  const TangentialFields& fields;
+  std::int32_t own_cells, first, end;
+  double sign;
+
+  void in_cell(std::int32_t i, double& x, double& y) const {
+    double p = 0.0;
+    x = y = 0.0;
+    for (std::int32_t j = first; j < end; ++j) {
+      const double share = region.width[j] * region.half_length[j];
+      const std::int32_t at = i * region.count + j;
+      p += share * pressure[at];
+      x += share * fields.traction_x[at];
+      y += share * fields.traction_y[at];
+    }
+    x = p > 0.0 ? sign * x / p : 0.0;
+    y = p > 0.0 ? sign * y / p : 0.0;
+  }
+  /// At a place in half lengths, between the middles of the patch's own cells.
+  void at(double place, double& x, double& y) const {
+    const double cell = std::clamp(0.5 * own_cells * (1.0 - place) - 0.5, 0.0, own_cells - 1.0);
+    const std::int32_t i = std::min(static_cast<std::int32_t>(cell), own_cells - 2);
+    double x0, y0, x1, y1;
+    in_cell(i, x0, y0);
+    in_cell(i + 1, x1, y1);
+    x = x0 + (cell - i) * (x1 - x0);
+    y = y0 + (cell - i) * (y1 - y0);
+  }
+};
+
+void LoadLanes::fill(std::int32_t count, Rule& rule) {
+  for (std::int32_t k = 0; k < count / 2; ++k) {
+    const SineCosine here = sine_cosine(pi * (k + 0.5) / count);
+    rule.place[k] = here.cosine;
+    rule.place[count - 1 - k] = -here.cosine;
+    rule.weight[k] = rule.weight[count - 1 - k] = pi / count * (here.sine * here.sine);
+  }
+}
+
+LoadLanes::LoadLanes(double poisson, const Kernels& kernels) : poisson_(poisson), kernels_(kernels) {
   // Both halves alike: xi = cos(angle), Int sqrt(1 - xi^2) dxi = (angle - sin(angle) cos(angle)) / 2.
   SineCosine before = sine_cosine(0.0);
   double angle_before = 0.0;
+  border_[0] = 1.0;
+  border_[cells] = -1.0;
   for (std::int32_t k = 0; k < cells / 2; ++k) {
     const double angle = pi * (k + 1.0) / cells;
     const SineCosine here = sine_cosine(angle);
     const double area =
         0.5 * ((angle - here.sine * here.cosine) - (angle_before - before.sine * before.cosine));
     const std::int32_t other = cells - 1 - k;
-    half_[k] = half_[other] = 0.5 * (before.cosine - here.cosine);
+    border_[k + 1] = here.cosine;
+    border_[other] = -here.cosine;
     middle_[k] = 0.5 * (before.cosine + here.cosine);
     middle_[other] = -middle_[k];
-    mean_[k] = mean_[other] = 0.5 * area / half_[k];
+    mean_[k] = mean_[other] = area / (before.cosine - here.cosine);
     before = here;
     angle_before = angle;
   }
+  border_[cells / 2] = 0.0;
+  fill(cells, of_cells_);
+  fill(deep, of_depths_);
 }
 
 double LoadLanes::x_of(const Lane& lane, std::int32_t cell) const {
   double xi = 0.0;
   if (cell < 0) {
-    xi = 2.0 - middle_[-1 - cell];
+    xi = 2.0 - border_[-cell];
   } else if (cell >= cells) {
-    xi = -2.0 - middle_[2 * cells - 1 - cell];
+    xi = -2.0 - border_[2 * cells - 1 - cell];
   } else {
     xi = middle_[cell];
   }
@@ -72,66 +125,96 @@ void LoadLanes::add_patch(const Strips& region, const double* pressure, const Ta
       peak += share * region.peak[j];
     }
     if (!(area > 0.0)) continue;
-    lane_[lanes_] = {moment / area, width, centre / area, way * area / width};
-    // What part of the pressure the tractions are in the patch's own cell.
-    const auto shares_in = [&](std::int32_t i, double& x, double& y) {
-      double p = 0.0;
-      x = y = 0.0;
-      for (std::int32_t j = first; j < end; ++j) {
-        const double share = region.width[j] * region.half_length[j];
-        const std::int32_t at = i * strips + j;
-        p += share * pressure[at];
-        x += share * fields.traction_x[at];
-        y += share * fields.traction_y[at];
-      }
-      x = p > 0.0 ? sign * x / p : 0.0;
-      y = p > 0.0 ? sign * y / p : 0.0;
-    };
-    for (std::int32_t k = 0; k < cells; ++k) {
-      const double at = std::clamp(0.5 * own_cells * (1.0 - middle_[k]) - 0.5, 0.0, own_cells - 1.0);
-      const std::int32_t i = std::min(static_cast<std::int32_t>(at), own_cells - 2);
-      double x0, y0, x1, y1;
-      shares_in(i, x0, y0);
-      shares_in(i + 1, x1, y1);
-      const double p = peak / area * mean_[k], along = at - i;
-      pressure_[lanes_][k] = p;
-      along_[lanes_][k] = p * (x0 + along * (x1 - x0));
-      across_[lanes_][k] = p * (y0 + along * (y1 - y0));
-    }
+    lane_[lanes_] = {moment / area, width, centre / area, way * area / width, peak / area};
+    deep_from_ = std::max(deep_from_, deep_steps * std::max(pi / deep * (area / width), width));
+    const Shares shares{region, pressure, fields, own_cells, first, end, sign};
+    for (std::int32_t k = 0; k < cells; ++k)
+      shares.at(of_cells_.place[k], along_[lanes_][k], across_[lanes_][k]);
+    for (std::int32_t k = 0; k < deep; ++k)
+      shares.at(of_depths_.place[k], deep_along_[lanes_][k], deep_across_[lanes_][k]);
     ++lanes_;
   }
 }
 
+void LoadLanes::add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
+                           const double* across, double x, double y, double z, double spared_length,
+                           simd::StressParts& sum) const {
+  kernels_.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
+                             lane.pressure * lane.width * std::abs(lane.half_length), count, rule.place,
+                             rule.weight, along, across, spared_length},
+                            sum);
+}
+
+void LoadLanes::add_cells(std::int32_t which, std::int32_t first, std::int32_t last, double x, double y,
+                          Corners& corners) const {
+  // A border has what the loads of its two cells differ by.
+  constexpr double least = 1e-9;  // [m]: nearer to a corner stresses are infinite
+  const auto away = [](double from) { return std::abs(from) < least ? std::copysign(least, from) : from; };
+  const Lane& lane = lane_[which];
+  const double way = lane.half_length > 0.0 ? 1.0 : -1.0;
+  double p_before = 0.0, x_before = 0.0, y_before = 0.0;
+  for (std::int32_t k = first; k <= last; ++k) {
+    const bool inside = k < last;
+    const double p = inside ? way * lane.pressure * mean_[k] : 0.0;
+    const double qx = inside ? p * along_[which][k] : 0.0, qy = inside ? p * across_[which][k] : 0.0;
+    for (const double side : {0.5, -0.5}) {
+      const std::int32_t at = corners.count++;
+      const double weight = side > 0.0 ? 1.0 : -1.0;
+      corners.x[at] = away(x - lane.centre - lane.half_length * border_[k]);
+      corners.y[at] = away(y - lane.y + side * lane.width);
+      corners.pressure[at] = weight * (p_before - p);
+      corners.along[at] = weight * (x_before - qx);
+      corners.across[at] = weight * (y_before - qy);
+    }
+    p_before = p;
+    x_before = qx;
+    y_before = qy;
+  }
+}
+
+void LoadLanes::flush(double z, Corners& corners, simd::StressParts& sum) const {
+  std::int32_t count = corners.count;
+  for (; count % simd::stress_parts != 0; ++count) {
+    corners.x[count] = corners.y[count] = 1.0;
+    corners.pressure[count] = corners.along[count] = corners.across[count] = 0.0;
+  }
+  kernels_.stress_of_corners(
+      {poisson_, z, count, corners.x, corners.y, corners.pressure, corners.along, corners.across}, sum);
+  corners.count = 0;
+}
+
 Stress LoadLanes::at(double x, double y, double z) const {
-  constexpr double near = 2.5;  // sizes of a cell: from there on it is a point
-  Stress sum;
+  simd::StressParts sum{};
+  Corners corners;
   for (std::int32_t k = 0; k < lanes_; ++k) {
     const Lane& lane = lane_[k];
-    const double dy = y - lane.y, away = dy * dy + z * z, width2 = lane.width * lane.width;
-    CellStress border;  // of two near cells: its corners serve both
-    bool has_border = false;
-    for (std::int32_t i = 0; i < cells; ++i) {
-      const double dx = x - (lane.centre + lane.half_length * middle_[i]), half = lane.half_length * half_[i];
-      const double p = pressure_[k][i], qx = along_[k][i], qy = across_[k][i];
-      if (dx * dx + away >= near * near * (4.0 * half * half + width2)) {
-        const double area = 2.0 * std::abs(half) * lane.width;
-        add(point_force_stress(poisson_, dx, dy, z, p * area, qx * area, qy * area), 1.0, sum);
-        has_border = false;
-        continue;
-      }
-      const CellStress ahead = has_border ? border : border_stress(poisson_, dx - half, dy, z, lane.width);
-      border = border_stress(poisson_, dx + half, dy, z, lane.width);
-      has_border = true;
-      const double way = half > 0.0 ? 1.0 : -1.0;
-      for (const auto& [of_load, load] :
-           {std::pair{&CellStress::of_pressure, way * p}, std::pair{&CellStress::of_traction_x, way * qx},
-            std::pair{&CellStress::of_traction_y, way * qy}}) {
-        add(border.*of_load, load, sum);
-        add(ahead.*of_load, -load, sum);
-      }
+    const double away2 = square(y - lane.y) + square(z), step = pi / deep * lane.half_length;
+    if (away2 >= square(deep_steps * step)) {
+      add_points(lane, of_depths_, deep, deep_along_[k], deep_across_[k], x, y, z, 0.0, sum);
+      continue;
     }
+    const double size2 = square(pi / cells * lane.half_length) + square(lane.width);
+    const double left = square(near_cell) * size2 - away2;
+    const double near = left > 0.0 ? std::sqrt(left) : 0.0;
+    add_points(lane, of_cells_, cells, along_[k], across_[k], x, y, z, near, sum);
+    if (!(near > 0.0)) continue;
+    std::int32_t first = 0, last = cells;
+    const auto is_near = [&](std::int32_t cell) {  // as the kernel has it
+      return std::abs((x - lane.centre) - lane.half_length * of_cells_.place[cell]) < near;
+    };
+    while (first < last && !is_near(first)) ++first;
+    while (last > first && !is_near(last - 1)) --last;
+    if (first == last) continue;
+    if (corners.count + Corners::of_a_lane + simd::stress_parts > Corners::most) flush(z, corners, sum);
+    add_cells(k, first, last, x, y, corners);
   }
-  return sum;
+  if (corners.count > 0) flush(z, corners, sum);
+  double total[6];
+  for (int c = 0; c < 6; ++c) {
+    total[c] = 0.0;
+    for (const double part : sum.part[c]) total[c] += part;
+  }
+  return {total[0], total[1], total[2], total[3], total[4], total[5]};
 }
 
 StressPeaks LoadLanes::peaks(double z) const {
@@ -147,7 +230,7 @@ StressPeaks LoadLanes::peaks(double z) const {
   bool any[followed] = {};
   const auto look_at = [&](const Place& place) {
     const std::int32_t from_end = std::min(place.cell, cells - 1 - place.cell);
-    if (from_end >= -spared && from_end < spared) return;
+    if (from_end >= 1 - spared && from_end < spared) return;
     const double x = x_of(lane_[place.lane], place.cell), y = lane_[place.lane].y;
     StressPeaks here;
     here.take(numbers_of(at(x, y, z)), x, y, z);
@@ -164,26 +247,28 @@ StressPeaks LoadLanes::peaks(double z) const {
     std::int32_t lanes, cells;
   };
   // From one place of the first round to the next; the ends of a lane, where tension is, always.
-  constexpr Stride coarse{2, 4};
-  for (std::int32_t k = std::min(coarse.lanes / 2, lanes_ / 2); k < lanes_; k += coarse.lanes) {
-    look_at({k, -1 - spared});
-    for (std::int32_t i = spared; i < cells - spared; i += coarse.cells) look_at({k, i});
-    look_at({k, cells + spared});
+  const bool smooth = z >= deep_from_;
+  const Stride first = smooth ? Stride{4, 8} : z > 0.0 ? Stride{2, 6} : Stride{2, 4};
+  for (std::int32_t k = std::min(first.lanes / 2, lanes_ / 2); k < lanes_; k += first.lanes) {
+    look_at({k, -spared});
+    for (std::int32_t i = 2; i < cells - 1; i += first.cells) look_at({k, i});
+    look_at({k, cells - 1 + spared});
   }
-  for (const Stride step : {Stride{1, 2}, Stride{1, 1}}) {
+  // Then to both sides of the best, along and across, nearer and nearer.
+  const Stride rounds[] = {
+      smooth ? Stride{2, 4} : Stride{1, 2}, smooth ? Stride{1, 2} : Stride{1, 1}, {1, 1}};
+  for (const Stride step : rounds) {
     for (int number = 0; number < followed; ++number) {
       bool seen = false;  // by a number before, around the same place
       for (int other = 0; other < number; ++other)
         seen = seen || (best[other].lane == best[number].lane && best[other].cell == best[number].cell);
       if (seen) continue;
       const Place middle = best[number];
-      for (std::int32_t lane = -1; lane <= 1; ++lane) {
-        for (std::int32_t cell = -1; cell <= 1; ++cell) {
-          const Place place{middle.lane + step.lanes * lane, middle.cell + step.cells * cell};
-          if ((lane == 0 && cell == 0) || place.lane < 0 || place.lane >= lanes_) continue;
-          if (place.cell < -beyond || place.cell >= cells + beyond) continue;
-          look_at(place);
-        }
+      for (const Stride to : {Stride{-1, 0}, Stride{1, 0}, Stride{0, -1}, Stride{0, 1}}) {
+        const Place place{middle.lane + step.lanes * to.lanes, middle.cell + step.cells * to.cells};
+        if (place.lane < 0 || place.lane >= lanes_) continue;
+        if (place.cell < -beyond || place.cell >= cells + beyond) continue;
+        look_at(place);
       }
     }
   }

@@ -1,18 +1,20 @@
 /// Largest stresses below a solved patch in bounded time.
 ///
 /// Neighbouring strips become one lane with their load and area. A lane has `cells` cells that are the
-/// shorter the nearer to its ends, x = centre + half length cos(pi k / cells): pressure ends like a root
-/// there, and so do the tractions of what slides; cells of one length would end in steps, beside which
+/// shorter the nearer to its ends, borders at centre + half length cos(pi k / cells): pressure ends like a
+/// root there, and so do the tractions of what slides; cells of one length would end in steps, beside which
 /// tension is much too small. A cell's pressure is the mean of the semi-ellipse over it, its tractions the
-/// share of the pressure that they are in the patch's own cells there. A stress is the sum over these cells:
-/// near ones as rectangles under constant loads, exact at the surface too, all others as forces at points
-/// (damage/cell_stress.hpp). It is looked for at the middles of cells, and at the mirror images of some
-/// behind the ends of a lane, coarsely, then around the largest of each number.
+/// share of the pressure that they are in the patch's own cells there. A stress is a sum over loads: near
+/// cells as rectangles, exact at the surface too, the others of a lane as forces at points of Gauss and
+/// Chebyshev's rule; from some depth on fewer of these, whose error falls exponentially with the depth over
+/// their distances (damage/load_stress.hpp). It is looked for at the middles of cells, and at the mirror
+/// images of some behind the ends of a lane, coarsely, then around the largest of each number.
 #pragma once
 
 #include <cstdint>
 
-#include "damage/cell_stress.hpp"
+#include "damage/stress.hpp"
+#include "kernels/kernels.hpp"
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
@@ -21,14 +23,14 @@ namespace wrc {
 /// What acts on the body, from all patches of a contact.
 class LoadLanes {
  public:
-  static constexpr std::int32_t most_lanes = 36, cells = 56;
+  static constexpr std::int32_t most_lanes = 36, cells = 48;
   static constexpr std::int32_t wanted_lanes = 20;  ///< of all strips together; every patch has one at least
   static constexpr std::int32_t beyond = 7;         ///< cells looked at behind each end of a lane
   /// So many cells on both sides of an end are not looked at, half a hundredth of the lane's length: at the
   /// edge stresses change within less than an edge is known to.
   static constexpr std::int32_t spared = 2;
 
-  explicit LoadLanes(double poisson);
+  LoadLanes(double poisson, const Kernels& kernels);
 
   /// One patch. pressure and tractions: of `own_cells` cells, cell i of strip j at i * region.count + j,
   /// cell 0 at the leading edge, which is at +x for way 1 and at -x for -1; strips_of_all: of all patches;
@@ -46,16 +48,40 @@ class LoadLanes {
   Stress at(double x, double y, double z) const;
 
  private:
+  static constexpr std::int32_t deep =
+      16;  ///< points of a lane deep below; as cells a multiple of stress_parts
   struct Lane {
     double y, width, centre, half_length;  ///< the last with the sign of the way
+    double pressure;                       ///< peak [Pa]
   };
+  /// Points along x of a lane: places in half lengths, shares of the lane's force.
+  struct Rule {
+    double place[cells], weight[cells];
+  };
+  struct Shares;
+  struct Corners;
+  static void fill(std::int32_t count, Rule& rule);
   /// Of a cell's middle, or behind an end.
   double x_of(const Lane& lane, std::int32_t cell) const;
+  /// What a target sees of a lane's points.
+  void add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
+                  const double* across, double x, double y, double z, double spared_length,
+                  simd::StressParts& sum) const;
+  /// Cells first..last - 1 of a lane as rectangles.
+  void add_cells(std::int32_t lane, std::int32_t first, std::int32_t last, double x, double y,
+                 Corners& corners) const;
+  void flush(double z, Corners& corners, simd::StressParts& sum) const;
+
   double poisson_;
+  const Kernels& kernels_;
   std::int32_t lanes_ = 0;
+  double border_[cells + 1], middle_[cells], mean_[cells];  ///< places, mean of sqrt(1 - xi^2)
+  Rule of_cells_, of_depths_;
   Lane lane_[most_lanes];
-  double middle_[cells], half_[cells], mean_[cells];  ///< place, half width, mean of sqrt(1 - xi^2)
-  double pressure_[most_lanes][cells], along_[most_lanes][cells], across_[most_lanes][cells];
+  double deep_from_ = 0.0;  ///< from there on few points serve [m]
+  /// Tractions over pressure at the points of both rules.
+  double along_[most_lanes][cells], across_[most_lanes][cells];
+  double deep_along_[most_lanes][deep], deep_across_[most_lanes][deep];
 };
 
 }  // namespace wrc

@@ -34,6 +34,9 @@ struct SurfaceSlopes;
 struct OutlineTask;
 struct CellTask;
 struct CellExtremes;
+struct PointLoads;
+struct CornerLoads;
+struct StressParts;
 
 }  // namespace simd
 
@@ -97,6 +100,9 @@ struct Kernels {
 
   // damage
   void (*assess_cells)(const simd::CellTask& task, simd::CellExtremes& extremes);
+  /// Add what loads on a half-space do at a point of it.
+  void (*stress_of_points)(const simd::PointLoads& loads, simd::StressParts& stress);
+  void (*stress_of_corners)(const simd::CornerLoads& loads, simd::StressParts& stress);
 };
 
 /// The kernels of a set, which the processor must have.

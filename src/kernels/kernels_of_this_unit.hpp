@@ -3,6 +3,7 @@
 #pragma once
 
 #include "damage/simd/cells_kernel.hpp"
+#include "damage/simd/stress_kernel.hpp"
 #include "geometry/simd/rows_kernel.hpp"
 #include "kernels/kernels.hpp"
 #include "normal/simd/edge_kernel.hpp"
@@ -48,6 +49,8 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .outline = outline_kernel,
       .follow_rays = follow_rays_kernel,
       .assess_cells = assess_cells_kernel,
+      .stress_of_points = stress_of_points_kernel,
+      .stress_of_corners = stress_of_corners_kernel,
   };
 }
 

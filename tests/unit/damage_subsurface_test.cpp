@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
+#include "damage/cell_stress.hpp"
 #include "damage/subsurface.hpp"
 #include "halfspace/subsurface.hpp"
 
@@ -40,8 +42,8 @@ struct Slipping {
     region = {strips, strips, y.data(), width.data(), centre.data(), half.data(), peak.data()};
     fields = {x.data(), y_traction.data(), nullptr, nullptr};
   }
-  LoadLanes lanes(double way = 1.0, double sign = 1.0) const {
-    LoadLanes loads(nu);
+  LoadLanes lanes(double way = 1.0, double sign = 1.0, InstructionSet set = best_instruction_set()) const {
+    LoadLanes loads(nu, kernels_for(set));
     loads.add_patch(region, pressure.data(), fields, cells, strips, way, sign);
     return loads;
   }
@@ -99,6 +101,30 @@ TEST(StripStresses, TurnedLoadsTurnTheStresses) {
   // The places that are looked at do not lie alike at both ends.
   EXPECT_NEAR(other_body.tension.value, forward.tension.value, 0.01 * forward.tension.value);
   EXPECT_NEAR(other_body.tension.x, -forward.tension.x, 0.1);
+}
+
+// Depths at which rectangles, points, and few points serve.
+TEST(StripStresses, HaveTheSameBitsWithEveryInstructionSet) {
+  const Slipping patch(2.0, 1.0, -0.35, 0.1);
+  const auto numbers = [&](InstructionSet set) {
+    const LoadLanes loads = patch.lanes(1.0, 1.0, set);
+    std::vector<double> all;
+    for (const double z : {0.0, 0.1, 0.5, 1.5}) {
+      const Stress s = loads.at(0.31, -0.17, z);
+      const StressPeaks found = loads.peaks(z);
+      all.insert(all.end(), {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx});
+      for (const StressPeak& peak : {found.von_mises, found.shear, found.tension})
+        all.insert(all.end(), {peak.value, peak.x, peak.y});
+    }
+    return all;
+  };
+  const std::vector<double> baseline = numbers(InstructionSet::baseline);
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (set > best_instruction_set()) continue;
+    const std::vector<double> wide = numbers(set);
+    EXPECT_EQ(std::memcmp(baseline.data(), wide.data(), baseline.size() * sizeof(double)), 0)
+        << static_cast<int>(set);
+  }
 }
 
 // Far away a cell is a force at a point, in all components.
