@@ -226,6 +226,76 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   return config;
 }
 
+void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& made) {
+  if (config.wheel.kind == WRC_PROFILE_NONE || !choices.one_in(4)) return;
+  // Other methods and bodies are refused beside these: seldom here.
+  if (!choices.one_in(16)) {
+    config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
+    config.roller_curvature = 0.0;
+    config.check_rail = wrc_config_default().check_rail;
+    leave_unread(config);
+  }
+  const std::uint32_t which = choices.below(3);
+  if (which != 1) {
+    const std::uint32_t faces = choices.one_in(3) ? 1 + choices.below(4) : 1;
+    const double size = choices.magnitude(1e-6, 0.5);
+    const bool marked = choices.one_in(4);
+    for (std::uint32_t face = 0; face < faces; ++face) {
+      const std::uint32_t count = 2 + choices.below(choices.one_in(8) ? 40 : 5);
+      double distance = choices.between(-20.0, 20.0);
+      for (std::uint32_t k = 0; k < count; ++k) {
+        wrc_rail_section section{};
+        section.distance = distance;
+        section.face = static_cast<std::int32_t>(face);
+        section.y = (face > 0 ? 0.08 * face : 0.0) + choices.between(-0.2, 0.2) * (k > 0 ? size : 0.0);
+        section.z = choices.between(-0.2, 0.2) * size;
+        section.profile = config.rail;
+        if (choices.one_in(8)) {  // of another outline
+          section.profile = wrc_profile_default();
+          section.profile.kind = WRC_PROFILE_60E1;
+        }
+        made.sections.push_back(section);
+        distance += choices.one_in(4) ? choices.magnitude(1e-3, 0.1) : choices.magnitude(0.1, 100.0);
+      }
+    }
+    const auto somewhere = [&]() -> wrc_rail_section& {
+      return made.sections[choices.below(static_cast<std::uint32_t>(made.sections.size()))];
+    };
+    if (marked) {
+      made.marks = {choices.between(-0.03, -0.005), choices.between(0.0, 0.03)};
+      for (wrc_rail_section& each : made.sections) {
+        each.marks = 2;
+        each.mark = made.marks.data();
+      }
+      if (choices.one_in(8)) somewhere().marks = 1;
+      if (choices.one_in(8)) std::swap(made.marks[0], made.marks[1]);
+    }
+    if (choices.one_in(12)) somewhere().distance = choices.one_in(2) ? choices.poison() : 0.0;
+    if (choices.one_in(12)) somewhere().y = choices.poison();
+    if (choices.one_in(12)) somewhere().face = static_cast<std::int32_t>(choices.below(6)) - 1;
+    config.rail_sections = static_cast<std::uint32_t>(made.sections.size());
+    config.rail_section = made.sections.data();
+  }
+  if (which == 0) return;
+  const std::uint32_t angles = 9 + choices.below(choices.one_in(8) ? 4000 : 100), rows = 1 + choices.below(3);
+  const double deep = choices.magnitude(1e-9, 5e-3), turn = 6.2831853071795862;
+  const std::uint32_t waves = choices.below(30);
+  for (std::uint32_t i = 0; i < angles; ++i) made.angle.push_back(turn * i / (angles - 1));
+  made.angle.back() = turn;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    made.y.push_back(-0.03 + 0.03 * row);
+    const bool noise = choices.one_in(8);
+    for (std::uint32_t i = 0; i + 1 < angles; ++i)
+      made.deviation.push_back(noise ? choices.between(-deep, deep) : deep * std::cos(waves * made.angle[i]));
+    made.deviation.push_back(made.deviation[made.deviation.size() + 1 - angles]);
+  }
+  poison_one(choices, made.angle);
+  poison_one(choices, made.deviation);
+  if (choices.one_in(16)) made.deviation.back() += deep;
+  config.roundness = {angles, rows, made.angle.data(), rows > 1 ? made.y.data() : nullptr,
+                      made.deviation.data()};
+}
+
 wrc_pose make_pose(Choices& choices) {
   wrc_pose pose = wrc_pose_default();
   const bool far = choices.one_in(4);
@@ -237,7 +307,7 @@ wrc_pose make_pose(Choices& choices) {
   return pose;
 }
 
-void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
+void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail& made) {
   wrc_wheel_input& input = made.input = wrc_wheel_input_default();
   wrc_wheel_state& wheel = input.wheel;
   wrc_rail_state& rail = input.rail;
@@ -288,6 +358,19 @@ void make_wheel_on_rail(Choices& choices, WheelOnRail& made) {
   } else {
     input.damping = choices.one_in(2) ? 0.0 : sized(choices, member<wrc_wheel_input>("damping"), 1e-9);
   }
+  if (config.roller_curvature != 0.0 && !choices.one_in(4)) {
+    input.roller_velocity = choices.signed_magnitude(1e-9, 2000.0);
+    input.distance = choices.signed_magnitude(1e-9, 0.25);
+  }
+  if (config.rail_sections > 0) {  // near a section, somewhere, or far outside
+    input.distance = config.rail_section[choices.below(config.rail_sections)].distance +
+                     choices.signed_magnitude(1e-9, 10.0);
+    if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
+  }
+  if (config.roundness.angles > 0)
+    input.angle = choices.one_in(8) ? anywhere(choices, member<wrc_wheel_input>("angle"))
+                                    : choices.between(-10.0, 10.0);
+  if (choices.one_in(40)) input.angle = choices.poison();
   double* const numbers[] = {&wheel.y,
                              &wheel.z,
                              &wheel.yaw,

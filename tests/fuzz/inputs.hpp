@@ -33,6 +33,13 @@ void make_rail(Choices& choices, ProfilePoints& made);
 /// At most `finest` strips and cells, 512 being what the interface allows.
 wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile& wheel,
                        const wrc_profile& rail);
+/// What changes along the track and round the wheel: the sections of a rail, a deviation from round.
+struct AlongTrackArrays {
+  std::vector<wrc_rail_section> sections;
+  std::vector<double> marks, angle, y, deviation;
+};
+/// Gives a configuration both, one or nothing.
+void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& made);
 wrc_pose make_pose(Choices& choices);
 wrc_load make_load(Choices& choices);
 wrc_motion make_motion(Choices& choices);
@@ -40,12 +47,12 @@ wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);
 wrc_ellipse make_ellipse(Choices& choices);
-/// A wheel on a rail, anywhere between the usual and the ends of the ranges.
+/// A wheel on a rail of that configuration, anywhere between the usual and the ends of the ranges.
 struct WheelOnRail {
   wrc_wheel_input input{};  ///< may point to `rotation`
   double rotation[9] = {};
 };
-void make_wheel_on_rail(Choices& choices, WheelOnRail& made);
+void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail& made);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);
 void make_strips(Choices& choices, std::int32_t room, StripArrays& made);

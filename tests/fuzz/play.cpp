@@ -76,6 +76,7 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_LOAD_LEAPS:
     case WRC_FLAG_BEYOND_GAP:
     case WRC_FLAG_CLIMBING:
+    case WRC_FLAG_BEYOND_SECTIONS:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
     case WRC_ERROR_GAP:
@@ -103,6 +104,7 @@ class Case {
     make_wheel(choices_, wheel);
     make_rail(choices_, rail);
     config_ = make_config(choices_, size_.finest, wheel.profile, rail.profile);
+    make_along_track(choices_, config_, along_track_);
     side_ = static_cast<std::int32_t>(choices_.below(2));
     if (size_.shallow && config_.tangential.method == WRC_TANGENTIAL_COARSE_HALFSPACE && !choices_.one_in(16))
       config_.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
@@ -322,11 +324,7 @@ class Case {
   void wheel_on_rail() {
     where_ = "wheel on rail";
     WheelOnRail given;
-    make_wheel_on_rail(choices_, given);
-    if (config_.roller_curvature != 0.0 && !choices_.one_in(4)) {
-      given.input.roller_velocity = choices_.signed_magnitude(1e-9, 2000.0);
-      given.input.distance = choices_.signed_magnitude(1e-9, 0.25);
-    }
+    make_wheel_on_rail(choices_, config_, given);
     wrc_wrench wrench = wrc_wrench_default(), again = wrench;
     const std::int32_t status =
         hand_over([&] { return wrc_contact_wrench(contact_, &given.input, &wrench); });
@@ -548,6 +546,7 @@ class Case {
   std::int32_t side_ = WRC_SIDE_RIGHT;
   Verdict verdict_;
   const char* where_ = "model";
+  AlongTrackArrays along_track_;  // config_ points into it
   wrc_config config_{};
   wrc_model* model_ = nullptr;
   wrc_contact* contact_ = nullptr;
