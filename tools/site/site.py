@@ -1,8 +1,11 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The manuals as a site, build/docs/html: doxygen over all pages with links between them; fails on a warning of doxygen, a link that
-leads nowhere, and a public function without an example.
+leads nowhere, and a public function without an example. Formulas (```math, in TeX as matplotlib sets it) become pictures
+beside the pages, one for each part between \\qquad, so that they break on a phone.
 
     tools/site/site.py        from the project's root or anywhere"""
+import hashlib
+import html
 import html.parser
 import os
 import pathlib
@@ -67,8 +70,29 @@ def rewritten(path, names):
     return LINK.sub(link, (ROOT / path).read_text())
 
 
+def formulas(text):
+    """The page's text with its formulas as pictures, which are written to WORK."""
+    import matplotlib
+    from matplotlib import mathtext
+    matplotlib.rcParams.update({"mathtext.fontset": "stix", "svg.fonttype": "path", "svg.hashsalt": "wrc"})
+
+    def picture(tex):
+        name = f"formula_{hashlib.sha256(tex.encode()).hexdigest()[:12]}.svg"
+        depth = mathtext.math_to_image("$" + tex.replace("\\frac", "\\dfrac") + "$", WORK / name, format="svg", dpi=72,
+                                       prop=matplotlib.font_manager.FontProperties(size=10))
+        width = float(re.search(r'<svg [^>]*?width="([\d.]+)pt"', (WORK / name).read_text(), re.S)[1])
+        return (f'<img src="{name}" alt="{html.escape(tex)}" '
+                f'style="width:{width / 9:.2f}em;vertical-align:{-depth / 9:.2f}em"/>')
+
+    def block(found):
+        lines = (" ".join(picture(part.strip()) for part in line.split("\\qquad")) for line in found[1].splitlines())
+        return "\n".join(f'<div class="formula">{line}</div>' for line in lines) + "\n"
+    return re.sub(r"^```math\n(.*?)^```\n", block, text, flags=re.M | re.S)
+
+
 def named(text, name):
-    """The page with an identifier of its own, whatever the folder it was in."""
+    """The page with an identifier of its own, whatever the folder it was in; doxygen knows no code in headings."""
+    text = re.sub(r"^#.*$", lambda found: found[0].replace("`", ""), text, flags=re.M)
     return text if name == "start.md" else re.sub(r"^# (.*)$", lambda found: f"# {found[1]} {{#{identifier(name)}}}", text, count=1, flags=re.M)
 
 
@@ -148,7 +172,7 @@ def main():
     shutil.rmtree(OUT, ignore_errors=True)
     WORK.mkdir(parents=True)
     for path, name in names.items():
-        (WORK / name).write_text(named(rewritten(path, names), name))
+        (WORK / name).write_text(named(formulas(rewritten(path, names)), name))
     layout(names)
     settings = (ROOT / "docs/Doxyfile").read_text() + f"""
 INPUT = {WORK} tools/site/examples.dox include_c
@@ -162,6 +186,8 @@ FILE_PATTERNS = *.h *.md *.dox
 """
     (WORK / "Doxyfile").write_text(settings)
     subprocess.run(["doxygen", WORK / "Doxyfile"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    for each in WORK.glob("formula_*.svg"):
+        shutil.copy(each, OUT)
     warnings = (ROOT / "build/doxygen-warnings.log").read_text().splitlines()
     nowhere, bare = list(broken()), without_example()
     for kind, lines in (("doxygen", warnings), ("leads nowhere", nowhere), ("no example", bare)):
