@@ -23,7 +23,7 @@
 
 #include "wrc/wrc_offline.h"
 
-enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64 };
+enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64, TOGETHER = 25 };
 
 /* dry coefficients of the KTH map times this: rails are wet and greasy for most of a year */
 static const double natural_lubrication = 0.05;
@@ -38,11 +38,18 @@ typedef struct curve {
   double speed;      /* m/s */
 } curve;
 
+typedef struct place { /* where a wheelset ran through a curve, from which the next round begins */
+  int32_t known, reserved;
+  double y, rotation;
+  double by_force[2], by_moment[2]; /* how far these two move by unit lateral force and moment */
+} place;
+
 typedef struct state { /* all that a later call needs */
   double distance;     /* km */
   uint32_t points;
   uint32_t updates;
   double y[POINTS], z[POINTS];
+  place places[MOST_CURVES];
 } state;
 
 static curve network[MOST_CURVES];
@@ -158,8 +165,56 @@ static int32_t settle(wheelset* set, const curve* c) {
   return 0;
 }
 
-/* Adds what every `processes`-th curve from `first` on does to the bins, in seconds of one passage each. */
-static int run(const wrc_model* model, wrc_damage_bins* bins, int curves, int first, int processes) {
+/* What the place moves by unit force and moment, by two differences. */
+static int32_t find_slopes(wheelset* set, const curve* c, place* at) {
+  const double dy = 2e-6, dr = 2e-5;
+  double f, m, fy, my, fr, mr;
+  if (forces(set, c, at->y, at->rotation, &f, &m) < 0 ||
+      forces(set, c, at->y + dy, at->rotation, &fy, &my) < 0 ||
+      forces(set, c, at->y, at->rotation + dr, &fr, &mr) < 0)
+    return -1;
+  fy = (fy - f) / dy, my = (my - m) / dy, fr = (fr - f) / dr, mr = (mr - m) / dr;
+  const double determinant = fy * mr - fr * my;
+  if (determinant == 0.0) return -1;
+  at->by_force[0] = mr / determinant, at->by_moment[0] = -fr / determinant;
+  at->by_force[1] = -my / determinant, at->by_moment[1] = fy / determinant;
+  return 0;
+}
+
+/* From where the curve was run through last, when the profile was hardly another one: Newton's steps with
+ * slopes that Broyden's rule keeps. */
+static int32_t settle_again(wheelset* set, const curve* c, place* at) {
+  double f, m;
+  if (forces(set, c, at->y, at->rotation, &f, &m) < 0) return -1;
+  for (int n = 0; n < 7; ++n) {
+    if (fabs(f) < 300.0 && fabs(m) < 20.0) {
+      set->y = at->y, set->rotation = at->rotation;
+      return 0;
+    }
+    double dy = -at->by_force[0] * f - at->by_moment[0] * m, dr = -at->by_force[1] * f - at->by_moment[1] * m;
+    const double size = fmax(fabs(dy) / 0.3e-3, fabs(dr) / 1e-3);
+    if (size > 1.0) dy /= size, dr /= size;
+    double f_next, m_next;
+    if (forces(set, c, at->y + dy, at->rotation + dr, &f_next, &m_next) < 0) return -1;
+    const double df = f_next - f, dm = m_next - m;
+    /* H += (s - H t) s'H / (s'H t), s the step, t what force and moment changed by */
+    const double moved_y = at->by_force[0] * df + at->by_moment[0] * dm,
+                 moved_r = at->by_force[1] * df + at->by_moment[1] * dm;
+    /* in one unit: a rotation of 1e-3 counts as 0.3 mm */
+    const double wy = dy / (0.3e-3 * 0.3e-3), wr = dr / (1e-3 * 1e-3), scale = wy * moved_y + wr * moved_r;
+    if (scale == 0.0) return -1;
+    const double row_f = (wy * at->by_force[0] + wr * at->by_force[1]) / scale,
+                 row_m = (wy * at->by_moment[0] + wr * at->by_moment[1]) / scale;
+    at->by_force[0] += (dy - moved_y) * row_f, at->by_moment[0] += (dy - moved_y) * row_m;
+    at->by_force[1] += (dr - moved_r) * row_f, at->by_moment[1] += (dr - moved_r) * row_m;
+    at->y += dy, at->rotation += dr, f = f_next, m = m_next;
+  }
+  return -1;
+}
+
+/* Adds what neighbouring curves do to the bins, in seconds of one passage each. They begin alike whoever runs
+ * them, so that the number of processes does not matter. */
+static int run_together(const wrc_model* model, wrc_damage_bins* bins, place* places, int first, int end) {
   wheelset set = {{NULL, NULL}, 0.0, 0.0};
   int lost = 0;
   wrc_wear_laws laws = wrc_wear_laws_default();
@@ -169,22 +224,37 @@ static int run(const wrc_model* model, wrc_damage_bins* bins, int curves, int fi
   laws.archard_seizure *= natural_lubrication;
   for (int side = 0; side < 2; ++side)
     check(wrc_contact_create(model, side, NULL, &set.contact[side]), "contact", "");
-  for (int i = first; i < curves; i += processes) {
-    if (i > first && network[i].curvature * network[i - processes].curvature <= 0.0)
-      set.y = set.rotation = 0.0;
+  for (int i = first; i < end; ++i) {
     wrc_accumulation step = wrc_accumulation_default();
     step.wear = &laws;
     step.duration = network[i].length / network[i].speed;
-    if (settle(&set, &network[i]) < 0) {
-      ++lost;
-      set.y = set.rotation = 0.0;
-      continue;
+    if (!places[i].known || settle_again(&set, &network[i], &places[i]) < 0) {
+      if (i > first && network[i].curvature * network[i - 1].curvature <= 0.0) set.y = set.rotation = 0.0;
+      places[i].known = 0;
+      if (settle(&set, &network[i]) < 0) {
+        ++lost;
+        set.y = set.rotation = 0.0;
+        continue;
+      }
+      places[i].y = set.y, places[i].rotation = set.rotation;
+      places[i].known = find_slopes(&set, &network[i], &places[i]) == 0;
+      double lateral, moment;
+      if (forces(&set, &network[i], set.y, set.rotation, &lateral, &moment) < 0) continue;
     }
     /* both ways: the wheel is the outer as often as the inner one */
     for (int side = 0; side < 2; ++side)
       if (wrc_contact_accumulate(set.contact[side], &step, bins, NULL, NULL) < 0) ++lost;
   }
   for (int side = 0; side < 2; ++side) wrc_contact_destroy(set.contact[side]);
+  return lost;
+}
+
+/* Every `processes`-th lot of neighbours. */
+static int run(const wrc_model* model, wrc_damage_bins* bins, place* places, int curves, int process,
+               int processes) {
+  int lost = 0;
+  for (int first = TOGETHER * process; first < curves; first += TOGETHER * processes)
+    lost += run_together(model, bins, places, first, first + TOGETHER < curves ? first + TOGETHER : curves);
   return lost;
 }
 
@@ -318,11 +388,13 @@ int main(int argc, char** argv) {
 
   /* bins of every process where the parent sees them, and the number of curves it could not run */
   const size_t bytes = (BINS + 1) * sizeof(wrc_damage_bin);
-  char* shared =
-      mmap(NULL, processes * (bytes + 64), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  const size_t all = processes * (bytes + 64), of_places = MOST_CURVES * sizeof(place);
+  char* shared = mmap(NULL, all + of_places, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) return EXIT_FAILURE;
   wrc_damage_bins bins[MOST_PROCESSES];
   int* lost = (int*)(shared + processes * bytes);
+  place* places = (place*)(shared + all);
+  memcpy(places, now.places, of_places);
   for (int k = 0; k < processes; ++k) {
     bins[k] = wrc_damage_bins_default();
     bins[k].count = BINS;
@@ -332,10 +404,10 @@ int main(int argc, char** argv) {
   }
 
   while (now.distance < distance) {
-    memset(shared, 0, processes * (bytes + 64));
+    memset(shared, 0, all);
     for (int k = 0; k < processes; ++k) {
       if (fork() != 0) continue;
-      lost[k] = run(model, &bins[k], curves, k, processes);
+      lost[k] = run(model, &bins[k], places, curves, k, processes);
       _exit(0);
     }
     for (int k = 0; k < processes; ++k) {
@@ -372,6 +444,7 @@ int main(int argc, char** argv) {
     now.points = worn.count;
     memcpy(now.y, y, sizeof y);
     memcpy(now.z, z, sizeof z);
+    memcpy(now.places, places, of_places);
     const double before = now.distance;
     now.distance += worn.passages * length;
     if (now.distance > until - 1e-6) now.distance = until;
