@@ -60,7 +60,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(14)
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(14)
   integer(c_size_t), bind(C) :: layout_wrc_exact_loads(8)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(7)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(9)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
   integer(c_size_t), bind(C) :: layout_wrc_contact_functions_problem(5)
   integer(c_size_t), bind(C) :: layout_wrc_contact_functions(14)
@@ -1282,6 +1282,10 @@ contains
       distance(c_loc(a), c_loc(a%cell_x)), layout_wrc_exact_wrench_options(6))
     call same('wrc_exact_wrench_options', 'cell_s', &
       distance(c_loc(a), c_loc(a%cell_s)), layout_wrc_exact_wrench_options(7))
+    call same('wrc_exact_wrench_options', 'progress', &
+      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_wrench_options(8))
+    call same('wrc_exact_wrench_options', 'user', &
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_wrench_options(9))
   end subroutine
   subroutine test_wrc_exact_check_result()
     type(wrc_exact_check_result), target :: a

@@ -147,12 +147,14 @@ enum wrc_surface_influence {
 
 /** How finely a wheel on a rail is solved exactly. */
 typedef struct wrc_exact_wrench_options {
-  uint32_t struct_size; /**< sizeof this struct, 32 or more */
-  int32_t collocation;  /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
-  int32_t influence;    /**< enum wrc_surface_influence [WRC_INFLUENCE_TURNED] */
-  uint32_t reserved;    /**< 0 */
-  double cell_x;        /**< length of a cell along x, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
-  double cell_s;        /**< the same along the rail's arc length, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+  uint32_t struct_size;  /**< sizeof this struct, 32 or more */
+  int32_t collocation;   /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
+  int32_t influence;     /**< enum wrc_surface_influence [WRC_INFLUENCE_TURNED] */
+  uint32_t reserved;     /**< 0 */
+  double cell_x;         /**< length of a cell along x, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+  double cell_s;         /**< the same along the rail's arc length, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+  wrc_progress progress; /**< called while heights are tried and both problems solved in turn; NULL: none [NULL] */
+  void* user;            /**< handed to progress [NULL] */
 } wrc_exact_wrench_options;
 
 /** A real-time result against the exact one. */
@@ -306,17 +308,20 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
 
 /** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
  * the gap of every cell along its own normal, the sliding of its own surface points, and half-space coefficients over
- * arc length between frames turned against each other, so that pressure and tractions act on one another. Takes from a
+ * arc length between frames turned against each other, so that pressure and tractions act on one another. Friction zones
+ * and friction that falls with the speed are each row of cells', both ways of rolling and what becomes of them near
+ * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(): theory manual, sections 5 and 7. Takes from a
  * tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
  * wrc_contact_wrench().
- * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
- * @param input as for wrc_contact_wrench(); the wheel rolls forwards (velocity[0] > 0) where there is friction; damping
- * must be 0
+ * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone; a rail that
+ * changes along the track, a wheel that is not round and rollers are refused
+ * @param input as for wrc_contact_wrench(); damping must be 0, friction.slope_reduction 1
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile);
- * WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY.
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile),
+ * _CREEPAGES_LIMITED; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED,
+ * _LOAD, _MEMORY, _CANCELLED.
  * @rt init @thread contact */
 WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                                 const wrc_exact_wrench_options* options, wrc_wrench* wrench);

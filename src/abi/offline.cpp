@@ -377,9 +377,12 @@ halfspace::SectionCurve section_of(const Curve& curve, double z_of_origin) {
   return {y, z};
 }
 
-Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOptions& options) {
+Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOptions& options,
+                   Reporter& reporter) {
   wrc_exact_wrench_options ours;
   const Fault fault = read_or_defaults(theirs, "options", ours);
+  reporter.progress = ours.progress;
+  reporter.user = ours.user;
   options.cell_x = ours.cell_x;
   options.cell_s = ours.cell_s;
   options.collocation = ours.collocation == WRC_COLLOCATION_REFERENCE
@@ -395,8 +398,9 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   HostedWheel hosted;
   halfspace::SurfaceOptions solver;
   PlacedWheel placed;
+  Reporter reporter;
   Fault fault = first_of({read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted),
-                          read_options(options, solver)});
+                          read_options(options, solver, reporter)});
   if (fault.failed()) return fault;
   if (hosted.damping != 0.0) {
     return {.status = WRC_ERROR_UNSUPPORTED,
@@ -407,12 +411,12 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   }
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
-  if (placed.problem.law != nullptr || placed.problem.slope_reduction != 1.0) {
+  if (placed.problem.slope_reduction != 1.0) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction",
-            .cause =
-                "wrc_exact_wrench takes one coefficient, constant and the same everywhere: leave kind, "
-                "zones and slope_reduction as they are by default"};
+            .field = "input.friction.slope_reduction",
+            .value = placed.problem.slope_reduction,
+            .unit = "",
+            .cause = "between the bodies of the exact solution there is no layer: leave it 1"};
   }
   const SurfaceModel& surface = *model.surface;
   if (varies(surface)) {
@@ -428,7 +432,8 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
                                            .rail_z = surface.rail_origin_z,
                                            .material = surface.material},
                                           solver);
-  const halfspace::SurfaceSolution found = contact.solve({.state = placed.problem});
+  const halfspace::SurfaceSolution found =
+      contact.solve({.state = placed.problem, .progress = reporter.callback()});
   if (found.fault.failed()) return found.fault;
 
   HostedWrench result;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/elementary.hpp"
+#include "geometry/creepages.hpp"
+#include "tangential/friction/friction.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -100,18 +102,6 @@ Cells lay_cells(const RollingSurfaces& surfaces, double rail_length, const Surfa
   return cells;
 }
 
-StripSlip slip_at(const std::vector<StripSlip>& slips, double s) {
-  const auto above =
-      std::lower_bound(slips.begin(), slips.end(), s, [](const StripSlip& a, double at) { return a.s < at; });
-  if (above == slips.begin()) return slips.front();
-  if (above == slips.end()) return slips.back();
-  const StripSlip &a = *(above - 1), &b = *above;
-  const double t = (s - a.s) / (b.s - a.s);
-  const auto between = [&](double from, double to) { return from + t * (to - from); };
-  return {s, between(a.x, b.x), between(a.lateral, b.lateral), between(a.spin, b.spin),
-          between(a.middle, b.middle)};
-}
-
 // Height of a wheel whose largest radius is level with the top of its rail.
 double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   constexpr double spacing = 1e-3;
@@ -127,37 +117,84 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   return bodies.rail_z + rail.z + top - bodies.nominal_radius - lowest;
 }
 
-double rolling_speed(const SurfaceProblem& problem) {
-  const double v = problem.state.wheel.velocity[0];
-  return !problem.slips.empty() && v == 0.0 ? 1.0 : v;
-}
+// A way of rolling: along x, or backwards, which is along x in the mirror across the axle. The rolling
+// problem and its solution are as the mirror shows them; the fields below as they are.
+struct Way {
+  double direction = 1.0;
+  double share = 0.0;  // of the tractions
+  Field sliding_x,
+      sliding_y;  // rigid velocity of the wheel over the rail where the collocation wants it [m/s]
+  RollingProblem problem;
+  RollingSolution rolled;
+  bool started = false;
+  Field traction_x, traction_y;  // [Pa]
 
-// Rigid slip of all cells, where the collocation wants it.
-void fill_rigid_slip(const RollingSurfaces& surfaces, const SurfaceProblem& problem, const Cells& cells,
-                     double ahead, RollingProblem& rolling) {
+  // A field as it is to one as the mirror shows it, or back; `along_x`: components along x, which turn round.
+  Field seen(const Grid& g, const Field& field, bool along_x) const {
+    if (direction > 0.0) return field;
+    Field out(field.size());
+    for (int j = 0; j < g.ny; ++j) {
+      for (int i = 0; i < g.nx; ++i) {
+        const double value = field[g.index(g.nx - 1 - i, j)];
+        out[g.index(i, j)] = along_x ? -value : value;
+      }
+    }
+    return out;
+  }
+};
+
+void find_sliding(const RollingSurfaces& surfaces, const Cells& cells, Collocation collocation, Way& way) {
   const Grid& g = cells.grid;
-  rolling.rigid_slip_x.assign(g.cells(), 0.0);
-  rolling.rigid_slip_y.assign(g.cells(), 0.0);
-  const double v = rolling_speed(problem);
+  const double ahead = way.direction * rigid_slip_ahead(collocation) * g.dx;
+  way.sliding_x.assign(g.cells(), 0.0);
+  way.sliding_y.assign(g.cells(), 0.0);
   for (int j = 0; j < g.ny; ++j) {
-    const bool given = !problem.slips.empty();
-    const StripSlip slip = given ? slip_at(problem.slips, g.y(j)) : StripSlip{};
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       if (!cells.points[at].found) continue;
       const double x = g.x(i) + ahead;
-      double &wx = rolling.rigid_slip_x[at], &wy = rolling.rigid_slip_y[at];
-      if (given) {
-        wx = slip.x;
-        wy = slip.lateral + slip.spin * (x - slip.middle);
-      } else {
-        surfaces.sliding(cells.rows[j], x, surfaces.point(cells.rows[j], x, cells.points[at].wheel_s), wx,
-                         wy);
-        wx /= v;
-        wy /= v;
-      }
+      surfaces.sliding(cells.rows[j], x, surfaces.point(cells.rows[j], x, cells.points[at].wheel_s),
+                       way.sliding_x[at], way.sliding_y[at]);
     }
   }
+}
+
+// The mean of the speeds at which wheel and rail material pass through the contact, over its pressure [m/s].
+double rolling_speed(const WheelOnRail& state, const Field& pressure, const Way (&ways)[2]) {
+  double sliding = 0.0, load = 0.0;
+  for (std::size_t k = 0; k < pressure.size(); ++k) {
+    sliding += pressure[k] * 0.5 * (ways[0].sliding_x[k] + ways[1].sliding_x[k]);
+    load += pressure[k];
+  }
+  return state.wheel.velocity[0] - 0.5 * sliding / load;
+}
+
+// Coefficients of all cells: of each row over its width on the rail, at the root mean square of its cells'
+// rigid sliding velocity.
+Field friction_of_rows(const WheelOnRail& state, const SectionCurve& rail, const Grid& g,
+                       const Field& pressure, const Way& way) {
+  if (state.law == nullptr) return {state.friction};
+  const FrictionLaw& law = *state.law;
+  Field friction(g.cells(), 0.0);
+  for (int j = 0; j < g.ny; ++j) {
+    double squares = 0.0, count = 0.0;
+    for (int i = 0; i < g.nx; ++i) {
+      const std::size_t at = g.index(i, j);
+      if (pressure[at] <= 0.0) continue;
+      squares += way.sliding_x[at] * way.sliding_x[at] + way.sliding_y[at] * way.sliding_y[at];
+      count += 1.0;
+    }
+    if (count == 0.0) continue;
+    double at_rest = law.coefficient;
+    if (law.zones.count > 0) {
+      const SectionCurve::Point p = rail.at(g.y(j));
+      const double half = 0.5 * g.dy * std::abs(p.dy) + 1e-9;
+      at_rest = mean_friction(law.zones, p.y - half, p.y + half);
+    }
+    const double coefficient = at_rest * friction_fall(law, std::sqrt(squares / count));
+    for (int i = 0; i < g.nx; ++i) friction[g.index(i, j)] = coefficient;
+  }
+  return friction;
 }
 
 // A field of one piece of the lattice on another; zero where they do not overlap.
@@ -173,79 +210,48 @@ Field moved(const Grid& from, const Field& field, const Grid& to) {
   return out;
 }
 
-// Force, moment and sums over the rows from the fields.
-void sum_up(const SurfaceProblem& problem, const Cells& cells, const RollingProblem& rolling,
+// Force, moment and sums over the rows from the fields; `ways`: with friction, rolled.
+void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocation, const Way* ways,
             SurfaceSolution& s) {
   const Grid& g = s.grid;
-  const double behind = traction_behind(rolling.collocation) * g.dx;
-  const double ahead = rigid_slip_ahead(rolling.collocation) * g.dx;
-  const double v = rolling_speed(problem);
-  const bool rolls = !rolling.rigid_slip_x.empty();
-  const WheelMotion& wheel = problem.state.wheel;
+  const double behind = traction_behind(collocation) * g.dx;
   for (int k = 0; k < 3; ++k) s.force[k] = s.moment[k] = 0.0;
-  s.pressure_sum = s.area = s.peak_pressure = s.power = s.power_cells = 0.0;
+  s.pressure_sum = s.area = s.peak_pressure = s.power = 0.0;
   s.row_forces.clear();
   for (int j = 0; j < g.ny; ++j) {
     const SurfaceRow& place = s.rows[j];
     const double c = std::cos(place.angle), sn = std::sin(place.angle);
     RowForces row{.s = g.y(j), .y = place.y, .z = place.z, .angle = place.angle};
-    double slip_moment = 0.0, inertia = 0.0;
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       const double p = s.pressure[at];
       if (p <= 0.0) continue;
       const double px = s.traction_x[at], py = s.traction_y[at];
+      double lag = 0.0;  // of lateral tractions behind their cells: moment
+      for (const Way* way = ways; ways && way != ways + 2; ++way) {
+        if (way->share <= 0.0) continue;
+        lag += way->share * way->direction * behind * way->traction_y[at];
+        row.power -= way->share * g.dx *
+                     (way->traction_x[at] * way->sliding_x[at] + way->traction_y[at] * way->sliding_y[at]);
+      }
       row.normal_force += p * g.dx;
-      row.middle += g.x(i) * p * g.dx;
       row.fx += px * g.dx;
       row.fy += py * g.dx;
-      row.spin_moment += (g.x(i) - behind) * py * g.dx;
       row.length += g.dx;
       row.peak_pressure = std::max(row.peak_pressure, p);
       // The force acts halfway between the undeformed surfaces.
       const double half = 0.5 * cells.points[at].gap, area = g.cell_area();
       const double fx = px * area, fy = (py * c + p * sn) * area, fz = (py * sn - p * c) * area;
-      const double y = place.y + half * sn - wheel.position[1], z = place.z - half * c - s.height;
-      const double x_p = g.x(i), x_t = g.x(i) - behind;
-      const double moment_x = y * fz - z * fy;
-      const double moment_y = z * fx - (x_t * py * sn - x_p * p * c) * area;
-      const double moment_z = (x_t * py * c + x_p * p * sn) * area - y * fx;
+      const double x = g.x(i), y = place.y + half * sn - state.wheel.position[1],
+                   z = place.z - half * c - s.height;
       s.force[0] += fx;
       s.force[1] += fy;
       s.force[2] += fz;
-      s.moment[0] += moment_x;
-      s.moment[1] += moment_y;
-      s.moment[2] += moment_z;
-      if (!rolls) continue;
-      row.power -= (px * rolling.rigid_slip_x[at] + py * rolling.rigid_slip_y[at]) * v * g.dx;
-      s.power_cells -= (px * s.slip_x[at] + py * s.slip_y[at]) * v * area;
+      s.moment[0] += y * fz - z * fy;
+      s.moment[1] += z * fx - x * fz + lag * sn * area;
+      s.moment[2] += x * fy - lag * c * area - y * fx;
     }
     if (row.normal_force <= 0.0) continue;
-    row.middle /= row.normal_force;
-    row.spin_moment -= row.middle * row.fy;
-    if (rolls) {
-      double weight = 0.0;
-      for (int i = 0; i < g.nx; ++i) {
-        const std::size_t at = g.index(i, j);
-        if (s.pressure[at] <= 0.0) continue;
-        const double x = g.x(i) + ahead - row.middle;
-        weight += 1.0;
-        row.slip_x += rolling.rigid_slip_x[at];
-        row.slip_y += rolling.rigid_slip_y[at];
-        slip_moment += x * rolling.rigid_slip_y[at];
-        inertia += x * x;
-      }
-      row.slip_x /= weight;
-      row.slip_y /= weight;
-      const double centre = row.middle;
-      double mean_x = 0.0;
-      for (int i = 0; i < g.nx; ++i) {
-        if (s.pressure[g.index(i, j)] > 0.0) mean_x += (g.x(i) + ahead - centre) / weight;
-      }
-      const double spread = inertia - weight * mean_x * mean_x;
-      if (spread > 0.0) row.spin = (slip_moment - weight * mean_x * row.slip_y) / spread;
-      row.slip_y -= row.spin * mean_x;
-    }
     s.pressure_sum += row.normal_force * g.dy;
     s.area += row.length * g.dy;
     s.peak_pressure = std::max(s.peak_pressure, row.peak_pressure);
@@ -262,7 +268,6 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
     sum += state.wheel.position[k] + state.wheel.velocity[k] + state.wheel.angular_velocity[k];
     for (const double r : state.wheel.rotation[k]) sum += r;
   }
-  for (const StripSlip& slip : problem.slips) sum += slip.s + slip.x + slip.lateral + slip.spin + slip.middle;
   if (!std::isfinite(sum)) return {.status = WRC_ERROR_NOT_FINITE, .field = "state"};
   if (!(options.cell_x > 0.0 && options.cell_s > 0.0)) {
     return {.status = WRC_ERROR_RANGE, .field = "options.cell_x", .value = options.cell_x, .unit = "m"};
@@ -274,13 +279,6 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
     return {
         .status = WRC_ERROR_LOAD, .field = "input.vertical_load", .value = state.vertical_load, .unit = "N"};
   }
-  if (state.friction > 0.0 && !(rolling_speed(problem) > 0.0)) {
-    return {.status = WRC_ERROR_RANGE,
-            .field = "wheel.velocity[0]",
-            .value = state.wheel.velocity[0],
-            .unit = "m/s",
-            .cause = "steady rolling goes forwards"};
-  }
   return {};
 }
 
@@ -289,13 +287,14 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
 SurfaceContact::SurfaceContact(WheelAndRail bodies, const SurfaceOptions& options)
     : bodies_(std::move(bodies)), options_(options) {}
 
-SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double height, bool with_friction,
-                                          const SurfaceSolution* start) const {
+SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double height, bool with_friction,
+                                          const SurfaceSolution* start,
+                                          const ProgressCallback& progress) const {
   SurfaceSolution s;
   s.height = height;
-  WheelMotion wheel = problem.state.wheel;
+  WheelMotion wheel = state.wheel;
   wheel.position[2] = height;
-  const RollingSurfaces surfaces(bodies_, wheel, problem.state.rail);
+  const RollingSurfaces surfaces(bodies_, wheel, state.rail);
   const Cells cells = lay_cells(surfaces, bodies_.rail.length(), options_);
   s.grid = cells.grid;
   if (cells.too_many) {
@@ -314,7 +313,7 @@ SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double 
   }
   s.rows = cells.rows;
   const std::size_t n = s.grid.cells();
-  for (Field* field : {&s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y}) field->assign(n, 0.0);
+  for (Field* field : {&s.traction_x, &s.traction_y}) field->assign(n, 0.0);
   for (const SurfacePoint& p : cells.points) s.gap.push_back(p.found ? std::min(p.gap, apart) : apart);
 
   Field angles;
@@ -326,58 +325,94 @@ SurfaceSolution SurfaceContact::at_height(const SurfaceProblem& problem, double 
   gap.gap = s.gap;
   gap.prescribed = Prescribed::approach;
   gap.tolerance = options_.normal_tolerance;
-  RollingProblem rolling;
-  rolling.friction = {problem.state.friction};
-  rolling.collocation = options_.collocation;
-  rolling.tolerance = options_.rolling_tolerance;
   if (!with_friction) {
+    gap.progress = progress;
     const GapSolution pressed = normal.solve(gap);
     s.pressure = pressed.pressure;
     s.fault = pressed.fault;
     s.turns = 1;
-    sum_up(problem, cells, rolling, s);
+    if (!s.fault.failed()) sum_up(state, cells, options_.collocation, nullptr, s);
     return s;
   }
 
   RollingSolver roller(s.grid, bodies_.material, angles);
-  fill_rigid_slip(surfaces, problem, cells, rigid_slip_ahead(options_.collocation) * s.grid.dx, rolling);
-  const Field slip_y = rolling.rigid_slip_y;
   TurnedConvolution lift(s.grid, bodies_.material, Convolution::Kernel::shear, angles);
   TurnedConvolution drag(s.grid, bodies_.material, Convolution::Kernel::normal_slip, angles);
-  RollingSolution rolled;
-  bool warm = start != nullptr && start->grid.cells() > 0;
+  Way ways[2];
+  ways[1].direction = -1.0;
+  for (Way& way : ways) {
+    find_sliding(surfaces, cells, options_.collocation, way);
+    way.problem.collocation = options_.collocation;
+    way.problem.tolerance = options_.rolling_tolerance;
+  }
+  const bool warm = start != nullptr && start->grid.cells() > 0;
   if (warm) {
-    rolled.traction_x = moved(start->grid, start->traction_x, s.grid);
-    rolled.traction_y = moved(start->grid, start->traction_y, s.grid);
+    s.traction_x = moved(start->grid, start->traction_x, s.grid);
+    s.traction_y = moved(start->grid, start->traction_y, s.grid);
   }
   Field turned(n);
-  for (s.turns = 1;; ++s.turns) {
-    if (warm) {
-      lift.tangential_crossed(rolled.traction_x, rolled.traction_y, turned);
+  double left = 1.0;  // of the work, as far as is known
+  for (s.turns = 1;; ++s.turns, left *= 0.5) {
+    if (warm || s.turns > 1) {
+      lift.tangential_crossed(s.traction_x, s.traction_y, turned);
       for (std::size_t k = 0; k < n; ++k) gap.gap[k] = s.gap[k] + turned[k];
     }
+    PartOfProgress pressing(progress, 1.0 - left, 1.0 - 0.9 * left);
+    gap.progress = pressing.callback();
     const GapSolution pressed = normal.solve(gap);
     s.fault = pressed.fault;
     s.pressure = pressed.pressure;
-    if (pressed.normal_force <= 0.0) break;
-    drag.normal_crossed(s.pressure, turned);
-    for (std::size_t k = 0; k < n; ++k) rolling.rigid_slip_y[k] = slip_y[k] - turned[k];
-    rolling.pressure = s.pressure;
-    const RollingSolution before = std::move(rolled);
-    rolling.start = warm ? &before : nullptr;
-    rolled = roller.solve(rolling);
-    keep_worst(s.fault, rolled.fault);
     if (s.fault.failed()) return s;
-    s.traction_x = rolled.traction_x;
-    s.traction_y = rolled.traction_y;
-    s.slip_x = rolled.slip_x;
-    s.slip_y = rolled.slip_y;
-    s.adhesion_fraction = rolled.forces.adhesion_fraction;
-    warm = true;
+    if (pressed.normal_force <= 0.0) {
+      for (Field* field : {&s.traction_x, &s.traction_y}) field->assign(n, 0.0);
+      sum_up(state, cells, options_.collocation, nullptr, s);
+      break;
+    }
+    const double speed = rolling_speed(state, s.pressure, ways);
+    const RollingReference reference = rolling_reference(speed);
+    ways[speed < 0.0 ? 1 : 0].share = 1.0 - reference.other_way;
+    ways[speed < 0.0 ? 0 : 1].share = reference.other_way;
+    const Field first_x = std::exchange(s.traction_x, Field(n, 0.0)),
+                first_y = std::exchange(s.traction_y, Field(n, 0.0));
+    s.adhesion_fraction = 0.0;
+    for (Way& way : ways) {
+      if (way.share <= 0.0) continue;
+      RollingProblem& problem = way.problem;
+      problem.pressure = way.seen(s.grid, s.pressure, false);
+      const Field friction = friction_of_rows(state, bodies_.rail, s.grid, s.pressure, way);
+      problem.friction = friction.size() > 1 ? way.seen(s.grid, friction, false) : friction;
+      problem.rigid_slip_x = way.seen(s.grid, way.sliding_x, true);
+      problem.rigid_slip_y = way.seen(s.grid, way.sliding_y, false);
+      drag.normal_crossed(problem.pressure, turned);
+      for (std::size_t k = 0; k < n; ++k) {
+        problem.rigid_slip_x[k] /= reference.divisor;
+        problem.rigid_slip_y[k] = problem.rigid_slip_y[k] / reference.divisor - turned[k];
+      }
+      RollingSolution before = std::move(way.rolled);
+      if (!way.started && warm && reference.other_way <= 0.0) {
+        before.traction_x = way.seen(s.grid, first_x, true);
+        before.traction_y = way.seen(s.grid, first_y, false);
+        way.started = true;
+      }
+      problem.start = way.started ? &before : nullptr;
+      PartOfProgress rolling(progress, 1.0 - 0.9 * left, 1.0 - 0.5 * left);
+      problem.progress = rolling.callback();
+      way.rolled = roller.solve(problem);
+      way.started = true;
+      keep_worst(s.fault, way.rolled.fault);
+      if (s.fault.failed()) return s;
+      way.traction_x = way.seen(s.grid, way.rolled.traction_x, true);
+      way.traction_y = way.seen(s.grid, way.rolled.traction_y, false);
+      for (std::size_t k = 0; k < n; ++k) {
+        s.traction_x[k] += way.share * way.traction_x[k];
+        s.traction_y[k] += way.share * way.traction_y[k];
+      }
+      s.adhesion_fraction += way.share * way.rolled.forces.adhesion_fraction;
+    }
+    if (reference.other_way > 0.0)
+      keep_worst(s.fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
     const double force_before[3] = {s.force[0], s.force[1], s.force[2]};
-    const Field effective = std::exchange(rolling.rigid_slip_y, slip_y);
-    sum_up(problem, cells, rolling, s);
-    rolling.rigid_slip_y = effective;
+    sum_up(state, cells, options_.collocation, ways, s);
     double change = 0.0, size = 0.0;
     for (int k = 0; k < 3; ++k) {
       change += (s.force[k] - force_before[k]) * (s.force[k] - force_before[k]);
@@ -403,7 +438,8 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
   if (s.fault.failed()) return s;
   const bool with_friction = problem.state.friction > 0.0;
   if (!problem.state.load_prescribed) {
-    return at_height(problem, problem.state.wheel.position[2], with_friction, nullptr);
+    return at_height(problem.state, problem.state.wheel.position[2], with_friction, nullptr,
+                     problem.progress);
   }
 
   // Height of first touch, from the rows' gaps, beginning with the wheel's largest radius above the rail.
@@ -441,12 +477,18 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
       low_force = -1.0;
     }
     double before = 0.0, before_force = -1.0;
+    // Work done, by how near the load is: a tenth of it without friction.
+    const double begun = friction ? 0.1 : 0.0, done = with_friction && !friction ? 0.1 : 1.0;
+    double nearest = 1.0;
     for (;; ++heights) {
       const bool warm = s.grid.cells() > 0 && friction && !s.traction_x.empty();
       const SurfaceSolution start = std::move(s);
-      s = at_height(problem, height, friction, warm ? &start : nullptr);
+      const double decades = natural_log(nearest) / natural_log(tolerance), rest = done - begun;
+      PartOfProgress part(problem.progress, begun + rest * decades, begun + rest * (0.5 + 0.5 * decades));
+      s = at_height(problem.state, height, friction, warm ? &start : nullptr, part.callback());
       if (s.fault.failed()) break;
       const double force = -s.force[2];
+      nearest = std::clamp(std::abs(force - load) / load, tolerance, nearest);
       if (std::abs(force - load) <= tolerance * load) break;
       if (heights == options_.max_heights) {
         keep_worst(

@@ -11,7 +11,13 @@
 ///     s.force, s.moment, s.height, s.power                            // what acts on the wheel
 ///     for (const RowForces& row : s.row_forces) ...                   // the same per row of cells
 ///
-/// Pressures alone: state.friction = 0. Slips of one's own in place of the wheel's motion: `slips`.
+/// Pressures alone: state.friction = 0.
+///
+/// V, by which sliding velocities become slips, is the mean of the speeds at which both materials pass
+/// through the contact, over its pressure. Rolling backwards is forwards seen in a mirror across the axle,
+/// and below a small V the tractions are those of both ways by shares (geometry/creepages.hpp), as in real
+/// time. So is the friction law: a coefficient for every row, by its place on the rail and the root mean
+/// square of its rigid sliding velocity (tangential/friction/friction.hpp).
 #pragma once
 
 #include <vector>
@@ -40,18 +46,9 @@ struct SurfaceOptions {
   std::size_t max_cells = 1000000;
 };
 
-/// Rigid slip along one arc length: w = (x, lateral + spin (x - middle)), wheel over rail per rolled length.
-struct StripSlip {
-  double s = 0.0;                             ///< arc length of the rail from its first point [m]
-  double x = 0.0, lateral = 0.0, spin = 0.0;  ///< [-], [-], [1/m]
-  double middle = 0.0;                        ///< x that `lateral` belongs to [m]
-};
-
 struct SurfaceProblem {
-  WheelOnRail state;  ///< velocity[0] of the wheel is the rolling speed V; `damping` is not for this solver
-  /// In place of the slips of the wheel's motion, at increasing s; between them linear, beyond them constant.
-  /// The motion then gives V alone (1 m/s where it is zero).
-  std::vector<StripSlip> slips = {};
+  WheelOnRail state;               ///< without damping and without a layer between the bodies
+  ProgressCallback progress = {};  ///< while heights are tried and both problems solved in turn
 };
 
 /// One row of cells: what acts on the wheel per arc length, in the row's own frame.
@@ -61,12 +58,9 @@ struct RowForces {
   double angle = 0.0;          ///< of the normal (0, -sin, cos) about x [rad]
   double normal_force = 0.0;   ///< integral of the pressure over x [N/m]
   double fx = 0.0, fy = 0.0;   ///< of the tractions on the wheel along x and (0, cos, sin) [N/m]
-  double spin_moment = 0.0;    ///< of the tractions about the normal at `middle` [N]
-  double middle = 0.0;         ///< mean of x weighted by pressure; x from the wheel's reference point [m]
   double length = 0.0;         ///< of the cells in contact [m]
   double peak_pressure = 0.0;  ///< [Pa]
   double power = 0.0;          ///< frictional power: of the rigid slips, the exact total [W/m]
-  double slip_x = 0.0, slip_y = 0.0, spin = 0.0;  ///< rigid slip at `middle` and its growth along x
 };
 
 struct SurfaceSolution {
@@ -76,12 +70,11 @@ struct SurfaceSolution {
   double pressure_sum = 0.0;  ///< integral of the pressure [N]
   double area = 0.0, peak_pressure = 0.0;
   double power = 0.0;  ///< -sum of traction * rigid slip * V: the exact dissipation of steady rolling [W]
-  double power_cells = 0.0;  ///< -sum of traction * slip * V, low by the grid's error [W]
   double adhesion_fraction = 0.0;
   Grid grid;  ///< x from the wheel's reference point; y: arc length s of the rail from its first point
   std::vector<SurfaceRow> rows;
-  Field gap, pressure, traction_x, traction_y, slip_x, slip_y;  ///< over the grid
-  std::vector<RowForces> row_forces;                            ///< of the rows in contact
+  Field gap, pressure, traction_x, traction_y;  ///< over the grid
+  std::vector<RowForces> row_forces;            ///< of the rows in contact
   int turns = 0, heights = 0;
   Fault fault;  ///< flags of both solvers; WRC_FLAG_ITERATION_CAP where turns or heights did not suffice
 };
@@ -95,8 +88,8 @@ class SurfaceContact {
   const WheelAndRail& bodies() const { return bodies_; }
 
  private:
-  SurfaceSolution at_height(const SurfaceProblem& problem, double height, bool with_friction,
-                            const SurfaceSolution* start) const;
+  SurfaceSolution at_height(const WheelOnRail& state, double height, bool with_friction,
+                            const SurfaceSolution* start, const ProgressCallback& progress) const;
 
   WheelAndRail bodies_;
   SurfaceOptions options_;

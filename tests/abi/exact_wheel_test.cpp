@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "offline_helpers.hpp"
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
@@ -27,6 +28,19 @@ class ExactWheel : public testing::Test, protected PlacedWheel {
   }
   void SetUp() override { create(); }
   int32_t solve() { return wrc_exact_wrench(contact, &input, &options, &wrench); }
+  /// The height of the load as real time has it.
+  void prescribe_height() {
+    ASSERT_GE(wrc_contact_wrench(contact, &input, &fast), 0) << error();
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = fast.z;
+  }
+  /// Both ways, and that they agree within that share of friction times load, 0.3 * 80 kN.
+  void expect_as_real_time(double share, int32_t status = WRC_OK) {
+    ASSERT_EQ(solve(), status) << error();
+    ASSERT_EQ(wrc_contact_wrench(contact, &input, &fast), status) << error();
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], fast.force[i], share * 24e3) << i;
+  }
 };
 
 // CONTACT 25.2, conformal with turned coefficients, 0.2 mm, without friction: lateral force at 80 kN.
@@ -90,6 +104,119 @@ TEST_F(ExactWheel, SidesAreMirrorImagesAndHeightGivesTheLoadBack) {
   EXPECT_EQ(wrench.z, wheel.z);
 }
 
+TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
+  friction = wrc_friction_default();
+  wheel.y = 1e-3;
+  wheel.yaw = 4e-3;
+  wheel.velocity[1] = 0.03;
+  prescribe_height();
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench plain = wrench;
+  const double y[] = {-0.01, 0.004}, alike[] = {0.3, 0.3}, greased[] = {0.08, 0.4};
+  friction.zones = 2;
+  friction.zone_y = y;
+  friction.zone_coefficient = alike;
+  friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], plain.force[i], 1e-6 * 80e3) << i;
+  friction.zone_coefficient = greased;
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    const double outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+    take(which);
+    wheel.y = outward * 1e-3;
+    wheel.yaw = outward * 4e-3;
+    wheel.velocity[1] = outward * 0.03;
+    expect_as_real_time(0.02);
+    EXPECT_GT(
+        std::abs(wrench.force[0] - plain.force[0]) + std::abs(wrench.force[1] - outward * plain.force[1]),
+        0.1 * 24e3);
+  }
+}
+
+/// A wheel that slides as a whole by a fifth of its speed: Polach's law at the speed of sliding.
+TEST_F(ExactWheel, FrictionFallsWithTheSlidingSpeed) {
+  friction = wrc_friction_default();
+  friction.kind = WRC_FRICTION_FALLING;
+  const double sliding = 4.0, A = friction.kinetic_ratio, B = friction.fall_rate;
+  wheel.angular_velocity[1] *= 0.8;
+  prescribe_height();
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const double coefficient = friction.coefficient * ((1.0 - A) * std::exp(-B * sliding) + A);
+  EXPECT_NEAR(wrench.force[0] / wrench.normal_force, -coefficient, 2e-3 * coefficient);
+  EXPECT_NEAR(wrench.power, -wrench.force[0] * sliding, 5e-3 * wrench.power);
+  wheel.angular_velocity[1] *= 0.998 / 0.8;
+  expect_as_real_time(0.015);
+}
+
+/// x, yaw and the turning about y and z change sign in a mirror across the axle.
+TEST_F(ExactWheel, BackwardsIsTheMirrorImageOfForwards) {
+  friction = wrc_friction_default();
+  friction.kind = WRC_FRICTION_FALLING;
+  wheel.y = 5e-3;
+  wheel.yaw = 4e-3;
+  wheel.velocity[1] = 0.02;
+  prescribe_height();
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench forwards = wrench;
+  wheel.yaw *= -1.0;
+  wheel.velocity[0] *= -1.0;
+  wheel.angular_velocity[1] *= -1.0;
+  expect_as_real_time(0.03);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(wrench.force[i], i == 0 ? -forwards.force[i] : forwards.force[i], 1e-4 * 24e3) << i;
+    EXPECT_NEAR(wrench.moment[i], i == 0 ? forwards.moment[i] : -forwards.moment[i], 1e-4 * 24e3) << i;
+  }
+  EXPECT_NEAR(wrench.power, forwards.power, 1e-3 * wrench.power);
+  EXPECT_GT(wrench.power, 0.0);
+}
+
+/// Below 0.1 m/s both ways are blended; at rest what changes sign with the way is gone.
+TEST_F(ExactWheel, GoesThroughStandstillAsRealTimeDoes) {
+  friction = wrc_friction_default();
+  const double rolling = 1.0 / 0.46;
+  const auto move = [&](double speed) {
+    wheel.velocity[0] = speed;
+    wheel.velocity[1] = 2e-5;
+    wheel.angular_velocity[1] = -rolling * (speed + 4e-5);
+  };
+  move(0.2);
+  prescribe_height();
+  for (const double speed : {0.0, -0.03}) {
+    move(speed);
+    expect_as_real_time(0.015, WRC_FLAG_CREEPAGES_LIMITED);
+  }
+  move(0.1 - 2e-4);
+  ASSERT_EQ(solve(), WRC_FLAG_CREEPAGES_LIMITED);
+  const wrc_wrench below = wrench;
+  move(0.1 + 2e-4);
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], below.force[i], 4e-3 * 24e3) << i;
+}
+
+TEST_F(ExactWheel, TellsItsProgressAndIsCancelled) {
+  friction = wrc_friction_default();
+  options.cell_x = options.cell_s = 8e-4;
+  offline_helpers::Listener listener;
+  options.progress = offline_helpers::Listener::hear;
+  options.user = &listener;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  ASSERT_GT(listener.fractions.size(), 20U);
+  for (std::size_t k = 1; k < listener.fractions.size(); ++k)
+    EXPECT_GE(listener.fractions[k], listener.fractions[k - 1]);
+  EXPECT_LT(listener.fractions.front(), 0.05);
+  EXPECT_GT(listener.fractions.back(), 0.5);
+  EXPECT_LE(listener.fractions.back(), 1.0);
+  const std::size_t all = listener.fractions.size();
+  for (const std::size_t allowed : {std::size_t{0}, all / 2, all - 1}) {
+    listener = {};
+    listener.allowed = static_cast<int>(allowed);
+    wrench.force[2] = 1.0;
+    EXPECT_EQ(solve(), WRC_ERROR_CANCELLED);
+    EXPECT_EQ(wrench.force[2], 0.0);
+    EXPECT_EQ(listener.fractions.size(), allowed + 1);
+  }
+}
+
 TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   const auto expect = [&](int32_t status, const std::vector<std::string>& words) {
     wrench.force[2] = 1.0;
@@ -106,9 +233,9 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   expect(WRC_ERROR_UNSUPPORTED, {"options.influence = 2", "WRC_INFLUENCE_TURNED (0), _PLAIN (1)"});
   options.influence = WRC_INFLUENCE_TURNED;
   friction = wrc_friction_default();
-  wheel.velocity[0] = -20.0;
-  expect(WRC_ERROR_RANGE, {"forwards"});
-  wheel.velocity[0] = 20.0;
+  friction.slope_reduction = 0.5;
+  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.slope_reduction = 0.5", "layer"});
+  friction.slope_reduction = 1.0;
   wheel.y = 0.2;
   expect(WRC_ERROR_LOAD, {"input.vertical_load", "80000 N", "no rail"});
   wheel.y = 0.0;

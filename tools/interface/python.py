@@ -228,6 +228,11 @@ class _Writer:
         functions, and to what is written by hand."""
         return any(each.type.pointers and not each.type.const for each in self.interface.structs[struct].members)
 
+    def watched(self, kind):
+        """The member of a struct that is a progress function, which the method then has as an argument."""
+        members = self.interface.structs[kind.base].members
+        return next((each.name for each in members if each.type.base == "function" and each.type.spelling in CALLBACKS), None)
+
     def calls(self):
         """Classes ContactCalls and ModelCalls, and functions without a handle."""
         lines, self.functions = [], []
@@ -274,6 +279,9 @@ class _Writer:
                 passed[passed.index(each)] = f"c.byref({each})"
                 answers.append(f"{each}.value")
                 kinds.append("float")
+        watched = next(((each, kind) for each, kind, role in roles if role == "in" and self.watched(kind)), None)
+        if watched:
+            optional.append("progress: s.ProgressArgument = None")
         arguments = (["self"] if owner else []) + required + optional + (["*"] + keywords if keywords else [])
         returned = kinds[0] if len(kinds) == 1 else f"Tuple[{', '.join(kinds)}]"
         lines = [f"{indent}def {name}({', '.join(arguments)}) -> {returned}:"]
@@ -284,6 +292,11 @@ class _Writer:
             at = passed.index(progress)
             passed[at:at + 1] = ["_watch.c", "None"]
             body.append(f"_watch = s.Watch({progress})")
+        if watched:
+            each, kind = watched
+            progress = "progress"
+            body += ["_watch = s.Watch(progress)", "if progress:",
+                     f"    {each} = {each}.copy() if {each} else {class_name(kind.base)}()", f"    {each}.{self.watched(kind)} = _watch.c"]
         sentence = next((each for each, _, role in roles if role == "sentence"), None)
         if sentence:
             at = passed.index(sentence)
@@ -308,6 +321,7 @@ class _Writer:
         """A function's comment as a docstring's lines."""
         pieces = function.comment.split("@")
         lines = [self.text(pieces[0]), ""]
+        watched = [each for each, kind, role in roles if role == "in" and self.watched(kind)]
         roles = {each: role for each, _, role in roles}
         for piece in pieces[1:]:
             command, _, rest = piece.partition(" ")
@@ -319,6 +333,8 @@ class _Writer:
                     shown = "out" if out and outs == 1 else name
                     rest = re.sub(r";? NULL: not wanted", "", rest)
                     lines.append(f"{shown}: {self.text(rest)}" + ("; None: a new one" if out else ""))
+                    if name in watched:
+                        lines.append("progress: called with the fraction done; give something true to stop; None: none")
             elif command == "return":
                 lines += ["", "C status: " + self.text(rest)]
         return lines

@@ -73,6 +73,8 @@ def test_a_wrench_exactly():
     data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3, friction={"coefficient": 0})
     exact = contact.exact_wrench(data, wrc.ExactWrenchOptions(cell_x=8e-4, cell_s=8e-4))
     assert exact.force[2] == pytest.approx(-80e3, rel=1e-4) and exact.peak_pressure == pytest.approx(contact.wrench(data).peak_pressure, rel=0.1)
+    with pytest.raises(wrc.Cancelled):
+        contact.exact_wrench(data, progress=lambda fraction: True)
     contact.geometry(wrc.Pose())
     gap = contact.exact_gap(wrc.exact.grid(16, 16, 1e-3))
     assert gap.shape == (16, 16) and 0 <= gap.min() < 1e-6

@@ -2847,6 +2847,8 @@ class ExactWrenchOptions(s.Struct):
       influence: SurfaceInfluence (default SurfaceInfluence.TURNED)
       cell_x [m]: length of a cell along x (2e-5 .. 2e-3; default 2e-4)
       cell_s [m]: the same along the rail's arc length (2e-5 .. 2e-3; default 2e-4)
+      progress: called while heights are tried and both problems solved in turn; None: none (default None)
+      user: handed to progress (default None)
     """
 
     _c_name_ = 'wrc_exact_wrench_options'
@@ -2857,6 +2859,8 @@ class ExactWrenchOptions(s.Struct):
     reserved: int
     cell_x: float
     cell_s: float
+    progress: Any
+    user: Any
     _units_ = {'cell_x': 'm', 'cell_s': 'm'}
     _hidden_ = ('struct_size', 'reserved')
     _fields_ = [
@@ -2866,8 +2870,10 @@ class ExactWrenchOptions(s.Struct):
         ('reserved', c.c_uint32),
         ('cell_x', c.c_double),
         ('cell_s', c.c_double),
+        ('progress', s.Progress),
+        ('user', c.c_void_p),
     ]
-assert c.sizeof(ExactWrenchOptions) == 32
+assert c.sizeof(ExactWrenchOptions) == 48
 
 
 class ExactCheckResult(s.Struct):
@@ -3705,29 +3711,37 @@ class ContactCalls(_l.Handle):
                 raise self._error(status, _watch)
         return out
 
-    def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, *, out: Optional[Wrench] = None) -> Wrench:
+    def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
         """What Contact.wrench() finds, exactly: normal contact and steady rolling over cells on the rail's
             curved surface, with the gap of every cell along its own normal, the sliding of its own surface
             points, and half-space coefficients over arc length between frames turned against each other, so
-            that pressure and tractions act on one another. Takes from a tenth of a second to minutes, growing
-            with the second to fourth power of 1 / cell. The contact keeps its last Contact.wrench().
+            that pressure and tractions act on one another. Friction zones and friction that falls with the
+            speed are each row of cells', both ways of rolling and what becomes of them near standstill
+            (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(): theory manual, sections 5 and 7. Takes
+            from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The
+            contact keeps its last Contact.wrench().
 
-        input: as for Contact.wrench(); the wheel rolls forwards (velocity[0] > 0) where there is friction;
-            damping must be 0
+        input: as for Contact.wrench(); damping must be 0, friction.slope_reduction 1
         options: None: the defaults
+        progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
             counted, Contact.region() does not have them; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the
-            end of a profile); Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million
-            cells), _UNSUPPORTED, _LOAD, _MEMORY.
+            end of a profile), _CREEPAGES_LIMITED; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also:
+            more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY, _CANCELLED.
         """
         if out is None:
             out = Wrench._new()
+        _watch = s.Watch(progress)
+        if progress:
+            options = options.copy() if options else ExactWrenchOptions()
+            options.progress = _watch.c
         with self._lock:
             status = self._status = _wrc_exact_wrench(self._handle, input, options, out)
+            _watch.end()
             if status < 0:
-                raise self._error(status)
+                raise self._error(status, _watch)
         return out
 
 

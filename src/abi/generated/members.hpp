@@ -1926,9 +1926,11 @@ struct Description<wrc_exact_wrench_options> {
       {.name = "reserved", .offset = offsetof(wrc_exact_wrench_options, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "cell_x", .offset = offsetof(wrc_exact_wrench_options, cell_x), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "cell_s", .offset = offsetof(wrc_exact_wrench_options, cell_s), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "progress", .offset = offsetof(wrc_exact_wrench_options, progress), .type = Type::pointer, .rule = Rule::none},
+      {.name = "user", .offset = offsetof(wrc_exact_wrench_options, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_wrench_options) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_wrench_options) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_check_result> {
