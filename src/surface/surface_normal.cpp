@@ -11,9 +11,16 @@
 namespace wrc {
 namespace {
 
-constexpr std::int32_t history = 5;        ///< earlier sweeps the acceleration looks at
-constexpr std::int32_t most_rounds = 20;   ///< of strips entering and leaving within a sweep
-constexpr double coarse_tolerance = 1e-2;  ///< of the start on pairs of strips
+constexpr std::int32_t history = 5;       ///< earlier sweeps the acceleration looks at
+constexpr std::int32_t most_rounds = 20;  ///< of strips entering and leaving within a sweep
+constexpr double coarse_tolerance = 0.1;  ///< of the start on pairs of strips
+/// How far a step goes beyond what a sweep asks for: most modes of a plain sweep contract by 0.5 to 0.6.
+constexpr double relaxation = 1.4;
+/// Strips whose squared length a plain sweep changes by more than this part go the way of that sweep,
+/// whatever the acceleration says, and at most so many times as far. Where lobes meet or a strip at a rim
+/// grows, the residual has minima that are no solutions: there plain sweeps lead on, and the acceleration
+/// back.
+constexpr double settled = 0.05, farthest_step = 4.0;
 constexpr std::int32_t fewest_pairs = 12;
 /// Part of the area that the first sweep from an earlier solution may move; beyond, a start from the overlaps
 /// is nearer.
@@ -227,12 +234,13 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   }
 }
 
-/// Anderson's acceleration: x + f less what earlier sweeps say about how f changes with x, in w.next.
+/// Anderson's acceleration: x + relaxation f less what earlier sweeps say about how f changes with x, in
+/// w.next.
 void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int32_t sweep, std::int32_t used,
                 Scratch& w) {
   const auto slot = [sweep](std::int32_t a) { return (sweep - a) % (history + 1); };
   const double *const x = w.x[slot(0)], *const f = w.f[slot(0)];
-  for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + f[i];
+  for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + relaxation * f[i];
   if (used == 0) return;
   double G[history][history], g[history];
   const auto product = [&](const double* earlier, const double* other) {
@@ -250,7 +258,8 @@ void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int
   solve_small(used, G, g);
   for (std::int32_t a = 0; a < used; ++a) {
     const double *const xa = w.x[slot(a + 1)], *const fa = w.f[slot(a + 1)];
-    for (std::int32_t i = 0; i < both; ++i) w.next[i] -= g[a] * ((x[i] - xa[i]) + (f[i] - fa[i]));
+    for (std::int32_t i = 0; i < both; ++i)
+      w.next[i] -= g[a] * ((x[i] - xa[i]) + relaxation * (f[i] - fa[i]));
   }
 }
 
@@ -309,6 +318,11 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
     for (std::int32_t i = 0; i < n; ++i) {
       const double plain = s.L[i] + f[i], old = s.L[i];
       double next = plain > 0.0 ? smaller(larger(w.next[i], 0.5 * plain), 2.0 * plain) : 0.0;
+      if (next > 0.0 && magnitude(f[i]) > settled * old) {
+        const double far = old + farthest_step * f[i];
+        next = f[i] > 0.0 ? smaller(larger(next, plain), far)
+                          : larger(smaller(larger(next, far), plain), 0.5 * plain);
+      }
       if (old > 0.0 && next > 0.0 && sweep < 6) next = smaller(larger(next, 0.1 * old), 10.0 * old);
       s.L[i] = next;
       if (skewed) s.shift[i] = smaller(larger(w.next[n + i], -longest_shift), longest_shift);
