@@ -68,7 +68,7 @@ class _Writer:
     def module(self, mark):
         lines = [f'"""{mark}', "", "The whole C interface: enumerations, structs, functions. Import from wrc, not from here.", '"""',
                  "# fmt: off", "from __future__ import annotations", "", "import ctypes as c", "import enum",
-                 "from typing import Any, Callable, Optional, Tuple", "", "import numpy as np", "",
+                 "from typing import Any, Callable, Optional, Sequence, Tuple", "", "import numpy as np", "",
                  "from . import _library as _l", "from . import _struct as s", ""]
         lines += [f"{name[len('WRC_'):]} = {value}" for name, value in self.interface.numbers]
         lines += ["", "", "class Status(s.Choice):", '    """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""', ""]
@@ -137,6 +137,9 @@ class _Writer:
                 if not count and any(each.member.name == "row_stride" for each in beside):
                     count = "matrix=True"
                 return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}, {count})".replace(", )", ")")
+            if kind.base in self.interface.structs and kind.pointers == 1 and told.counted_by:
+                return ("_" + name, f"c.POINTER({class_name(kind.base)})", f"Sequence[{class_name(kind.base)}]",
+                        f"s.References({name!r}, {told.counted_by!r})")
             if kind.base in self.interface.structs and kind.pointers == 1:
                 return "_" + name, f"c.POINTER({class_name(kind.base)})", f"Optional[{class_name(kind.base)}]", f"s.Reference({name!r})"
             if kind.base == "char":

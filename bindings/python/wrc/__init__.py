@@ -15,7 +15,8 @@ from ._interface import *  # noqa: F401,F403
 from ._interface import ABI_VERSION, _wrc_build_info, _wrc_version
 from ._library import Cancelled, Error
 from .contact import Batch, Contact, Model, conicity, force_table, sweep, use
-from . import exact, plot, profiles, raw
+from .damage import Bins, flange_dimensions, flash_temperature, take_off, whole_life_damage
+from . import damage, exact, plot, profiles, raw
 from .profiles import ProfileError, ProfileFile, read_profile
 
 _library.check_version(ABI_VERSION)
@@ -28,5 +29,6 @@ def build_info() -> str:
     return str(_wrc_build_info().decode())
 
 
-__all__ = [*_interface.__all__, "Batch", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "conicity", "exact",
-           "force_table", "plot", "profiles", "raw", "read_profile", "sweep", "use"]
+__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "conicity", "damage",
+           "exact", "flange_dimensions", "flash_temperature", "force_table", "plot", "profiles", "raw", "read_profile", "sweep", "take_off", "use",
+           "whole_life_damage"]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ctypes as c
 import enum
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -1000,7 +1000,7 @@ class Config(s.Struct):
     tangential: ConfigTangential
     rail_sections: int = s.Count('rail_sections')  # type: ignore[assignment]
     non_steady: int
-    rail_section: Optional[RailSection] = s.Reference('rail_section')  # type: ignore[assignment]
+    rail_section: Sequence[RailSection] = s.References('rail_section', 'rail_sections')  # type: ignore[assignment]
     roundness: ConfigRoundness
     roller_curvature: float
     check_rail: ConfigCheckRail

@@ -173,6 +173,26 @@ class Reference(Member):
         return next(each[1] for each in owner._fields_ if each[0] == self.field)
 
 
+class References(Reference):
+    """A pointer to several structs, given as structs or as dicts of their members; it counts them itself."""
+
+    def __init__(self, name: str, count: str):
+        super().__init__(name)
+        self.count = "_" + count
+
+    def __get__(self, owner: Any, _: Any = None) -> Any:
+        if owner is None:
+            return self
+        pointer = getattr(owner, self.field)
+        return [pointer[k] for k in range(getattr(owner, self.count))]
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        pointer = self.kind(type(owner))
+        made = [each if isinstance(each, Struct) else pointer._type_(**each) for each in value or ()]
+        setattr(owner, self.field, (pointer._type_ * len(made))(*made) if made else pointer())
+        setattr(owner, self.count, len(made))
+
+
 class Text(Member):
     """A name: str, or a path."""
 
@@ -272,6 +292,8 @@ class Struct(c.Structure):
             value = getattr(self, name)
             if isinstance(value, Struct):
                 value = value.as_dict()
+            elif isinstance(value, list):
+                value = [each.as_dict() for each in value]
             elif isinstance(value, np.ndarray):
                 value = value.copy()
             elif isinstance(value, enum.IntEnum) or isinstance(value, enum.IntFlag):
@@ -353,6 +375,8 @@ def _shown(value: Any) -> str:
         return f"{value:.6g}"
     if isinstance(value, (int, str)):
         return str(value)
+    if isinstance(value, list):
+        return f"{len(value)} of wrc.{type(value[0]).__name__}" if value else "none"
     return "set" if value else "None"
 
 
@@ -376,12 +400,14 @@ def _format(field: Any) -> Any:
 
 
 def _from_dict(kind: Type[S], values: Dict[str, Any]) -> S:
-    counts = {name for name in values if isinstance(getattr(kind, name, None), Count)}
+    counts, values = {name for name in values if isinstance(getattr(kind, name, None), Count)}, dict(values)
     made = kind()
     for name in set(values) - counts:
         value = values[name]
+        described = getattr(kind, name, None)
+        if isinstance(described, References):
+            value = values[name] = [_from_dict(described.kind(kind)._type_, each) for each in value]
         if isinstance(value, dict):
-            described = getattr(kind, name, None)
             inner = described.kind(kind)._type_ if isinstance(described, Reference) else type(getattr(made, name))
             setattr(made, name, _from_dict(inner, value))
     return made.set(**{name: value for name, value in values.items() if name not in counts and not isinstance(value, dict)
@@ -391,6 +417,8 @@ def _from_dict(kind: Type[S], values: Dict[str, Any]) -> S:
 def _same(one: Any, other: Any) -> bool:
     if isinstance(one, dict):
         return all(_same(one[name], other[name]) for name in one)
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(_same, one, other))
     return np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
 
 

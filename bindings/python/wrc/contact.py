@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _interface as i
 from . import _library as _l
+from .damage import Bins
 
 _SENTENCE = 1024  # bytes
 _SHARED: Dict[str, "Model"] = {}
@@ -115,6 +116,16 @@ class Model(i.ModelCalls):
             if status < 0:
                 raise self._error(status)
             return _view(y, self._memory), _view(z, self._memory), deviation.value
+
+    def arc_places(self, arc: Any, body: Any = "WHEEL") -> Tuple[np.ndarray, np.ndarray]:
+        """y and z of the profile [m] at arc lengths [m], 0 at its origin, as wrc.Bins count them; beyond an end: the end."""
+        arc = np.ascontiguousarray(np.atleast_1d(arc), np.float64)
+        y, z = np.zeros(arc.size), np.zeros(arc.size)
+        with self._lock:
+            status = i._wrc_model_arc_places(self._handle, int(i.Body.of(body)), arc.size, arc, y, z)
+            if status < 0:
+                raise self._error(status)
+        return y.reshape(arc.shape), z.reshape(arc.shape)
 
     def contact_functions(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
         """Where a wheelset without yaw touches both rails, over its lateral displacement: the members of
@@ -240,6 +251,26 @@ class Contact(i.ContactCalls):
     def region_fields(self, region: int = 0) -> Dict[str, np.ndarray]:
         """All fields of a region, by name."""
         return {each.name: self.region_field(each, region) for each in i.RegionField}
+
+    def roll(self, distance: float) -> None:
+        """Tells a contact of a model with non_steady=1 how far it has rolled since its last tangential stage [m]; calls add up."""
+        with self._lock:
+            status = self._status = i._wrc_contact_roll(self._handle, distance)
+            if status < 0:
+                raise self._error(status)
+
+    def accumulate(self, wheel: Optional[Bins] = None, rail: Optional[Bins] = None, *, out: Optional[i.DamageTotals] = None,
+                   **accumulation: Any) -> i.DamageTotals:
+        """Adds what the last results do in a duration to wrc.Bins of the wheel's and of the rail's profile: what was added.
+
+        accumulation: members of wrc.Accumulation: duration [s], source="WRENCH" or "STAGES", distance [m], wear, fatigue
+        """
+        told, totals = i.Accumulation(**accumulation), i.DamageTotals._new() if out is None else out
+        with self._lock:
+            status = self._status = i._wrc_contact_accumulate(self._handle, told, wheel and wheel.struct, rail and rail.struct, totals)
+            if status < 0:
+                raise self._error(status)
+        return totals
 
     def stresses(self, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
         """Largest stresses in one body under the last step: as a whole, and at each of the depths [m]. See wrc_damage.h."""

@@ -2,7 +2,9 @@
 from __future__ import annotations
 
 import ctypes as c
-from typing import Any, Dict, Optional, Tuple, Union
+import threading
+import weakref
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 
@@ -49,6 +51,21 @@ def normal(grid: i.Grid, gap: np.ndarray, *, progress: ProgressArgument = None,
     return solution, pressure
 
 
+def _roll(function: Callable[..., int], grid: i.Grid, pressure: np.ndarray, friction: Union[float, np.ndarray, None],
+          progress: ProgressArgument, problem: Dict[str, Any]) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
+    told = i.ExactRollingProblem(grid=grid, pressure=_field("pressure", pressure, grid), **problem)
+    if friction is not None and np.ndim(friction) == 0:
+        told.coefficient = float(friction)
+    elif friction is not None:
+        told.friction = _field("friction", friction, grid)  # type: ignore[assignment]
+    fields = {name: np.zeros((grid.ny, grid.nx)) for name in ("traction_x", "traction_y", "slip_x", "slip_y")}
+    solution = i.ExactRollingSolution(**fields)
+    watch, text = Watch(progress), c.create_string_buffer(_SENTENCE)
+    told.progress = watch.c
+    _l.check_watched(function(told, solution, text, _SENTENCE), text, watch)
+    return solution, fields
+
+
 def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None,
             progress: ProgressArgument = None, **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
     """Steady rolling under a given pressure: the solution, and its fields of shape (ny, nx): traction_x, traction_y [Pa],
@@ -59,18 +76,29 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
     progress: as of normal()
     problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, materials, tolerance, ...
     """
-    told = i.ExactRollingProblem(grid=grid, pressure=_field("pressure", pressure, grid), **problem)
-    if friction is not None and np.ndim(friction) == 0:
-        told.coefficient = float(friction)
-    elif friction is not None:
-        told.friction = _field("friction", friction, grid)  # type: ignore[assignment]
-    names = ("traction_x", "traction_y", "slip_x", "slip_y")
-    fields = {name: np.zeros((grid.ny, grid.nx)) for name in names}
-    solution = i.ExactRollingSolution(**fields)
-    watch, text = Watch(progress), c.create_string_buffer(_SENTENCE)
-    told.progress = watch.c
-    _l.check_watched(i._wrc_exact_rolling(told, solution, text, _SENTENCE), text, watch)
-    return solution, fields
+    return _roll(i._wrc_exact_rolling, grid, pressure, friction, progress, problem)
+
+
+class Transient:
+    """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
+
+    grid: of every step; a step goes grid.dx
+    materials: members of wrc.Materials: poisson_1=0.28, ...
+    """
+
+    def __init__(self, grid: i.Grid, **materials: Any):
+        self.grid, self.materials, self._lock = grid.copy(), i.Materials(**materials), threading.Lock()
+        self._handle, text = c.c_void_p(), c.create_string_buffer(_SENTENCE)
+        _l.check(i._wrc_exact_transient_create(self.grid, self.materials, c.byref(self._handle), text, _SENTENCE), text)
+        weakref.finalize(self, i._wrc_exact_transient_destroy, c.c_void_p(self._handle.value))
+
+    def step(self, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None, progress: ProgressArgument = None,
+             **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
+        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. A step
+        that fails or is stopped leaves the bodies where they were."""
+        with self._lock:
+            return _roll(lambda *told: i._wrc_exact_transient_step(self._handle, *told), self.grid, pressure, friction, progress,
+                         {"materials": self.materials, **problem})
 
 
 def _loads(grid: i.Grid, pressure: Any, traction_x: Any, traction_y: Any, problem: Dict[str, Any]) -> i.ExactLoads:
