@@ -145,6 +145,33 @@ TEST(StripHalfspace, ConvergesWithTheStripsOnHertz) {
   }
 }
 
+TEST(StripHalfspace, IsHertzOnATurnedEllipse) {
+  // The same two curvatures with their axes turned: h = A x^2 + 2 C x y + B y^2. The strips' own middles lie
+  // between the rows' lowest points and zero.
+  const double along = 1.0, across = 3.0, approach = 60e-6;
+  const HertzEllipse hertz = hertz_ellipse(along, across, approach, test::steel.normal_compliance());
+  for (const double cosine : {0.995, 0.95, 0.8}) {
+    SCOPED_TRACE(cosine);
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    const double a = along * cosine * cosine + across * sine * sine;
+    const double b = along * sine * sine + across * cosine * cosine, c = (across - along) * sine * cosine;
+    OwnedGap gap;
+    for (int j = 0; j <= 200; ++j) {
+      const double y = 2.5 * hertz.a * (0.01 * j - 1.0);
+      gap.add(y, (b - c * c / a) * y * y, 2.0 * a, -c / a * y);
+    }
+    Solver solve;
+    ASSERT_EQ(solve.cold(test::under_load(gap, hertz.normal_force)).status, WRC_OK);
+    EXPECT_NEAR(solve.solution.approach, approach, 3e-3 * approach);
+    EXPECT_NEAR(solve.solution.peak_pressure, hertz.peak, 1e-2 * hertz.peak);
+    EXPECT_NEAR(solve.solution.area, pi * hertz.a * hertz.b, 1e-2 * pi * hertz.a * hertz.b);
+    std::printf("turned, cosine %.3f: approach %+.3f %%, peak %+.3f %%, area %+.3f %%\n", cosine,
+                100.0 * (solve.solution.approach / approach - 1.0),
+                100.0 * (solve.solution.peak_pressure / hertz.peak - 1.0),
+                100.0 * (solve.solution.area / (pi * hertz.a * hertz.b) - 1.0));
+  }
+}
+
 TEST(StripHalfspace, FindsTheSecondPeakOfS1002OnUic60) {
   // CONTACT (full half-space solution, 0.1 mm cells) on this case: approach 0.06714 mm, area 175.5 mm^2, peak
   // 862 MPa on the flange side and 658 MPa on the tread, where methods of one contact condition have 600 MPa
@@ -231,6 +258,41 @@ TEST(StripHalfspace, SpotsPushEachOtherApart) {
   const Strips& both = solve.strips();
   const std::int32_t border = patch_end(both, 0);
   EXPECT_NEAR(totals(slice(both, 0, border)).normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
+}
+
+TEST(StripHalfspace, ASpotHigherThanTheMarginIsSeen) {
+  // A second spot far off, higher than the first by 0.8 to 1.05 of its approach: far from the load the
+  // surface sinks by less than a tenth of that, so it touches from about 0.9 down. Both are Hertz's under
+  // their shares of the approach, each lowered by the other's far field.
+  const double apart = 20e-3, alone = 60e-6, compliance = test::steel.normal_compliance();
+  Solver solve;
+  double before = 0.0;
+  for (double share = 1.05; share > 0.8; share -= 0.0025) {
+    SCOPED_TRACE(share);
+    OwnedGap gap;
+    for (int j = 0; j <= 320; ++j) {
+      const double y = (j - 80) * 0.1e-3;
+      const double first = y * y, second = share * alone + (y - apart) * (y - apart);
+      gap.add(y, std::min(first, second), 2.0);
+    }
+    NormalProblem problem = test::under_load(gap, 0.0);
+    problem.prescribed = Prescribed::approach;
+    problem.approach = alone;
+    ASSERT_GE(solve.cold(problem).status, WRC_OK);
+    double one = alone, other = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      const double by_one = compliance * hertz_ellipse(1.0, 1.0, one, compliance).normal_force / apart;
+      other = std::max(alone * (1.0 - share) - by_one, 0.0);
+      one = alone - compliance * hertz_ellipse(1.0, 1.0, other, compliance).normal_force / apart;
+    }
+    const double expected = hertz_ellipse(1.0, 1.0, one, compliance).normal_force +
+                            hertz_ellipse(1.0, 1.0, other, compliance).normal_force;
+    EXPECT_NEAR(solve.solution.normal_force, expected, 5e-3 * expected);
+    if (before > 0.0) {
+      EXPECT_NEAR(solve.solution.normal_force, before, 5e-3 * before);
+    }
+    before = solve.solution.normal_force;
+  }
 }
 
 TEST(StripHalfspace, SpotsMergeAndPartWithoutAJump) {

@@ -101,7 +101,7 @@ double move_edges(const NormalProblem& problem, const InfluenceTables& influence
     const double l = s.half_length[j];
     const double leading = compliance * s.leading[a];
     const double trailing = s.skewed ? compliance * s.trailing[a] : leading;
-    const double drop = approach - s.height[j] - 0.5 * (leading + trailing);
+    const double drop = approach - height_at_centre(s, j) - 0.5 * (leading + trailing);
     const double ratio = std::clamp(drop / (0.5 * s.curvature[j] * l * l), 0.25, 4.0);
     s.level[a] = s.peak[j] * s.inverse_length[j] / ratio;
     // h(leading edge) - h(trailing edge) = 2 curvature l (x_c - gap_centre); half the way there.

@@ -19,6 +19,10 @@ namespace {
 /// margin.
 constexpr double depth_per_approach = 0.85;
 
+/// Where another spot has its lowest point near the end of the margin, or beyond it, the whole approach is
+/// looked at: far from the load the surface sinks by a tenth of it only.
+constexpr double depth_with_spots = 0.95, near_the_margin = 0.9;
+
 /// A cold start begins on half the strips, if those are not too few, and is as good as the fine solution can
 /// use when less than this part of the area moves.
 constexpr std::int32_t fewest_coarse_strips = 8;
@@ -96,6 +100,17 @@ bool touches_the_grids_end(const StripSystem& s) {
   return s.active_count > 0 && (s.active[0] == 0 || s.active[s.active_count - 1] == s.grid.count - 1);
 }
 
+/// A spot where the undeformed bodies overlap has its lowest point too high for a grid of that depth to give
+/// it strips.
+bool spot_above(const GapRows& rows, const GapMinimum& lowest, double depth, double approach) {
+  for (std::int32_t j = 1; j + 1 < rows.count; ++j) {
+    const double height = rows.height[j] - lowest.height;
+    const bool lower = rows.height[j] < rows.height[j - 1] && rows.height[j] <= rows.height[j + 1];
+    if (lower && height >= near_the_margin * depth && height < approach) return true;
+  }
+  return false;
+}
+
 /// Where a solve stands.
 struct State {
   double approach = 0.0;  ///< an estimate at first [m]
@@ -111,15 +126,16 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
                    StripHalfspaceStart& start, StripSystem& s, State& state) {
   const double guess = state.approach;
   double depth = depth_per_approach * guess;
+  if (spot_above(problem.gap, lowest, depth, guess)) depth = guess;
   constexpr int widenings = 3;
   for (int attempt = 0; attempt < widenings; ++attempt) {
     place(problem, lowest, state.approach, depth, count, start, s);
     if (start.count > 0) fit_ends(problem.gap, lowest.height, s);
     state.converged = false;
     double moved_before = 0.0;
+    Search search = Search::everywhere;
     for (std::int32_t sweep = 0; sweep < options.max_sweeps && !state.converged && s.active_count > 0;
          ++sweep) {
-      const Search search = sweep == 0 ? Search::everywhere : Search::beside_contact;
       state.approach = solve_pressures(problem, influence, search, s, state.stiffness);
       ++state.sweeps;
       if (s.active_count == 0) break;
@@ -128,6 +144,12 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
       const double left = moved < moved_before ? moved * moved / (moved_before - moved) : moved;
       state.converged = std::max(moved, left) <= options.tolerance;
       moved_before = moved;
+      // A region that the first guess of the approach did not show: the sweep that takes it in is not the
+      // last.
+      const bool more = state.converged && search == Search::beside_contact &&
+                        overlap_elsewhere(problem, influence, state.approach, s);
+      search = more ? Search::everywhere : Search::beside_contact;
+      if (more) state.converged = false;
       fit_ends(problem.gap, lowest.height, s);
     }
     if (s.active_count == 0 && start.count > 0) {
@@ -136,8 +158,13 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
       continue;
     }
     if (!(state.approach > 0.0)) break;  // the gap dips below its rows: no depth to widen
-    if (!touches_the_grids_end(s) || s.grid.at_edge) break;
-    depth *= 1.4;
+    if (touches_the_grids_end(s) && !s.grid.at_edge)
+      depth *= 1.4;
+    else if (depth < depth_with_spots * state.approach &&
+             spot_above(problem.gap, lowest, depth, state.approach))
+      depth = state.approach;
+    else
+      break;
   }
 }
 

@@ -14,6 +14,8 @@ namespace {
 /// A strip enters when the bodies would overlap by this part of the approach: rounding must not decide.
 constexpr double overlap_to_enter = 1e-4;
 
+constexpr std::int32_t beside = 1;  ///< strips from the nearest in contact that still count as beside it
+
 double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.influence_stride; }
 
 /// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
@@ -44,7 +46,7 @@ simd::EliminationTask gather(const StripSystem& s, double compliance) {
       continue;
     }
     target[size] = 1.0 / compliance;
-    target[size + 1] = s.height[s.active[a]] / compliance;
+    target[size + 1] = height_at_centre(s, s.active[a]) / compliance;
   }
   // Column by column is slow; strips in contact come in runs.
   for (std::int32_t first = 0, end = 0; first < m; first = end) {
@@ -84,25 +86,29 @@ bool release(StripSystem& s) {
   return changed;
 }
 
+/// True if the bodies would overlap at strip j, which is not in contact.
+bool overlaps(const NormalProblem& problem, const InfluenceTables& influence, double approach, std::int32_t j,
+              const StripSystem& s) {
+  find_influence(*problem.kernels, influence, s, j);
+  const double* const row = influence_row(s, j);
+  double displacement = 0.0;
+  for (std::int32_t b = 0; b < s.active_count; ++b) displacement += row[s.active[b]] * s.peak[s.active[b]];
+  return problem.material.normal_compliance() * displacement <
+         (1.0 - overlap_to_enter) * approach - height_at_centre(s, j);
+}
+
 /// Takes in the strips where the bodies would overlap. True if there are any.
 bool admit(const NormalProblem& problem, const InfluenceTables& influence, Search search, double approach,
            StripSystem& s) {
-  const double compliance = problem.material.normal_compliance();
-  constexpr std::int32_t beside = 1;  // strips from the nearest in contact that still count as beside it
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
   for (std::int32_t j = s.in_reach.first; j < s.in_reach.first + s.in_reach.count; ++j) {
     bool in = a < m && s.active[a] == j;
     const bool near = (a < m && s.active[a] - j <= beside) || (a > 0 && j - s.active[a - 1] <= beside);
-    if (in) {
+    if (in)
       ++a;
-    } else if (s.height[j] < approach && (near || search == Search::everywhere)) {
-      find_influence(*problem.kernels, influence, s, j);
-      const double* const row = influence_row(s, j);
-      double displacement = 0.0;
-      for (std::int32_t b = 0; b < m; ++b) displacement += row[s.active[b]] * s.peak[s.active[b]];
-      in = compliance * displacement < (1.0 - overlap_to_enter) * approach - s.height[j];
-    }
+    else if (s.height[j] < approach && (near || search == Search::everywhere))
+      in = overlaps(problem, influence, approach, j, s);
     if (in) s.next_active[next_count++] = j;
   }
   if (next_count == m) return false;
@@ -112,6 +118,20 @@ bool admit(const NormalProblem& problem, const InfluenceTables& influence, Searc
 }
 
 }  // namespace
+
+bool overlap_elsewhere(const NormalProblem& problem, const InfluenceTables& influence, double approach,
+                       const StripSystem& s) noexcept {
+  const std::int32_t n = s.grid.count;
+  for (std::int32_t j = 0, a = 0; j < n; ++j) {
+    while (a < s.active_count && s.active[a] + beside < j) ++a;
+    const bool near = a < s.active_count && s.active[a] - beside <= j;
+    const bool lowest =
+        (j == 0 || s.height[j] < s.height[j - 1]) && (j + 1 == n || s.height[j] <= s.height[j + 1]);
+    if (lowest && !near && s.height[j] < approach && overlaps(problem, influence, approach, j, s))
+      return true;
+  }
+  return false;
+}
 
 double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
                        StripSystem& s, double& stiffness) noexcept {

@@ -7,7 +7,8 @@
 
 namespace wrc {
 
-/// Where strips are looked for that overlap: a patch grows at its borders, other regions appear rarely.
+/// Where strips are looked for that overlap: a patch grows at its borders, other regions appear rarely, and
+/// are looked for where sweeps begin and where they are about to end.
 enum class Search { everywhere, beside_contact };
 
 /// Pressures of the active strips, from the contact condition at their middles, for the present lengths;
@@ -16,5 +17,10 @@ enum class Search { everywhere, beside_contact };
 /// next sweep.
 double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
                        StripSystem& s, double& stiffness) noexcept;
+
+/// True if the bodies would overlap at the lowest strip of a spot that is not in contact, with the pressures
+/// last solved.
+bool overlap_elsewhere(const NormalProblem& problem, const InfluenceTables& influence, double approach,
+                       const StripSystem& s) noexcept;
 
 }  // namespace wrc

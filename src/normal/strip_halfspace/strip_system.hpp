@@ -72,6 +72,13 @@ inline std::int32_t run_end(const StripSystem& s, std::int32_t first) noexcept {
   return a + 1;
 }
 
+/// Height over the lowest point where strip j has its middle, beside the row's own lowest point under yaw
+/// [m].
+inline double height_at_centre(const StripSystem& s, std::int32_t j) noexcept {
+  const double shift = s.centre[j] - s.gap_centre[j];
+  return s.height[j] + 0.5 * s.curvature[j] * shift * shift;
+}
+
 /// Puts strip j at y, with the gap's row there.
 inline void put(GapReader& gap, double lowest_height, std::int32_t j, double y, double width,
                 StripSystem& s) noexcept {
