@@ -419,10 +419,14 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
             .cause = "between the bodies of the exact solution there is no layer: leave it 1"};
   }
   const SurfaceModel& surface = *model.surface;
-  if (varies(surface)) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config",
-            .cause = "the exact solution has no rail_section, no roundness and no roller"};
+  if (surface.varying.faces > 0 || surface.out_of_round.rows > 0) {
+    return {
+        .status = WRC_ERROR_UNSUPPORTED,
+        .field = surface.varying.faces == 0 ? "config.roundness"
+                 : model.options.check_rail ? "config.check_rail"
+                                            : "config.rail_section",
+        .cause =
+            "the exact solution is of a round wheel and one rail that is the same everywhere, or a roller"};
   }
   const double radius = model.options.wheelset.nominal_radius;
   const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),
@@ -430,7 +434,8 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
                                            .nominal_radius = radius,
                                            .rail_y = surface.rail_origin_y,
                                            .rail_z = surface.rail_origin_z,
-                                           .material = surface.material},
+                                           .material = surface.material,
+                                           .roller_curvature = surface.roller_curvature},
                                           solver);
   const halfspace::SurfaceSolution found =
       contact.solve({.state = placed.problem, .progress = reporter.callback()});

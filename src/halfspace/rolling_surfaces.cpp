@@ -33,6 +33,47 @@ Vector3 normal_of(const SurfaceRow& row) { return {0.0, -std::sin(row.angle), st
 
 }  // namespace
 
+// In the plane across the axle, the wheel's place is (distance, -height) along x and the rail's z; turned, it
+// is (0, -root of the squares).
+TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state) {
+  if (bodies.roller_curvature == 0.0 || state.distance == 0.0) return;
+  WheelMotion& wheel = state.wheel;
+  RailMotion& rail = state.rail;
+  down_y_ = -std::sin(rail.roll);
+  down_z_ = std::cos(rail.roll);
+  const double y = wheel.position[1] - (bodies.rail_y + rail.y),
+               z = wheel.position[2] - (bodies.rail_z + rail.z);
+  const double height = 1.0 / bodies.roller_curvature - (y * down_y_ + z * down_z_);
+  const double apart = std::sqrt(height * height + state.distance * state.distance);
+  sine_ = state.distance / apart;
+  cosine_ = height / apart;
+  // Only what the wheel does beside the rail matters.
+  wheel.velocity[1] -= rail.velocity_y - rail.velocity_roll * z;
+  wheel.velocity[2] -= rail.velocity_z + rail.velocity_roll * y;
+  wheel.angular_velocity[0] -= rail.velocity_roll;
+  rail.velocity_y = rail.velocity_z = rail.velocity_roll = 0.0;
+  wheel.position[1] -= (apart - height) * down_y_;
+  wheel.position[2] -= (apart - height) * down_z_;
+  state.distance = 0.0;
+  turn(sine_, wheel.velocity);
+  turn(sine_, wheel.angular_velocity);
+  for (int k = 0; k < 3; ++k) {
+    double axis[3] = {wheel.rotation[0][k], wheel.rotation[1][k], wheel.rotation[2][k]};
+    turn(sine_, axis);
+    for (int i = 0; i < 3; ++i) wheel.rotation[i][k] = axis[i];
+  }
+}
+
+void TurnedAboveAxle::turn(double sine, double (&v)[3]) const {
+  const double x = v[0], down = v[1] * down_y_ + v[2] * down_z_;
+  const double more = (cosine_ - 1.0) * down - sine * x;
+  v[0] = cosine_ * x + sine * down;
+  v[1] += more * down_y_;
+  v[2] += more * down_z_;
+}
+
+void TurnedAboveAxle::turn_back(double (&v)[3]) const { turn(-sine_, v); }
+
 RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& wheel, const RailMotion& rail)
     : bodies_(bodies), wheel_(wheel), rail_(rail) {}
 
@@ -45,8 +86,9 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
   constexpr double farthest = 0.02;     // beyond it a ray meets another face of the wheel [m]
   constexpr double least_cosine = 0.1;  // of the angle between the ray and the wheel's normal
   const Vector3 n = normal_of(row);
-  const Vector3 start =
-      to_wheel(wheel_.rotation, Vector3{x, row.y - wheel_.position[1], row.z - wheel_.position[2]});
+  const double fall = row.fall(x);
+  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + fall * down_y() - wheel_.position[1],
+                                                          row.z + fall * down_z() - wheel_.position[2]});
   const Vector3 ray = to_wheel(wheel_.rotation, -1.0 * n);
   SurfacePoint found{.wheel_s = std::clamp(wheel_s, 0.0, bodies_.wheel.length())};
   for (int k = 0; k < cap; ++k) {
@@ -80,8 +122,9 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
 SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
   constexpr double spacing = 2e-4;
   const Vector3 n = normal_of(row);
-  const Vector3 start =
-      to_wheel(wheel_.rotation, Vector3{x, row.y - wheel_.position[1], row.z - wheel_.position[2]});
+  const double fall = row.fall(x);
+  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + fall * down_y() - wheel_.position[1],
+                                                          row.z + fall * down_z() - wheel_.position[2]});
   const Vector3 normal = to_wheel(wheel_.rotation, n);
   // In the plane of the axle through the point: the profile's point nearest to the ray among those that face
   // it.
@@ -110,6 +153,10 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   const double c = std::cos(rail_.roll), sn = std::sin(rail_.roll);
   SurfaceRow row{.y = bodies_.rail_y + rail_.y + c * p.y - sn * p.z,
                  .z = bodies_.rail_z + rail_.z + sn * p.y + c * p.z};
+  if (bodies_.roller_curvature != 0.0) {
+    constexpr double least_radius = 0.02;  // [m]: of faces that no wheel reaches
+    row.radius = std::max(1.0 / bodies_.roller_curvature - p.z, least_radius);
+  }
   const double rail_angle = std::atan2(p.dz, p.dy) + rail_.roll;
   row.angle = rail_angle;
   SurfacePoint at = point(row, 0.0);
@@ -121,8 +168,11 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     for (int k = 0; k < steps && at.found; ++k) {
       const Vector3 n = normal_of(row);
       const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
-      const double slope = at.normal[0] / facing;  // d gap / dx
-      const double by_radius = bodies_.nominal_radius * facing;
+      const double falling = row.fall_slope(row.middle);
+      const double slope = (at.normal[0] + falling * (at.normal[1] * down_y() + at.normal[2] * down_z())) /
+                           facing;  // d gap / dx
+      const double by_roller = row.radius > 0.0 ? bodies_.nominal_radius / row.radius : 0.0;
+      const double by_radius = bodies_.nominal_radius * facing / (1.0 + by_roller);
       const double change = slope - slope_before;
       const double secant = change != 0.0 ? (row.middle - before) / change : 0.0;
       const double radius =
@@ -145,27 +195,35 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     at = point(row, row.middle, at.wheel_s);
   }
   found = at.found;
+  const Vector3 n = normal_of(row);
+  row.lean = row.fall_slope(row.middle) * (n.y * down_y() + n.z * down_z());
   return row;
 }
 
 void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
                               double& along_row) const {
   const Vector3 n = normal_of(row);
-  const Vector3 rail_point{x, row.y, row.z};
+  const double fall = row.fall(x);
+  const Vector3 rail_point{x, row.y + fall * down_y(), row.z + fall * down_z()};
   const Vector3 wheel_point = rail_point - at.gap * n;
   const Vector3 arm = wheel_point - Vector3{0.0, wheel_.position[1], wheel_.position[2]};
   const Vector3 turning{wheel_.angular_velocity[0], wheel_.angular_velocity[1], wheel_.angular_velocity[2]};
   const Vector3 wheel_velocity =
       Vector3{wheel_.velocity[0], wheel_.velocity[1], wheel_.velocity[2]} + cross(turning, arm);
-  const double rail_arm_y = row.y - (bodies_.rail_y + rail_.y),
-               rail_arm_z = row.z - (bodies_.rail_z + rail_.z);
-  const Vector3 rail_velocity{0.0, rail_.velocity_y - rail_.velocity_roll * rail_arm_z,
-                              rail_.velocity_z + rail_.velocity_roll * rail_arm_y};
+  const double rail_arm_y = rail_point.y - (bodies_.rail_y + rail_.y),
+               rail_arm_z = rail_point.z - (bodies_.rail_z + rail_.z);
+  Vector3 rail_velocity{0.0, rail_.velocity_y - rail_.velocity_roll * rail_arm_z,
+                        rail_.velocity_z + rail_.velocity_roll * rail_arm_y};
+  if (row.radius > 0.0) {  // about the axle, which lies at x = 0
+    const double from_axle = row.radius - fall;
+    rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, -x * down_y(), -x * down_z()};
+  }
   const Vector3 velocity = wheel_velocity - rail_velocity;
   // Row's normal n is (at the row's middle) the mean of both already; along x the wheel's share is half its
   // own.
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
-  const Vector3 across = unit(n + Vector3{0.5 * wheel_normal.x / dot(wheel_normal, n), 0.0, 0.0});
+  const double rail_x = -row.fall_slope(x) * (n.y * down_y() + n.z * down_z());
+  const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
   const Vector3 e_x = unit(Vector3{1.0, 0.0, 0.0} - across.x * across);
   along_x = dot(velocity, e_x);
   along_row = dot(velocity, cross(across, e_x));

@@ -6,6 +6,8 @@
 /// Right-hand wheel and rail, track axes and types of surface/wheel_on_rail.hpp.
 #pragma once
 
+#include <cmath>
+
 #include "halfspace/grid.hpp"
 #include "halfspace/section_curve.hpp"
 #include "patch/material.hpp"
@@ -19,6 +21,8 @@ struct WheelAndRail {
   double nominal_radius = 0.0;        ///< of the tape circle [m]
   double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
   Material material;
+  double roller_curvature =
+      0.0;  ///< of a rail that is a roller: 1 / radius at the origin of its profile [1/m]
 };
 
 /// Direction of the normals of the rows.
@@ -29,6 +33,12 @@ struct SurfaceRow {
   double y = 0.0, z = 0.0;  ///< of the rail's surface, track axes [m]
   double angle = 0.0;       ///< of the normal (0, -sin, cos), into the rail [rad]
   double middle = 0.0;      ///< x where the wheel is nearest [m]
+  double radius = 0.0;      ///< of a roller at this row; 0: the row is straight [m]
+  double lean = 0.0;        ///< what the rail falls along the normal per x at the middle [-]
+
+  /// What a roller's surface falls at x from above its axle [m], and the slope of that.
+  double fall(double x) const { return radius > 0.0 ? radius - std::sqrt(radius * radius - x * x) : 0.0; }
+  double fall_slope(double x) const { return radius > 0.0 ? x / std::sqrt(radius * radius - x * x) : 0.0; }
 };
 
 /// A cell's gap and what its kinematics need.
@@ -39,7 +49,23 @@ struct SurfacePoint {
   bool found = false;     ///< the normal meets the wheel's facing side near by
 };
 
-/// A wheel over a rail. Axes: x from the wheel's reference point, y and z of the track.
+/// A wheel beside the axle of a roller, turned about that axle until it stands above it, and back.
+class TurnedAboveAxle {
+ public:
+  /// Turns the wheel of `state`, with `distance` 0 after that, and gives it the rail's velocities to carry.
+  /// Nothing at all without a roller.
+  TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state);
+  /// From the turned axes to those of the track.
+  void turn_back(double (&v)[3]) const;
+
+ private:
+  void turn(double sine, double (&v)[3]) const;
+  double sine_ = 0.0, cosine_ = 1.0;    // of the turn
+  double down_y_ = 0.0, down_z_ = 1.0;  // of the rail's z axis
+};
+
+/// A wheel over a rail, or above the axle of a roller. Axes: x from the wheel's reference point, y and z of
+/// the track.
 class RollingSurfaces {
  public:
   RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& wheel, const RailMotion& rail);
@@ -59,6 +85,9 @@ class RollingSurfaces {
                double& along_row) const;
 
  private:
+  double down_y() const { return -std::sin(rail_.roll); }
+  double down_z() const { return std::cos(rail_.roll); }
+
   const WheelAndRail& bodies_;
   const WheelMotion& wheel_;
   RailMotion rail_;

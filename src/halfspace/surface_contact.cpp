@@ -160,13 +160,19 @@ void find_sliding(const RollingSurfaces& surfaces, const Cells& cells, Collocati
 }
 
 // The mean of the speeds at which wheel and rail material pass through the contact, over its pressure [m/s].
-double rolling_speed(const WheelOnRail& state, const Field& pressure, const Way (&ways)[2]) {
-  double sliding = 0.0, load = 0.0;
-  for (std::size_t k = 0; k < pressure.size(); ++k) {
-    sliding += pressure[k] * 0.5 * (ways[0].sliding_x[k] + ways[1].sliding_x[k]);
-    load += pressure[k];
+double rolling_speed(const WheelOnRail& state, const Cells& cells, const Field& pressure,
+                     const Way (&ways)[2]) {
+  double passing = 0.0, load = 0.0;
+  const Grid& g = cells.grid;
+  for (int j = 0; j < g.ny; ++j) {
+    const double rail = state.rail.turning * cells.rows[j].radius;  // backwards
+    for (int i = 0; i < g.nx; ++i) {
+      const std::size_t k = g.index(i, j);
+      passing += pressure[k] * (rail - 0.25 * (ways[0].sliding_x[k] + ways[1].sliding_x[k]));
+      load += pressure[k];
+    }
   }
-  return state.wheel.velocity[0] - 0.5 * sliding / load;
+  return state.wheel.velocity[0] + passing / load;
 }
 
 // Coefficients of all cells: of each row over its width on the rail, at the root mean square of its cells'
@@ -241,9 +247,11 @@ void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocatio
       row.peak_pressure = std::max(row.peak_pressure, p);
       // The force acts halfway between the undeformed surfaces.
       const double half = 0.5 * cells.points[at].gap, area = g.cell_area();
-      const double fx = px * area, fy = (py * c + p * sn) * area, fz = (py * sn - p * c) * area;
+      const double lean = place.lean;  // tangent (1, lean n), normal (-lean, n)
+      const double fx = (px + lean * p) * area, fy = (py * c + (p - lean * px) * sn) * area,
+                   fz = (py * sn - (p - lean * px) * c) * area;
       const double x = g.x(i), y = place.y + half * sn - state.wheel.position[1],
-                   z = place.z - half * c - s.height;
+                   z = place.z - half * c - state.wheel.position[2];
       s.force[0] += fx;
       s.force[1] += fy;
       s.force[2] += fz;
@@ -287,14 +295,23 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
 SurfaceContact::SurfaceContact(WheelAndRail bodies, const SurfaceOptions& options)
     : bodies_(std::move(bodies)), options_(options) {}
 
-SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double height, bool with_friction,
+SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, bool with_friction,
                                           const SurfaceSolution* start,
                                           const ProgressCallback& progress) const {
   SurfaceSolution s;
   s.height = height;
-  WheelMotion wheel = state.wheel;
-  wheel.position[2] = height;
-  const RollingSurfaces surfaces(bodies_, wheel, state.rail);
+  WheelOnRail state = in;
+  state.wheel.position[2] = height;
+  const TurnedAboveAxle turned_wheel(bodies_, state);
+  solve_turned(state, with_friction, start, progress, s);
+  turned_wheel.turn_back(s.force);
+  turned_wheel.turn_back(s.moment);
+  return s;
+}
+
+void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, const SurfaceSolution* start,
+                                  const ProgressCallback& progress, SurfaceSolution& s) const {
+  const RollingSurfaces surfaces(bodies_, state.wheel, state.rail);
   const Cells cells = lay_cells(surfaces, bodies_.rail.length(), options_);
   s.grid = cells.grid;
   if (cells.too_many) {
@@ -305,11 +322,11 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double heigh
                .unit = "",
                .high = static_cast<double>(options_.max_cells),
                .cause = "an overlap of millimetres, or cells too small"};
-    return s;
+    return;
   }
   if (cells.deepest <= 0.0) {
     s.fault = {.status = WRC_FLAG_NO_CONTACT};
-    return s;
+    return;
   }
   s.rows = cells.rows;
   const std::size_t n = s.grid.cells();
@@ -332,7 +349,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double heigh
     s.fault = pressed.fault;
     s.turns = 1;
     if (!s.fault.failed()) sum_up(state, cells, options_.collocation, nullptr, s);
-    return s;
+    return;
   }
 
   RollingSolver roller(s.grid, bodies_.material, angles);
@@ -362,13 +379,13 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double heigh
     const GapSolution pressed = normal.solve(gap);
     s.fault = pressed.fault;
     s.pressure = pressed.pressure;
-    if (s.fault.failed()) return s;
+    if (s.fault.failed()) return;
     if (pressed.normal_force <= 0.0) {
       for (Field* field : {&s.traction_x, &s.traction_y}) field->assign(n, 0.0);
       sum_up(state, cells, options_.collocation, nullptr, s);
       break;
     }
-    const double speed = rolling_speed(state, s.pressure, ways);
+    const double speed = rolling_speed(state, cells, s.pressure, ways);
     const RollingReference reference = rolling_reference(speed);
     ways[speed < 0.0 ? 1 : 0].share = 1.0 - reference.other_way;
     ways[speed < 0.0 ? 0 : 1].share = reference.other_way;
@@ -400,7 +417,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double heigh
       way.rolled = roller.solve(problem);
       way.started = true;
       keep_worst(s.fault, way.rolled.fault);
-      if (s.fault.failed()) return s;
+      if (s.fault.failed()) return;
       way.traction_x = way.seen(s.grid, way.rolled.traction_x, true);
       way.traction_y = way.seen(s.grid, way.rolled.traction_y, false);
       for (std::size_t k = 0; k < n; ++k) {
@@ -427,7 +444,6 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& state, double heigh
       break;
     }
   }
-  return s;
 }
 
 // The load grows with the depth below first touch nearly with its power 3/2: secants of load^(2/3) over the
@@ -445,9 +461,10 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
   // Height of first touch, from the rows' gaps, beginning with the wheel's largest radius above the rail.
   double height = highest_start(bodies_, problem.state.rail);
   for (int k = 0; k < 20; ++k) {
-    WheelMotion wheel = problem.state.wheel;
-    wheel.position[2] = height;
-    const RollingSurfaces surfaces(bodies_, wheel, problem.state.rail);
+    WheelOnRail state = problem.state;
+    state.wheel.position[2] = height;
+    const TurnedAboveAxle turned(bodies_, state);
+    const RollingSurfaces surfaces(bodies_, state.wheel, state.rail);
     double nearest = apart;
     const int rows = static_cast<int>(bodies_.rail.length() / options_.cell_s);
     for (int j = 0; j < rows; ++j) {

@@ -90,6 +90,9 @@ class SurfaceContact {
  private:
   SurfaceSolution at_height(const WheelOnRail& state, double height, bool with_friction,
                             const SurfaceSolution* start, const ProgressCallback& progress) const;
+  /// At the height and above the axle of a roller, forces in these axes.
+  void solve_turned(const WheelOnRail& state, bool with_friction, const SurfaceSolution* start,
+                    const ProgressCallback& progress, SurfaceSolution& s) const;
 
   WheelAndRail bodies_;
   SurfaceOptions options_;

@@ -6,6 +6,7 @@
 
 #include "../check_rail_points.hpp"
 #include "wheel_on_rail.hpp"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -177,6 +178,9 @@ TEST_F(CheckRail, WhatIsWrongIsNamed) {
   input.distance = 1.0;
   EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(error().find("input.distance"), std::string::npos) << error();
+  input.distance = 0.0;
+  EXPECT_EQ(wrc_exact_wrench(contact, &input, nullptr, &wrench), WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(error().find("config.check_rail"), std::string::npos) << error();
 }
 
 }  // namespace

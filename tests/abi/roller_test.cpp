@@ -6,6 +6,7 @@
 
 #include "../wrench_inputs.hpp"
 #include "wheel_on_rail.hpp"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -50,6 +51,14 @@ class Roller : public testing::Test, protected PlacedWheel {
     input.vertical_load = 0.0;
     wheel.z = z;
     ASSERT_EQ(step(), WRC_OK) << error();
+  }
+  /// The same input exactly.
+  wrc_wrench exactly(double cell) {
+    wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+    options.cell_x = options.cell_s = cell;
+    wrc_wrench exact = wrc_wrench_default();
+    EXPECT_EQ(wrc_exact_wrench(contact, &input, &options, &exact), WRC_OK) << error();
+    return exact;
   }
   double hertz_radius(double load) const {
     const double nu = config.material.poisson, E = 2.0 * config.material.shear_modulus * (1.0 + nu);
@@ -235,6 +244,70 @@ TEST_F(Roller, DerivativesAreThoseOfDifferences) {
     }
     wheel.y = -wheel.y;
   }
+}
+
+/// Axles one above the other and, with the line of centres leaning, beside each other.
+TEST_F(Roller, ExactlyTooItIsHertzsCircle) {
+  friction.coefficient = 0.0;
+  create();
+  const double load = 80e3, a = hertz_radius(load), centres = 2.0 * radius, d = 0.05;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = load;
+  const wrc_wrench above = exactly(2e-4);
+  EXPECT_NEAR(above.area, 3.14159265358979 * a * a, 0.01 * above.area);
+  EXPECT_NEAR(above.peak_pressure, 1.5 * load / (3.14159265358979 * a * a), 2e-3 * above.peak_pressure);
+  EXPECT_NEAR(above.z, a * a / crown, 2e-3 * above.z);
+  EXPECT_NEAR(above.force[0], 0.0, 1e-6 * load);
+  const double sine = d / (centres - above.z), cosine = std::sqrt(1.0 - sine * sine);
+  input.prescribed = WRC_PRESCRIBE_HEIGHT;
+  input.vertical_load = 0.0;
+  input.distance = d;
+  wheel.z = centres - (centres - above.z) * cosine;
+  const wrc_wrench beside = exactly(2e-4);
+  EXPECT_NEAR(beside.normal_force, load, 1e-3 * load);
+  EXPECT_NEAR(beside.force[0] / load, sine, 1e-3 * sine);
+  EXPECT_NEAR(-beside.force[2] / load, cosine, 1e-3);
+  EXPECT_NEAR(beside.moment[1], 0.0, 1e-5 * load * radius);
+}
+
+TEST_F(Roller, ExactlyAndInRealTimeItRollsAlike) {
+  create();
+  input.roller_velocity *= 1.0 - 1e-3;
+  wheel.velocity[1] = -0.01;
+  carry(80e3);
+  const wrc_wrench exact = exactly(4e-4);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], exact.force[k], 0.02 * 24e3) << k;
+  EXPECT_NEAR(wrench.power, exact.power, 0.05 * exact.power);
+  // S1002 and its flange before the axle
+  config.wheel = config.rail = wrc_profile_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.track = wrc_config_default().track;
+  wheel = wrc_wheel_input_default().wheel;
+  wheel.y = 6e-3;
+  wheel.yaw = 0.01;
+  roll_at(20.0);
+  create();
+  carry(80e3);
+  const wrc_wrench flange = exactly(4e-4);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], flange.force[k], 0.04 * 24e3) << k;
+}
+
+TEST_F(Roller, ExactlyTooAGiantOneIsARail) {
+  config.roller_curvature = 0.0;
+  create();
+  wheel.velocity[0] = 20.0;
+  wheel.velocity[1] = 0.02;
+  input.roller_velocity = 0.0;
+  wheel.z = 100e-6;
+  const wrc_wrench rail_only = exactly(4e-4);
+  config.roller_curvature = 1e-9;
+  create();
+  wheel.velocity[0] = 0.0;
+  input.roller_velocity = 20.0 * 1e-9;
+  const wrc_wrench giant = exactly(4e-4);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(giant.force[k], rail_only.force[k], 1e-4 * rail_only.normal_force) << k;
 }
 
 TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
