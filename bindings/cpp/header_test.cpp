@@ -62,6 +62,27 @@ static_assert(!std::is_copy_constructible_v<wrc::model> && std::is_nothrow_move_
 static_assert(sizeof(wrc::contact) == sizeof(wrc_contact*) &&
               sizeof(wrc::contact_ref) == sizeof(wrc_contact*));
 
+// Tractions of bodies that roll from rest grow.
+void rolls_on() {
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  problem.grid.nx = problem.grid.ny = 4;
+  problem.grid.dx = problem.grid.dy = 1e-3;
+  problem.grid.x0 = problem.grid.y0 = -1.5e-3;
+  problem.creepage.longitudinal = 1e-3;
+  const std::vector<double> pressure(16, 1e9);
+  problem.pressure = pressure.data();
+  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  auto made = wrc::transient::make(problem.grid, problem.materials);
+  EXPECT(made.has_value());
+  wrc::transient bodies(std::move(*made));
+  EXPECT(bodies.step(problem, solution) == WRC_OK);
+  const double first = solution.fx;
+  EXPECT(bodies.step(problem, solution) == WRC_OK && solution.fx < first && first < 0.0);
+  problem.grid.nx = 0;
+  EXPECT(wrc::transient::make(problem.grid, problem.materials).error() == WRC_ERROR_RANGE);
+  EXPECT(wrc::transient().step(problem, solution) == WRC_ERROR_NULL);
+}
+
 void values() {
   wrc_allocator allocator = wrc_allocator_default();
   allocator.allocate = allocate;
@@ -161,6 +182,7 @@ void values() {
   EXPECT(!wrc::model::make(wrong) && wrc::model::make(wrong).error() == WRC_ERROR_RANGE);
   const auto coefficients = wrc::try_linear_coefficients(1.0, 0.0, 0.25);
   EXPECT(coefficients && coefficients->c11 > 4.0 && coefficients->c11 < 4.3);
+  rolls_on();
 }
 
 #ifdef WRC_EXCEPTIONS

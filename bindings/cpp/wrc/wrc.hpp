@@ -3,8 +3,8 @@
  * does.
  *
  * Structs and enumerations are those of C. What is added:
- *  - handles that own: wrc::model, wrc::contact, move only. A contact_ref is the same contact, not owned: for
- * memory of
+ *  - handles that own: wrc::model, wrc::contact, wrc::transient, move only. A contact_ref is the same
+ * contact, not owned: for memory of
  *    your own (contact_ref::init), and to pass one on. A model must outlive its contacts, as in C.
  *  - statuses and sentences as values or as exceptions. Every function `name` of C (without wrc_contact_ and
  * so on) comes as
@@ -389,6 +389,46 @@ class contact : public contact_ref {
   ~contact() { wrc_contact_destroy(handle_); }
   /** Hands the C handle over: wrc_contact_destroy() is the caller's from here on. */
   wrc_contact* release() noexcept { return std::exchange(handle_, nullptr); }
+};
+
+/** Two bodies that roll on cell by cell and remember their tractions (wrc_exact_transient_create()), owned.
+ */
+class transient {
+ public:
+  transient() noexcept = default;
+  /** `text` gets the sentence of what went wrong. */
+  static expected<transient> make(const wrc_grid& grid, const wrc_materials& materials,
+                                  span<char> text = {}) noexcept {
+    transient made;
+    const status how = wrc_exact_transient_create(&grid, &materials, &made.handle_, text.data(), text.size());
+    if (how.failed()) return failure(how);
+    return made;
+  }
+#ifdef WRC_EXCEPTIONS
+  /** The same; throws an error with the sentence. */
+  transient(const wrc_grid& grid, const wrc_materials& materials) {
+    char sentence[512] = "";
+    const status how = wrc_exact_transient_create(&grid, &materials, &handle_, sentence, sizeof sentence);
+    if (how.failed()) throw error(how, sentence);
+  }
+#endif
+  transient(transient&& other) noexcept { std::swap(handle_, other.handle_); }
+  transient& operator=(transient&& other) noexcept {
+    transient moved(std::move(other));
+    std::swap(handle_, moved.handle_);
+    return *this;
+  }
+  ~transient() { wrc_exact_transient_destroy(handle_); }
+  wrc_exact_transient* get() const noexcept { return handle_; }
+  explicit operator bool() const noexcept { return handle_ != nullptr; }
+  /** wrc_exact_transient_step() */
+  status step(const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution,
+              span<char> text = {}) noexcept {
+    return wrc_exact_transient_step(handle_, &problem, &solution, text.data(), text.size());
+  }
+
+ private:
+  wrc_exact_transient* handle_ = nullptr;
 };
 
 }  // namespace wrc
