@@ -53,7 +53,8 @@ def klingel(all_runs):
                          f"Klingel {w['y'][0]:.3f} m" for a, w in waves.items())
         axis.set_title(f"{what}\n{text}", fontsize=8.5, loc="left")
         axis.set_ylabel("lateral displacement [mm]")
-        axis.legend(fontsize=8, loc="upper right")
+        axis.set_ylim(top=1.4 * axis.get_ylim()[1])
+        axis.legend(fontsize=8, loc="upper right", ncol=3)
     axes[1, 0].set_xlabel("distance [m]")
     return figure
 
@@ -77,7 +78,7 @@ def critical(all_runs):
     axis.set_ylim(-0.2, None)
     axis.set_xlabel("speed [km/h]")
     axis.set_ylabel("amplitude of the first wheelset [mm]")
-    axis.legend(fontsize=8, loc="center left")
+    axis.legend(fontsize=8, loc="center right")
     return figure
 
 
@@ -119,7 +120,7 @@ def turnout(all_runs):
 
 def flat(all_runs):
     run = next(iter(all_runs["flat"].values()))
-    figure, axes = panels(1, 4.2, "Wheel flat 0.5 mm deep, 90 mm long, worn, 60 km/h, rigid track")
+    figure, axes = panels(1, 4.2, "Wheel flat 0.5 mm deep, 90 mm long, worn, 60 km/h, on a rigid track")
     of_wheels(axes[0, 0], 1e3 * run["time"], run, "vertical", -1.0, "vertical force, first wheels [kN]")
     axes[0, 0].axhline(STATIC, color=LINE, lw=0.8, ls=":")
     axes[0, 0].set_xlabel("time [ms]")
@@ -134,9 +135,9 @@ def irregular(all_runs):
     axes[0, 0].plot(x, 1e3 * run["y"], color=RIGHT, label="first wheelset")
     axes[0, 0].plot(x, 1e3 * run["y_second"], color=LEFT, lw=1, label="second wheelset")
     axes[0, 0].set_ylabel("lateral displacement [mm]")
-    axes[0, 0].legend(fontsize=8, loc="upper right")
-    of_wheels(axes[1, 0], x, run, "lateral", 1.0, "lateral force,\nfirst wheels [kN]")
-    of_wheels(axes[2, 0], x, run, "vertical", -1.0, "vertical force,\nfirst wheels [kN]")
+    axes[0, 0].legend(fontsize=8, loc="upper left")
+    of_wheels(axes[1, 0], x, run, "lateral", 1.0, "lateral force,\nfirst wheels [kN]", "upper left")
+    of_wheels(axes[2, 0], x, run, "vertical", -1.0, "vertical force,\nfirst wheels [kN]", "upper left")
     axes[2, 0].set_xlabel("distance [m]")
     return figure
 

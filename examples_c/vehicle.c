@@ -657,12 +657,12 @@ static void critical(FILE* file) {
   const double found = speeds[0] - rate[0] * (speeds[1] - speeds[0]) / (rate[1] - rate[0]);
   printf("critical: in time %.2f m/s (%+.2f %% from linearised)\n", found, 100.0 * (found / linear - 1.0));
   /* limit cycles: the stable ones followed downwards, each from the one before, until there is none */
-  enum { most = 12 };
+  enum { most = 14 };
   tolerance = 1e-4; /* where flanges strike the rails, steps are short */
   static double cycle[STATES];
   double upper = 0.0;
   for (int k = 0; k < most; ++k) {
-    v.speed = linear * (1.06 - 0.03 * k);
+    v.speed = linear * (k < 3 ? 1.06 - 0.03 * k : 1.03 - 0.012 * k);
     build(&v);
     stand(&v, stands);
     if (k == 0) {
@@ -670,7 +670,7 @@ static void critical(FILE* file) {
       swing(stands, mode, 3e-3, s);
     }
     double now = 0.0, r = 0.0;
-    for (int part = 0; part < 4; ++part) { /* 2.4 s at most */
+    for (int part = 0; part < (k == 0 ? 8 : 4); ++part) { /* 2.4 s at most */
       r = went(&v, s, 0.6, &now, &factor);
       if (now < 0.3e-3 || fabs(r) < 0.03) break;
     }
@@ -795,7 +795,7 @@ static void irregular(FILE* file) {
   v.speed = 40.0;
   stand(&v, s);
   Told told = {.file = file, .run = "irregular", .value = 40.0};
-  const double factor = integrate(&v, s, 2.0, 2e-3, look, &told);
+  const double factor = integrate(&v, s, 4.0, 2e-3, look, &told);
   printf(
       "irregular track at 40 m/s: vertical %.1f to %.1f kN, lateral up to %.1f kN; real-time factor %.3f\n",
       1e-3 * told.least_vertical, 1e-3 * told.largest_vertical, 1e-3 * told.largest_lateral, factor);

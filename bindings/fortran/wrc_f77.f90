@@ -2,7 +2,7 @@
 !     CALL WRCMOD(IWHEEL, IRAIL, CANT, MODEL, ISTAT)   a model: enum wrc_profile_kind, tangent of the rails' cant
 !     CALL WRCCON(MODEL, ISIDE, CONTAC, ISTAT)         a contact of side 0 (right) or 1 (left)
 !     CALL WRCSTP(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_step_flat: 8 numbers in, 12 out
-!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench_flat: 21 numbers in, 18 out
+!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench_flat: 28 numbers in, 18 out
 !     CALL WRCTXT(CONTAC, TEXT)                        the sentence behind the last status
 !     CALL WRCDEL(CONTAC)                              releases a contact
 !     CALL WRCMDE(MODEL)                               releases a model, its contacts before

@@ -397,7 +397,7 @@ WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t 
                                      uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
                                      int32_t* statuses);
 
-#define WRC_FLAT_WHEEL_INPUTS 21  /**< numbers wrc_contact_wrench_flat() reads */
+#define WRC_FLAT_WHEEL_INPUTS 28  /**< numbers wrc_contact_wrench_flat() reads */
 #define WRC_FLAT_WHEEL_OUTPUTS 18 /**< numbers wrc_contact_wrench_flat() writes */
 
 /** wrc_contact_wrench() with plain arrays, for Fortran 77 and S-functions. Numbers that stand for one of an enumeration are
@@ -405,7 +405,8 @@ WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t 
  * @param contact as for wrc_contact_wrench()
  * @param in WRC_FLAT_WHEEL_INPUTS numbers: reference, y, z [m], roll, yaw [rad], velocity x, y, z [m/s], angular
  * velocity x, y, z in track axes [rad/s]; of the rail y, z [m], roll [rad], their rates [m/s, rad/s]; friction (0:
- * none), prescribed, vertical load [N], damping [s/m]
+ * none), prescribed, vertical load [N], damping [s/m]; distance [m], angle [rad], roller_velocity [rad/s]; of the frame
+ * speed [m/s], curvature, vertical curvature, twist [1/m]
  * @param[out] out WRC_FLAT_WHEEL_OUTPUTS numbers: force x, y, z [N], moment x, y, z [N m], on the rail force x, y, z,
  * moment x, y, z, then z [m], normal force [N], area [m^2], peak pressure [Pa], power [W], regions
  * @return as wrc_contact_wrench(). @rt hard @thread contact */

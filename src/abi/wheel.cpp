@@ -375,6 +375,13 @@ int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* o
     input.prescribed = static_cast<int32_t>(in[18]);
     input.vertical_load = in[19];
     input.damping = in[20];
+    input.distance = in[21];
+    input.angle = in[22];
+    input.roller_velocity = in[23];
+    input.frame.speed = in[24];
+    input.frame.curvature = in[25];
+    input.frame.vertical_curvature = in[26];
+    input.frame.twist = in[27];
     const wrc::Fault outcome = abi::solve(contact, &input);
     if (outcome.failed()) return outcome;
     const wrc_wrench wrench = abi::wrench_of(contact.wheel);

@@ -73,6 +73,13 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 double place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
                     RailStrips& strips);
 
+/// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
+/// (model_options.cpp).
+inline bool has_check_rail(const VaryingRail& rail) {
+  constexpr double everywhere = 1e6;  // [m]
+  return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
+}
+
 /// The face a strip belongs to.
 inline const RailFace& face_of(const VaryingRail& rail, std::int32_t strip) {
   std::int32_t f = 0;

@@ -66,13 +66,6 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
 }
 
-/// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
-/// (model_options.cpp).
-bool has_check_rail(const VaryingRail& rail) {
-  constexpr double everywhere = 1e6;  // [m]
-  return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
-}
-
 /// The strips of the rail where the wheel is; flagged where there is no section.
 Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   w.rail = model.rail;

@@ -89,6 +89,29 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   return s;
 }
 
+namespace {
+
+/// Takes from the rail's faces what stands behind the flange and looks away from the wheel: the front of the
+/// flange touches only what is on its own side of its tip, and rays from there would meet it through its
+/// body. Overlaps that are solved are less deep than 3 mm.
+void leave_out_behind_flange(const WheelCurve& wheel, const RelativePose& pose, RailStrips& rail) {
+  constexpr double deepest = 3e-3;  // [m]
+  std::int32_t tip = 0;
+  for (std::int32_t k = 1; k < wheel.knots; ++k)
+    if (wheel.knot_radius[k] > wheel.knot_radius[tip]) tip = k;
+  const double y =
+      pose.y + pose.rotation[1][1] * wheel.knot_y[tip] + pose.rotation[1][2] * wheel.knot_radius[tip];
+  for (std::int32_t r = 0; r < rail.ranges; ++r) {
+    StripRange& face = rail.range[r];
+    while (face.count > 1 && rail.tz[face.first] < 0.0 && rail.y[face.first] < y - deepest) {
+      ++face.first;
+      --face.count;
+    }
+  }
+}
+
+}  // namespace
+
 void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, WheelWork& w) {
   const bool varying = varies(model);
   // what follow_track() may add: on a slope a, a^2 r / 2, and more where the rail is concave
@@ -96,7 +119,10 @@ void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, do
   const double more = varying ? smaller(0.5 * concave * w.steepest * w.steepest * model.wheel_radius, 2e-3) +
                                     model.out_of_round.largest
                               : 0.0;
-  find_overlaps(*model.kernels, w.rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
+  RailStrips rail = w.rail;
+  if (rail.ranges > 1 && !has_check_rail(model.varying))
+    leave_out_behind_flange(model.wheel, seen.pose, rail);
+  find_overlaps(*model.kernels, rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
   if (varying) follow_track(model, in, seen, margin, w);
 }
 

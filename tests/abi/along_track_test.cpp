@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../check_rail_points.hpp"
 #include "not_finite.hpp"
 #include "wheel_on_rail.hpp"
 
@@ -173,6 +174,22 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   }
 }
 
+TEST_F(AlongTrack, TheFlatCallKnowsDistanceAndAngle) {
+  give_ramp();
+  give_wheel(720, [](double a) { return 1e-4 * std::cos(7.0 * a); });
+  create();
+  input.distance = 2.6;
+  input.angle = -0.3;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
+  in[5] = wheel.velocity[0], in[9] = wheel.angular_velocity[1], in[17] = friction.coefficient;
+  in[18] = 1.0, in[19] = 60e3, in[21] = input.distance, in[22] = input.angle;
+  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
+}
+
 TEST_F(AlongTrack, AFlatLowersTheWheelAsItsSupportFunctionSays) {
   // a worn flat: a cosine of 0.5 mm over 90 mm, so long that it is convex
   constexpr double deep = 0.5e-3, half = 0.045 / radius;
@@ -224,6 +241,78 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   ASSERT_EQ(wrc_contact_region(contact, 1, &region), WRC_OK);
   EXPECT_LT(region.normal_force, 0.8 * alone);
   EXPECT_GT(region.normal_force, 0.3 * alone);
+}
+
+/// A face behind the flange, higher than the rail: what of it looks away from the wheel is not met through
+/// the wheel's body.
+TEST_F(AlongTrack, AFaceThatTheWheelDoesNotReachChangesNothing) {
+  wheel.y = 2e-3;
+  wheel.z = 100e-6;
+  input.distance = 0.5;
+  for (const double z : {-0.02, 0.0}) {
+    for (const double beside : {-0.2, -0.113, 0.113}) {
+      sections.clear();
+      add(0.0);
+      add(1.0);
+      give();
+      create();
+      ASSERT_EQ(step(), WRC_OK) << error();
+      const wrc_wrench alone = wrench;
+      for (const double distance : {0.0, 1.0}) add(distance, z, beside).face = 1;
+      give();
+      create();
+      ASSERT_EQ(step(), WRC_OK) << error();
+      EXPECT_EQ(wrench.regions, alone.regions);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(wrench.force[i], alone.force[i], 2e-3 * alone.normal_force) << i;
+    }
+  }
+}
+
+/// As a face of its own a check rail is what config.check_rail makes of it.
+TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
+  const CheckRailPoints points;
+  wheel.z = 0.18e-3;
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.placement = WRC_PLACEMENT_ORIGIN;
+  config.track.rail_origin = 0.7535;
+  config.check_rail.profile = points.profile();
+  config.check_rail.y = -0.0813;
+  config.check_rail.z = -0.020;
+  double low = -12e-3, high = 0.0;  // at which it carries about 30 kN
+  create();
+  for (int n = 0; n < 24; ++n) {
+    wheel.y = 0.5 * (low + high);
+    ASSERT_GE(step(), 0) << error();
+    double carried = 0.0;
+    for (int32_t i = 0; i < wrench.regions; ++i) {
+      wrc_region region = wrc_region_default();
+      ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
+      if (region.face == 0) carried += region.normal_force;
+    }
+    (carried > 30e3 ? low : high) = wheel.y;
+  }
+  const int32_t status = step();  // the end of the wheel's profile is in it
+  ASSERT_GE(status, 0) << error();
+  const wrc_wrench checked = wrench;
+  ASSERT_GT(checked.steepest_angle, 1.0);
+  for (const double distance : {0.0, 1.0}) {
+    wrc_rail_section& check = add(distance, config.check_rail.z, config.check_rail.y);
+    check.profile = points.profile();
+  }
+  for (const double distance : {0.0, 1.0}) {
+    wrc_rail_section& running = add(distance);
+    running.face = 1;
+    running.profile = config.rail;
+  }
+  give();
+  config.check_rail = wrc_config_default().check_rail;
+  create();
+  input.distance = 0.5;
+  ASSERT_EQ(step(), status) << error();
+  EXPECT_EQ(wrench.regions, checked.regions);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(wrench.force[i], checked.force[i], 1e-9 * checked.normal_force) << i;
 }
 
 TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {

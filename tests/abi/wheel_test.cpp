@@ -975,6 +975,8 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
   EXPECT_EQ(wrc_contact_wrench_batch(nullptr, 1, inputs.data(), 0, batch.data(), 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(batch[0].force[2], 0.0);
 
+  input.frame = {18.0, 2e-3, 1e-3, 1e-2};
+  wheel.velocity[0] -= 18.0;
   expect_works();
   const double in[WRC_FLAT_WHEEL_INPUTS] = {static_cast<double>(wheel.reference),
                                             wheel.y,
@@ -996,7 +998,14 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
                                             friction.coefficient,
                                             0.0,
                                             0.0,
-                                            0.0};
+                                            0.0,
+                                            input.distance,
+                                            input.angle,
+                                            input.roller_velocity,
+                                            input.frame.speed,
+                                            input.frame.curvature,
+                                            input.frame.vertical_curvature,
+                                            input.frame.twist};
   double out[WRC_FLAT_WHEEL_OUTPUTS];
   ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK);
   for (int i = 0; i < 3; ++i) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "along_track.hpp"
 #include "proof/wheel.hpp"
 
 namespace {
@@ -13,7 +14,19 @@ namespace {
 struct Case {
   const char* name;
   Methods methods;
-  enum { complete, normal, tangential, damage, geometry, wrench, derivatives, line, wheel_line } part;
+  enum {
+    complete,
+    normal,
+    tangential,
+    damage,
+    geometry,
+    wrench,
+    derivatives,
+    line,
+    wheel_line,
+    track,
+    round
+  } part;
 };
 
 constexpr Methods usual{WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec, WRC_SIDE_RIGHT, 60, 50};
@@ -32,12 +45,53 @@ constexpr Case cases[] = {
     {"damage_60x50", usual, Case::damage},
     {"wheel_on_rail", defaults, Case::wrench},
     {"wheel_on_rail_derivatives", defaults, Case::derivatives},
+    {"wheel_on_varying_rail", defaults, Case::track},
+    {"wheel_not_round", defaults, Case::round},
     {"accumulate_60x32", defaults, Case::line},
     {"accumulate_wheel_on_rail", defaults, Case::wheel_line},
 };
 
+/// The same wheel on a rail of nine sections that rises and falls by 20 um, as to its cost on one that does
+/// not, and a wheel with a
+/// flat of 20 um.
+struct AlongTrack {
+  AlongTrackBodies bodies;
+  wrc_rail_section section[9];
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  AlongTrack(const Methods& methods, bool rail) {
+    wrc_config config = wrc_config_default();
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.instruction_set = methods.instruction_set;
+    bodies.give(config);
+    for (double& each : bodies.deviation) each *= 0.05;
+    for (int k = 0; k < 9; ++k) {
+      section[k] = {};
+      section[k].profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+      section[k].distance = 0.5 * k;
+      section[k].z = k % 2 == 0 ? -10e-6 : 10e-6;
+    }
+    config.rail_section = section;
+    config.rail_sections = rail ? 9 : 0;
+    if (rail) config.roundness = {};
+    wrc_model_create(&config, nullptr, &model);
+    wrc_contact_create(model, methods.side, nullptr, &contact);
+  }
+  ~AlongTrack() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  AlongTrack(const AlongTrack&) = delete;
+  AlongTrack& operator=(const AlongTrack&) = delete;
+};
+
+/// What wheel_on_rail() steps on instead of the wheel's own contact.
+wrc_contact* special = nullptr;
+
 /// A wheel on a rail at 80 to 100 kN; with its derivatives or without.
-void wheel_on_rail(Wheel& wheel, bool derivatives, int i) {
+void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrench) {
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_sensitivities found{};
@@ -47,7 +101,11 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i) {
   input.wheel.yaw = 3e-3;
   input.wheel.velocity[0] = 20.0;
   input.wheel.angular_velocity[1] = -20.0 / 0.46;
-  if (derivatives)
+  if (part == Case::track) input.distance = 1.1 + 1e-3 * i;
+  if (part == Case::round) input.angle = 0.1 - 0.0125 * (i % 16);
+  if (part == Case::track || part == Case::round)
+    wrc_contact_wrench(special, &input, &wrench);
+  else if (derivatives)
     wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
   else
     wrc_contact_wrench(wheel.contact, &input, &wrench);
@@ -105,6 +163,10 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
       case Case::derivatives:
         wheel_on_rail(wheel, part == Case::derivatives, i);
         break;
+      case Case::track:
+      case Case::round:
+        wheel_on_rail(wheel, false, i, part);
+        break;
       case Case::line:
         accumulate(wheel, WRC_DAMAGE_OF_STAGES);
         break;
@@ -133,7 +195,9 @@ int main(int count, char** arguments) {
     wheel.pose.lateral = 4.6e-3;
     wheel.load.normal_force = 80e3;
     if (wheel.step() < 0) return 1;
-    wheel_on_rail(wheel, false, 0);
+    const AlongTrack along_track(methods, each.part == Case::track);
+    special = along_track.contact;
+    wheel_on_rail(wheel, false, 0, each.part);
     measured_steps(wheel, each.part, std::atoi(arguments[2]));
     return 0;
   }

@@ -1,11 +1,11 @@
 /* clang-format off */
 /* The interface that today's is held against; tests/abi/gate/baseline.c reads it. Renewed by
      tools/interface/describe.py --renew-baseline "what changed, in a sentence for CHANGELOG.md"
-   BECAUSE: Until 0.2 is released members of its structs are put where they belong; the baseline follows */
+   BECAUSE: wrc_contact_wrench_flat reads 28 numbers: distance, angle, turning of a roller and motion of the frame behind the 21 of before */
 NUMBER(WRC_ABI_VERSION, 2)
 NUMBER(WRC_FLAT_INPUTS, 8)
 NUMBER(WRC_FLAT_OUTPUTS, 12)
-NUMBER(WRC_FLAT_WHEEL_INPUTS, 21)
+NUMBER(WRC_FLAT_WHEEL_INPUTS, 28)
 NUMBER(WRC_FLAT_WHEEL_OUTPUTS, 18)
 NUMBER(WRC_OK, 0)
 NUMBER(WRC_FLAG_NO_CONTACT, 1)
