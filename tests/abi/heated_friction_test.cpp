@@ -4,41 +4,18 @@
 #include <cmath>
 #include <vector>
 
-#include "reference_contact.hpp"
+#include "loaded_ellipse.hpp"
 
 namespace {
 
-class HeatedFriction : public testing::Test {
+class HeatedFriction : public LoadedEllipse {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_ellipse ellipse = wrc_ellipse_default();
-  wrc_creepage creepage = wrc_creepage_default();
-  wrc_friction friction = wrc_friction_default();
-  wrc_forces forces{};
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
-
   void SetUp() override {
-    ellipse.a = 6e-3;
-    ellipse.b = 4e-3;
-    ellipse.normal_force = 80e3;
     creepage.longitudinal = 0.05;
     creepage.speed = 20.0;
     friction.coefficient = 0.4;
     friction.kind = WRC_FRICTION_TEMPERATURE;
     make();
-  }
-  void TearDown() override { destroy(); }
-  void make() {
-    destroy();
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
-  }
-  void destroy() {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-    contact = nullptr;
-    model = nullptr;
   }
   int32_t solve() { return wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   std::vector<double> field(int32_t id) {

@@ -6,45 +6,23 @@
 #include <numeric>
 #include <vector>
 
+#include "loaded_ellipse.hpp"
 #include "not_finite.hpp"
-#include "reference_contact.hpp"
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
 /// An ellipse in full slip: q = mu p V |slip|, semi-elliptic along every strip.
-class Temperature : public testing::Test {
+class Temperature : public LoadedEllipse {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_ellipse ellipse = wrc_ellipse_default();
-  wrc_creepage creepage = wrc_creepage_default();
-  wrc_friction friction = wrc_friction_default();
-  wrc_forces forces{};
   wrc_temperature temperature = wrc_temperature_default();
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
 
   void SetUp() override {
     config.grid.cells = 64;
-    ellipse.a = 6e-3;
-    ellipse.b = 4e-3;
-    ellipse.normal_force = 80e3;
     creepage.longitudinal = 0.5;
     creepage.speed = 10.0;
     make();
-  }
-  void TearDown() override { destroy(); }
-  void make() {
-    destroy();
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
-  }
-  void destroy() {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-    contact = nullptr;
-    model = nullptr;
   }
   int32_t solve(const wrc_bulk_temperatures* bulk = nullptr) {
     const int32_t status = wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces);

@@ -252,6 +252,11 @@ wrc_wheel_input wheel_on_rail(int i, Numbers& numbers) {
   return input;
 }
 
+void add_forces(const wrc_wrench& wrench, Hash& hash) {
+  for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
+    for (int k = 0; k < 3; ++k) hash.add(each[k]);
+}
+
 /// Wheels on rails, both sides of one model.
 void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -260,9 +265,7 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
-    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment}) {
-      for (int k = 0; k < 3; ++k) hash.add(each[k]);
-    }
+    add_forces(wrench, hash);
     for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.peak_pressure, wrench.power,
                           wrench.steepest_angle})
       hash.add(number);
@@ -328,6 +331,19 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// A wrench's forces and sums, with its derivatives where they are wanted.
+void add_wrench(wrc_contact* contact, const wrc_wheel_input& input, bool derivatives, Hash& hash) {
+  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench_sensitivities found{};
+  hash.add(derivatives ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
+                       : wrc_contact_wrench(contact, &input, &wrench));
+  add_forces(wrench, hash);
+  for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
+    hash.add(number);
+  for (const auto& row : found.wrench)
+    for (double number : row) hash.add(number);
+}
+
 /// Wheels with a flat on rails that change along the track, and derivatives by that.
 void run_along_track(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(8);
@@ -338,17 +354,7 @@ void run_along_track(wrc_contact* right, wrc_contact* left, Hash& hash) {
     const double fallen = input.distance - 1.0;
     if (input.prescribed == WRC_PRESCRIBE_HEIGHT && fallen > 0.0)
       input.wheel.z += fallen < 2.0 ? 0.004 * fallen : 0.008;
-    wrc_wrench wrench = wrc_wrench_default();
-    wrc_wrench_sensitivities found{};
-    wrc_contact* const contact = i % 2 == 0 ? right : left;
-    hash.add(i % 3 == 0 ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
-                        : wrc_contact_wrench(contact, &input, &wrench));
-    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
-      for (int k = 0; k < 3; ++k) hash.add(each[k]);
-    for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
-      hash.add(number);
-    for (const auto& row : found.wrench)
-      for (double number : row) hash.add(number);
+    add_wrench(i % 2 == 0 ? right : left, input, i % 3 == 0, hash);
   }
 }
 
@@ -365,17 +371,7 @@ void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
     input.frame.vertical_curvature = numbers.between(-1e-3, 1e-3);
     input.frame.twist = numbers.between(-0.01, 0.01);
     input.wheel.velocity[0] = -input.frame.speed;
-    wrc_wrench wrench = wrc_wrench_default();
-    wrc_wrench_sensitivities found{};
-    wrc_contact* const contact = i % 2 == 0 ? right : left;
-    hash.add(i % 3 == 0 ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
-                        : wrc_contact_wrench(contact, &input, &wrench));
-    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
-      for (int k = 0; k < 3; ++k) hash.add(each[k]);
-    for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
-      hash.add(number);
-    for (const auto& row : found.wrench)
-      for (double number : row) hash.add(number);
+    add_wrench(i % 2 == 0 ? right : left, input, i % 3 == 0, hash);
   }
 }
 
@@ -389,8 +385,7 @@ void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
-    for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
-      for (int k = 0; k < 3; ++k) hash.add(each[k]);
+    add_forces(wrench, hash);
     for (int32_t k = 0; k < wrench.regions; ++k) {
       wrc_region region = wrc_region_default();
       hash.add(wrc_contact_region(contact, k, &region));
