@@ -70,6 +70,49 @@ class Contact {
 
 double apart(const wrc_forces& a, const wrc_forces& b) { return std::hypot(a.fx - b.fx, a.fy - b.fy); }
 
+// What rigid creepages put in over a cycle, friction takes out: elastic energy is the same again.
+TEST(RollingMemory, PowerIsTheWorkOfACycle) {
+  const double pi = std::acos(-1.0), step = 0.3e-3;
+  for (const double wave : {24e-3, 60e-3, 240e-3}) {
+    Contact contact;
+    const wrc_creepage mean = contact.creepage;
+    double work = 0.0, power = 0.0, distance = 0.0;
+    const double scale = contact.limit();
+    for (int cycle = 0; cycle < 2; ++cycle) {
+      for (int k = 0; k < std::lround(wave / step); ++k) {
+        distance += step;
+        const double factor = 1.0 + std::sin(2.0 * pi * (distance - 0.5 * step) / wave);
+        contact.creepage.longitudinal = factor * mean.longitudinal;
+        contact.creepage.lateral = factor * mean.lateral;
+        contact.creepage.spin = factor * mean.spin;
+        const wrc_forces forces = contact.roll(step);
+        EXPECT_GE(forces.power, 0.0);
+        if (cycle == 0) continue;
+        const wrc_creepage& c = contact.creepage;
+        work -=
+            scale *
+            (forces.fx * c.longitudinal + forces.fy * c.lateral + forces.mz * contact.ellipse.a * c.spin) *
+            c.speed;
+        power += forces.power;
+      }
+    }
+    EXPECT_NEAR(power / work, 1.0, 0.08) << wave;
+  }
+}
+
+// At the start from rest nearly all sticks: work becomes elastic energy.
+TEST(RollingMemory, WhatSticksTakesNoPower) {
+  Contact contact, steady(false);
+  contact.creepage.longitudinal *= 0.5;
+  steady.creepage = contact.creepage;
+  wrc_forces forces{};
+  for (int k = 0; k < 3; ++k) forces = contact.roll(0.2e-3);
+  EXPECT_LT(forces.power, 0.05 * steady.solve().power);
+  wrc_damage damage{};
+  EXPECT_EQ(wrc_contact_damage(contact.handle(), &damage), WRC_OK);
+  EXPECT_NEAR(damage.power, forces.power, 1e-9 * (1.0 + forces.power));  // fields are scaled to it
+}
+
 TEST(RollingMemory, StepsThatStayTheSameEndInSteadyRolling) {
   for (const double step : {0.2e-3, 1.5e-3, 7e-3, 20e-3}) {
     Contact contact, steady(false);

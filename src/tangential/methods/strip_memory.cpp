@@ -63,9 +63,10 @@ struct Strip {
   double tau(double x) const { return std::max(0.0, bound * (x - trail()) * (lead() - x)); }
 };
 
-/// Forces, and how much they grow against a creepage of the whole step [N].
+/// Forces, how much they grow against a creepage of the whole step, and what slides dissipates per distance
+/// [N].
 struct Sum {
-  double fx = 0.0, fy = 0.0, mz = 0.0, stiff_x = 0.0, stiff_y = 0.0;
+  double fx = 0.0, fy = 0.0, mz = 0.0, stiff_x = 0.0, stiff_y = 0.0, power = 0.0;
 
   void add(const Sum& s) {
     fx += s.fx;
@@ -73,6 +74,7 @@ struct Sum {
     mz += s.mz;
     stiff_x += s.stiff_x;
     stiff_y += s.stiff_y;
+    power += s.power;
   }
 };
 
@@ -148,6 +150,14 @@ Traction roll(const Strip& s, const StripMarch& m, double x, double pressure, do
     p.y = tau * e.y - p.spin;
     x_share = e.x;
     y_share = e.y;
+    // What the traction lacks of what it had grown to if it had stuck, it has slid, half way at the pressure
+    // there.
+    if (path > 0.0) {
+      const double place = (x + 0.5 * path - s.centre) / s.half_length;
+      const double half_way = s.limit * std::sqrt(std::max(0.0, 1.0 - place * place)) * s.width * s.cell();
+      const double slid = e.x * (px - tau * e.x) / m.gx_by_nu_x + e.y * (py - tau * e.y) / m.gy_by_nu_y;
+      sum.power += half_way * slid / path;
+    }
   } else {
     const double per_tau = 1.0 / std::max(tau, least);
     const double cx = p.x * per_tau, cy = p.y * per_tau, psi = p.spin * per_tau;
@@ -443,6 +453,14 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   forces.fx += share * (patch.sum().fx - steady.fx);
   forces.fy += share * (patch.sum().fy - steady.fy);
   forces.mz += share * (patch.sum().mz - steady.mz);
+  if (!(rolled > 0.0)) return forces;  // nothing has slid: the steady rate
+  const double before = forces.power_per_speed;
+  forces.power_per_speed = std::max(0.0, before + share * (patch.sum().power - steady.power));
+  const double scale = before > 0.0 ? forces.power_per_speed / before : 1.0;
+  for (double* const slip : {fields.slip_x, fields.slip_y}) {
+    if (slip == nullptr) continue;
+    for (std::int32_t k = 0; k < contact.grid->cells * contact.region.count; ++k) slip[k] *= scale;
+  }
   return forces;
 }
 
