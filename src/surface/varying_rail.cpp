@@ -110,7 +110,8 @@ Fault pair_with_first(const RailSection& section, std::int32_t index, const Curv
     if (i == 0) continue;
     const double stretch = (pairing.s[i] - pairing.s[i - 1]) / (pairing.u[i] - pairing.u[i - 1]);
     if (!(stretch < largest_stretch && stretch > 1.0 / largest_stretch))
-      return unpaired(index, "length of an outline between marks or ends over that of the first section",
+      return unpaired(index,
+                      "config.rail_section: length between marks or ends over that of the first, of section",
                       stretch, "", "these profiles cannot be paired: do they end at the same places?");
   }
   pairing.find_slopes();
@@ -165,8 +166,9 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
                    bz = b[3 * rail.room + j];
       const double cosine = (ay * by + az * bz) / std::sqrt((ay * ay + az * az) * (by * by + bz * bz));
       if (!(cosine > least_cosine))
-        return unpaired(k + 1, "cosine between the surfaces of this section and the one before", cosine, "",
-                        "points that differ so much are no pair: give marks, or a section between them");
+        return unpaired(
+            k + 1, "config.rail_section: cosine between the surfaces of the one before and of section",
+            cosine, "", "points that differ so much are no pair: give marks, or a section between them");
     }
   }
   return {};

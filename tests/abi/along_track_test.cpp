@@ -339,6 +339,66 @@ TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   EXPECT_EQ(refused(), WRC_ERROR_NOT_FINITE) << sentence;
 }
 
+TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
+  add(1.0);
+  add(1.0005);
+  give();
+  EXPECT_EQ(refused(), WRC_ERROR_RANGE);
+  EXPECT_NE(sentence.find("config.rail_section.distance"), std::string::npos) << sentence;
+  sections[1].distance = 1.0;
+  EXPECT_EQ(refused(), WRC_ERROR_RANGE) << sentence;
+  sections[1].distance = 2.0;
+  EXPECT_EQ(refused(), WRC_OK) << sentence;
+  // a face that goes on behind another one's sections
+  add(0.0).face = 1;
+  add(3.0).face = 1;
+  add(4.0);
+  give();
+  EXPECT_EQ(refused(), WRC_ERROR_RANGE);
+  EXPECT_NE(sentence.find("config.rail_section.face"), std::string::npos) << sentence;
+}
+
+TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
+  const auto cannot = [&](const char* word) {
+    const int32_t status = wrc_model_create(&config, nullptr, &model);
+    EXPECT_EQ(status, WRC_ERROR_PROFILE);
+    EXPECT_EQ(model, nullptr);
+    EXPECT_EQ(refused(), WRC_ERROR_PROFILE) << sentence;
+    EXPECT_NE(sentence.find("config.rail_section"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
+  };
+  std::vector<double> y, z, steep;
+  for (int i = -180; i <= 180; ++i) {
+    y.push_back(2e-4 * i);
+    z.push_back(y.back() * y.back() / 0.6);
+    steep.push_back(y.back() > 0.0 ? 3.0 * y.back() : z.back());
+  }
+  add(0.0);
+  add(1.0);
+  give();
+  for (wrc_rail_section& each : sections) {
+    each.profile.kind = WRC_PROFILE_POINTS;
+    each.profile.count = static_cast<uint32_t>(y.size());
+    each.profile.y = y.data();
+    each.profile.z = z.data();
+  }
+  EXPECT_EQ(refused(), WRC_OK) << sentence;
+  // marks that make 3 mm of one outline a pair of 36 mm of the other
+  const double marks[] = {-0.033, 0.0};
+  for (std::size_t k : {0U, 1U}) {
+    sections[k].marks = 1;
+    sections[k].mark = &marks[k];
+  }
+  cannot("cannot be paired");
+  // turned by more than 60 degrees where the other one is level
+  for (wrc_rail_section& each : sections) {
+    each.marks = 0;
+    each.mark = nullptr;
+  }
+  sections[1].profile.z = steep.data();
+  cannot("no pair");
+}
+
 TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {
   give_wheel(36, [](double a) { return 1e-4 * std::cos(a); });
   EXPECT_EQ(refused(), WRC_OK) << sentence;
