@@ -57,6 +57,9 @@ inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Na
 }
 // The masked forms with all lanes: the same instructions, of which gcc 12 does not warn (its bug 105593).
 inline Native root_of(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
+inline Native floor_of(Native a) {
+  return _mm512_maskz_roundscale_pd(0xff, a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
 inline Native larger_of(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm512_maskz_min_pd(0xff, a, b); }
 inline NativeMask less(Native a, Native b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
@@ -94,6 +97,7 @@ inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Na
   behind = _mm256_unpackhi_pd(even, odd);
 }
 inline Native root_of(Native a) { return _mm256_sqrt_pd(a); }
+inline Native floor_of(Native a) { return _mm256_floor_pd(a); }
 inline Native larger_of(Native a, Native b) { return _mm256_max_pd(a, b); }
 inline Native smaller_of(Native a, Native b) { return _mm256_min_pd(a, b); }
 inline NativeMask less(Native a, Native b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
@@ -261,6 +265,16 @@ inline void store_pack(double* to, Pack x) {
 inline Pack nearest_integer(Pack a) {
   const Pack unit_spacing = 4503599627370496.0;  // 2^52: the next double is one more
   return (a + unit_spacing) - unit_spacing;
+}
+
+/// The largest integer that is no larger than 0 <= a < 2^51.
+inline Pack whole_part(Pack a) {
+#if defined(__AVX2__)
+  return {floor_of(a.a), floor_of(a.b)};
+#else
+  const Pack nearest = nearest_integer(a);
+  return select(nearest > a, nearest - 1.0, nearest);
+#endif
 }
 
 /// The bits of a pack, for what is read off them.

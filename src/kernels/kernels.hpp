@@ -30,6 +30,8 @@ struct Sums;
 struct SurfaceTables;
 struct SurfaceSources;
 struct SurfacePoint;
+struct SurfacePoints;
+struct SurfaceEdges;
 struct SurfaceSlopes;
 struct OutlineTask;
 struct CellTask;
@@ -80,14 +82,15 @@ struct Kernels {
   void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_slopes)(const simd::SurfaceStripsSlopesTask& task);
-  /// factor_k J_k cos_k for each source, seen from the middle of a strip. `skewed`: not all centres are the
-  /// same.
-  void (*surface_influence_row)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
-                                const simd::SurfacePoint& point, bool skewed, double* row);
-  /// Sum of the same, seen from the edge of a strip.
-  double (*surface_edge_displacement)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
-                                      const simd::SurfacePoint& point);
-  /// The rows of both, source by source, with their derivatives.
+  /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
+  /// whole vectors. `skewed`: not all centres are the same.
+  void (*surface_influence)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                            const simd::SurfacePoints& points, bool skewed, double* rows,
+                            std::int64_t stride);
+  /// Sums of the same, seen from the edges of the sources.
+  void (*surface_edges)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                        const simd::SurfaceEdges& edges);
+  /// Both, source by source, with their derivatives.
   void (*surface_influence_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                                    const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,

@@ -36,8 +36,9 @@ struct StripSet {
 
 struct Scratch {
   StripSet fine, coarse;
-  double *matrix, *r, *s;                                                              ///< the elimination's
-  double *place, *centre, *inverse_length, *half_width, *factor, *strength, *ny, *nz;  ///< sources
+  double *matrix, *r, *s;  ///< the elimination's
+  double *place, *centre, *half_length, *inverse_length, *half_width, *factor, *strength, *ny,
+      *nz;                                                   ///< sources
   double *row, *l, *wanted_level, *wanted_shift, *residual;  ///< residual: of L, then of the shifts
   double *x[history + 1], *f[history + 1], *next;
   std::int32_t* active;
@@ -60,8 +61,8 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   w.matrix = take(stride * ((most + 3) / 4 * 4));
   w.r = take(stride);
   w.s = take(stride);
-  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.strength, &w.ny,
-                     &w.nz, &w.row, &w.l, &w.wanted_level, &w.wanted_shift})
+  for (double** a : {&w.place, &w.centre, &w.half_length, &w.inverse_length, &w.half_width, &w.factor,
+                     &w.strength, &w.ny, &w.nz, &w.row, &w.l, &w.wanted_level, &w.wanted_shift})
     *a = take(padded);
   w.residual = take(2 * padded);
   for (double*& a : w.x) a = take(2 * padded);
@@ -105,6 +106,7 @@ simd::SurfaceSources list_sources(const Problem& problem, const StripSet& s, std
     const double inverse = 1.0 / w.l[i];
     w.place[a] = s.place[i];
     w.centre[a] = s.middle[i] + s.shift[i];
+    w.half_length[a] = w.l[i];
     w.inverse_length[a] = inverse;
     w.half_width[a] = 0.5 * s.width[i] * inverse;
     w.factor[a] = problem.compliance * s.width[i] * inverse;
@@ -139,27 +141,24 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
     const simd::SurfaceSources sources = list_sources(problem, s, kept, w);
     const std::int32_t size = (kept + 3) / 4 * 4;
     const std::int64_t stride = simd::elimination_stride(size);
+    problem.kernels.surface_influence(problem.tables, sources, {kept, w.place, w.centre, w.ny, w.nz}, skewed,
+                                      w.matrix, stride);
     for (std::int32_t a = 0; a < size; ++a) {
       double* const row = w.matrix + a * stride;
-      if (a < kept) {
-        const std::int32_t i = w.active[a];
-        problem.kernels.surface_influence_row(problem.tables, sources,
-                                              {w.place[a], w.centre[a], w.ny[a], w.nz[a]}, skewed, w.row);
-        std::copy_n(w.row, kept, row);
-        for (std::int64_t c = kept; c < stride; ++c) row[c] = 0.0;
-        row[size] = overlap_at_centre(s, i);
-      } else {
-        std::fill_n(row, stride, 0.0);
+      for (std::int64_t c = a < kept ? kept : 0; c < stride; ++c) row[c] = 0.0;
+      if (a < kept)
+        row[size] = overlap_at_centre(s, w.active[a]);
+      else
         row[a] = 1.0;
-      }
     }
     problem.kernels.eliminate({size, stride, w.matrix, w.r, w.s});
     bool changed = false;
     for (std::int32_t i = 0; i < s.count; ++i) {
       if (w.in[i]) continue;
       if (!everywhere && !(i > 0 && w.in[i - 1]) && !(i + 1 < s.count && w.in[i + 1])) continue;
-      problem.kernels.surface_influence_row(
-          problem.tables, sources, {s.place[i], s.middle[i] + s.shift[i], s.ny[i], s.nz[i]}, skewed, w.row);
+      const double x = s.middle[i] + s.shift[i];
+      problem.kernels.surface_influence(problem.tables, sources, {1, s.place + i, &x, s.ny + i, s.nz + i},
+                                        skewed, w.row, 0);
       double u = 0.0;
       for (std::int32_t a = 0; a < kept; ++a) u += w.row[a] * w.r[a];
       if (u < overlap_at_centre(s, i) * (1.0 - 1e-12)) {
@@ -183,20 +182,17 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   for (std::int32_t a = 0; a < kept; ++a) s.q[w.active[a]] = w.strength[a] = larger(w.r[a], 0.0);
   const simd::SurfaceSources unit = list_sources(problem, s, kept, w);
   for (std::int32_t a = 0; a < kept; ++a) w.factor[a] *= w.strength[a];
+  double *const leading = w.wanted_level, *const trailing = skewed ? w.wanted_shift : leading;
+  problem.kernels.surface_edges(problem.tables, unit, {w.half_length, leading, skewed ? trailing : nullptr});
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
     const double l = w.l[i], L = l * l;
-    const auto at = [&](double x) {
-      return problem.kernels.surface_edge_displacement(problem.tables, unit,
-                                                       {w.place[a], x, w.ny[a], w.nz[a]});
-    };
-    const double leading = at(w.centre[a] + l);
-    const double trailing = skewed ? at(w.centre[a] - l) : leading;
-    const double drop = overlap_at_centre(s, i) - 0.5 * (leading + trailing);
+    const double ahead = leading[a], behind = trailing[a];
+    const double drop = overlap_at_centre(s, i) - 0.5 * (ahead + behind);
     const double ratio =
         smaller(larger(drop / (0.5 * s.curvature[i] * L), least_edge_ratio), most_edge_ratio);
     w.wanted_level[a] = w.strength[a] / (L * ratio);
-    w.wanted_shift[a] = (trailing - leading) / (2.0 * l * s.curvature[i]);
+    w.wanted_shift[a] = (behind - ahead) / (2.0 * l * s.curvature[i]);
   }
   double* const residual = w.residual;
   double* const shift_residual = w.residual + s.count;

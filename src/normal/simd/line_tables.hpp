@@ -51,8 +51,7 @@ WRC_IN_LOOP Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi)
       0.5 * (to_trailing + to_leading) - 1.0);
   constexpr std::int32_t columns = InfluenceTables::eta_intervals;
   const Pack v = root(larger(one_minus_eta, 0.0)) * static_cast<double>(columns);
-  const Pack nearest = nearest_integer(v);
-  const Pack column = smaller(select(nearest > v, nearest - 1.0, nearest), columns - 1.0);
+  const Pack column = smaller(whole_part(v), columns - 1.0);
   const Pack g = v - column;
   const Indices i = indices(row.interval * (columns + 1.0) + column);
   const Neighbours low = pick(tables.anywhere, i), high = pick(tables.anywhere + columns + 1, i);

@@ -79,8 +79,7 @@ inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& tau
                            fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(chi.v));
   constexpr std::int32_t columns = InfluenceTables::eta_intervals;
   const Sloped v = static_cast<double>(columns) * root(larger(one_minus_eta, 0.0));
-  const Pack nearest = nearest_integer(v.v);
-  const Pack column = smaller(select(nearest > v.v, nearest - 1.0, nearest), columns - 1.0);
+  const Pack column = smaller(whole_part(v.v), columns - 1.0);
   const Sloped g{v.v - column, v.l, v.x};
   const Indices i = indices(row.interval * (columns + 1.0) + column);
   const Neighbours low = pick(tables.anywhere, i), high = pick(tables.anywhere + columns + 1, i);
@@ -121,7 +120,7 @@ inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlope
 /// Kernels::surface_influence_slopes.
 inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
                                      const SurfacePoint& point, const SurfaceSlopes& slopes) {
-  constexpr double near = 17.0;  // as in surface_influence_row
+  constexpr double near = 17.0;  // as in surface_influence
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
     const Sloped tau = select(s.own, 1.0, s.tau), tau2 = tau * tau;

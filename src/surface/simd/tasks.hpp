@@ -33,6 +33,18 @@ struct SurfacePoint {
   double place, x, ny, nz;
 };
 
+/// Several of them.
+struct SurfacePoints {
+  std::int32_t count;
+  const double *place, *x, *ny, *nz;
+};
+
+/// Edges of the sources themselves: x = centre +- half length, and what is found there.
+struct SurfaceEdges {
+  const double* half_length;   ///< [m]
+  double *leading, *trailing;  ///< displacements; trailing nullptr: as the leading ones, not asked for
+};
+
 /// What each source does to a point of another direction: without the cosine between them, and its
 /// derivatives by the source's half length, factor included, and by the point's x. Whole packs.
 struct SurfaceSlopes {
