@@ -7,8 +7,10 @@
  * j * nx + i, its cell's centre at (x0 + i dx, y0 + j dy) in the contact frame; particles enter a row at large i.
  *
  * Two elastic half-spaces of shear moduli G1, G2 and Poisson ratios nu1, nu2 are treated through the combined constants
- * 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2. The coupling of normal and tangential problem through
- * K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2) is neglected: it vanishes for equal materials, where all is exact.
+ * 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2, and K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), which couples
+ * normal and tangential problem and is 0 of equal materials. wrc_exact_normal() is without friction and needs no K; rolling,
+ * steady or not, has what the given pressure moves the surfaces along each other, and power_by_balance of steady rolling counts
+ * that as slip; wrc_exact_wrench() has that and what tractions open, but for products of K and the turn of the normals.
  *
  * Memory during a call: 600 bytes per cell of the grid for the normal problem; for rolling at most 2.5 kB + 16 nx bytes
  * (measured: 7 MB at 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256; 20 GB is the bound at 1024 x 1024). A

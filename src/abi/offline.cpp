@@ -69,6 +69,10 @@ Material material_of(const wrc_materials& checked) {
   return combined({checked.shear_modulus_1, checked.poisson_1}, {checked.shear_modulus_2, checked.poisson_2});
 }
 
+double coupling_of(const wrc_materials& checked) {
+  return coupling({checked.shear_modulus_1, checked.poisson_1}, {checked.shear_modulus_2, checked.poisson_2});
+}
+
 /// A field of one number per cell.
 Fault read_field(const Member& member, const double* theirs, std::size_t cells, halfspace::Field& field) {
   const Fault fault = check_all(member, "problem", theirs, cells);
@@ -264,13 +268,15 @@ Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths,
 }
 
 Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
-  return solve_rolling(
-      theirs, solution, [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
-        halfspace::RollingSolution found;
-        found.fault = {.status = WRC_FLAG_NO_CONTACT};
-        if (!touching(problem)) return found;
-        return halfspace::RollingSolver(grid_of(ours.grid), material_of(ours.materials)).solve(problem);
-      });
+  return solve_rolling(theirs, solution,
+                       [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+                         halfspace::RollingSolution found;
+                         found.fault = {.status = WRC_FLAG_NO_CONTACT};
+                         if (!touching(problem)) return found;
+                         return halfspace::RollingSolver(grid_of(ours.grid), material_of(ours.materials), {},
+                                                         coupling_of(ours.materials))
+                             .solve(problem);
+                       });
 }
 
 /// Friction at y in the contact frame: that of the nearest strip.
@@ -327,7 +333,8 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   problem.creepage.spin *= rolling.way;
   problem.progress = reporter.callback();
   const halfspace::RollingSolution exact =
-      halfspace::RollingSolver(grid, contact.model->options.material).solve(problem);
+      halfspace::RollingSolver(grid, contact.model->options.material, {}, contact.model->options.coupling)
+          .solve(problem);
   if (exact.fault.failed()) return exact.fault;
   result.fx = rolling.way * exact.forces.fx;
   result.fy = exact.forces.fy;
@@ -435,6 +442,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
                                            .rail_y = surface.rail_origin_y,
                                            .rail_z = surface.rail_origin_z,
                                            .material = surface.material,
+                                           .coupling = model.options.coupling,
                                            .roller_curvature = surface.roller_curvature},
                                           solver);
   const halfspace::SurfaceSolution found =
@@ -489,8 +497,9 @@ Fault create_transient(const wrc_grid* grid, const wrc_materials* materials, wrc
   wrc_materials bodies;
   const Fault fault = first_of({read(grid, "grid", cells), read(materials, "materials", bodies)});
   if (fault.failed()) return fault;
-  handle = new wrc_exact_transient{transient_tag, cells, bodies,
-                                   halfspace::TransientSolver(grid_of(cells), material_of(bodies))};
+  handle = new wrc_exact_transient{
+      transient_tag, cells, bodies,
+      halfspace::TransientSolver(grid_of(cells), material_of(bodies), coupling_of(bodies))};
   return {};
 }
 

@@ -6,7 +6,7 @@
 #include "halfspace/influence.hpp"
 
 namespace wrc::halfspace {
-Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel)
+Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel, double coupling)
     : nx_(grid.nx),
       ny_(grid.ny),
       padded_x_(Fft::good_length(2 * grid.nx - 1)),
@@ -19,14 +19,25 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   kyy_.assign(coefficients, 0.0);
   kxy_.assign(coefficients, 0.0);
   const bool shear = kernel == Kernel::shear || kernel == Kernel::shear_slip || kernel == Kernel::tangential;
-  const bool differenced = kernel == Kernel::normal_slip || kernel == Kernel::tangential;
+  const bool couples = kernel == Kernel::coupling || kernel == Kernel::coupling_slip;
+  const bool differenced =
+      kernel == Kernel::normal_slip || kernel == Kernel::tangential || kernel == Kernel::coupling_slip;
+  const double factor = coupling / (pi * material.shear_modulus);
   const auto coefficient = [&](double at, double upstream) {
     if (kernel == Kernel::shear_slip) return at / grid.dx;
     return differenced ? (at - upstream) / grid.dx : at;
   };
   for (int my = 1 - ny_; my < ny_; ++my) {
     Influence here = influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
-    for (int mx = 1 - nx_; mx < nx_; ++mx) {
+    for (int mx = 1 - nx_; couples && mx < nx_; ++mx) {
+      const std::size_t k = offset(mx, my);
+      const CouplingInfluence at = coupling_influence(mx * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      const CouplingInfluence upstream =
+          coupling_influence((mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      kxy_[k] = factor * coefficient(at.x, upstream.x);
+      kyy_[k] = factor * coefficient(at.y, upstream.y);
+    }
+    for (int mx = 1 - nx_; !couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
       const Influence upstream = influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
       kxx_[k] = shear ? coefficient(here.xx, upstream.xx) : coefficient(here.zz, upstream.zz);

@@ -19,15 +19,18 @@ class Convolution {
  public:
   /// What is convolved.
   enum class Kernel {
-    normal,       ///< u_z from p_z, of two independent pressure fields at once
-    normal_slip,  ///< (u_z - u_z one cell upstream) / dx from p_z, of two fields at once
-    shear,        ///< u_x and u_y from p_x and p_y
-    shear_slip,   ///< u_x / dx and u_y / dx from p_x and p_y: slip while the surfaces advance by a cell
-    tangential    ///< (u_x - u_x one cell upstream) / dx and the same of u_y, from p_x and p_y: minus the
+    normal,         ///< u_z from p_z, of two independent pressure fields at once
+    normal_slip,    ///< (u_z - u_z one cell upstream) / dx from p_z, of two fields at once
+    shear,          ///< u_x and u_y from p_x and p_y
+    shear_slip,     ///< u_x / dx and u_y / dx from p_x and p_y: slip while the surfaces advance by a cell
+    coupling,       ///< IInt (p_x x + p_y y)/r^2 K/(pi G) as out_y; of (0, p) K/(pi G) IInt p (x, y)/r^2
+    coupling_slip,  ///< the same less that one cell upstream, over dx
+    tangential      ///< (u_x - u_x one cell upstream) / dx and the same of u_y, from p_x and p_y: minus the
                 ///< upstream difference quotient of displacement along the rolling direction, tangential.hpp
   };
 
-  Convolution(const Grid& grid, const Material& material, Kernel kernel);
+  /// `coupling`: Kalker's K, of the kernels that have it.
+  Convolution(const Grid& grid, const Material& material, Kernel kernel, double coupling = 0.0);
 
   /// Both inputs and outputs are fields of the grid; outputs may be the inputs.
   void apply(const double* px, const double* py, double* out_x, double* out_y);

@@ -1,12 +1,21 @@
 #include "halfspace/influence.hpp"
 
 #include <cmath>
+#include <initializer_list>
+
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 namespace {
 
 // x asinh(y / |x|), the corner function of IInt y^2/r^3; its limit at x = 0 is 0.
 double corner(double x, double y) { return x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x)); }
+
+// Integral of x/r^2 from a corner at the distances x, y, but for what drops out between the corners.
+double coupling_corner(double x, double y) {
+  const double square = x * x + y * y;
+  return (square > 0.0 ? 0.5 * y * natural_log(square) : 0.0) + (x == 0.0 ? 0.0 : x * arctangent(y / x));
+}
 
 }  // namespace
 
@@ -32,6 +41,18 @@ Influence influence(const Material& material, double x, double y, double dx, dou
           .xx = scale * (xx_over_r3 + (1.0 - nu) * yy_over_r3),
           .xy = scale * nu * xy_over_r3,
           .yy = scale * ((1.0 - nu) * xx_over_r3 + yy_over_r3)};
+}
+
+CouplingInfluence coupling_influence(double x, double y, double dx, double dy) {
+  CouplingInfluence sum;
+  for (const double i : {-1.0, 1.0}) {
+    for (const double j : {-1.0, 1.0}) {
+      const double cx = x + 0.5 * i * dx, cy = y + 0.5 * j * dy;
+      sum.x += i * j * coupling_corner(cx, cy);
+      sum.y += i * j * coupling_corner(cy, cx);
+    }
+  }
+  return sum;
 }
 
 }  // namespace wrc::halfspace

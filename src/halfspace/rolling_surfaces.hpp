@@ -21,6 +21,7 @@ struct WheelAndRail {
   double nominal_radius = 0.0;        ///< of the tape circle [m]
   double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
   Material material;
+  double coupling = 0.0;  ///< Kalker's K of unlike bodies [-]
   double roller_curvature =
       0.0;  ///< of a rail that is a roller: 1 / radius at the origin of its profile [1/m]
 };

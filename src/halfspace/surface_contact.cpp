@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/elementary.hpp"
@@ -352,8 +353,12 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     return;
   }
 
-  RollingSolver roller(s.grid, bodies_.material, angles);
+  RollingSolver roller(s.grid, bodies_.material, angles, bodies_.coupling);
   TurnedConvolution lift(s.grid, bodies_.material, Convolution::Kernel::shear, angles);
+  const bool couples = bodies_.coupling != 0.0;
+  std::optional<TurnedConvolution> opening;  // of unlike bodies, under tractions
+  if (couples)
+    opening.emplace(s.grid, bodies_.material, Convolution::Kernel::coupling, angles, bodies_.coupling);
   TurnedConvolution drag(s.grid, bodies_.material, Convolution::Kernel::normal_slip, angles);
   Way ways[2];
   ways[1].direction = -1.0;
@@ -373,6 +378,11 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     if (warm || s.turns > 1) {
       lift.tangential_crossed(s.traction_x, s.traction_y, turned);
       for (std::size_t k = 0; k < n; ++k) gap.gap[k] = s.gap[k] + turned[k];
+      if (couples) {
+        Field x = s.traction_x, y = s.traction_y;
+        opening->tangential(x, y);
+        for (std::size_t k = 0; k < n; ++k) gap.gap[k] += y[k];
+      }
     }
     PartOfProgress pressing(progress, 1.0 - left, 1.0 - 0.9 * left);
     gap.progress = pressing.callback();
@@ -436,7 +446,7 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
       size += s.force[k] * s.force[k];
     }
     if (change <= options_.force_tolerance * options_.force_tolerance * size) break;
-    if (!options_.turned) break;  // nothing couples
+    if (!options_.turned && !couples) break;
     if (s.turns == options_.max_turns) {
       keep_worst(
           s.fault,

@@ -414,6 +414,13 @@ void clear(const Grid& grid, RollingSolution& s) {
   s.state.assign(grid.cells(), CellState::exterior);
 }
 
+// The pressure of the cells in contact.
+Field compressive(const Field& pressure) {
+  Field out = pressure;
+  for (double& p : out) p = std::max(p, 0.0);
+  return out;
+}
+
 Fault check(const Grid& grid, const RollingProblem& problem) {
   const auto range = [](const char* field, double value) {
     return Fault{.status = WRC_ERROR_RANGE, .field = field, .value = value};
@@ -454,7 +461,11 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
 
 }  // namespace
 
-RollingSolver::RollingSolver(const Grid& grid, const Material& material, const Field& angles) {
+RollingSolver::RollingSolver(const Grid& grid, const Material& material, const Field& angles,
+                             double coupling) {
+  if (coupling != 0.0)
+    pressed_ = std::make_unique<TurnedConvolution>(grid, material, Convolution::Kernel::coupling_slip, angles,
+                                                   coupling);
   constexpr int coarsest = 12;  // cells along the shorter side
   Field a = angles;
   for (Grid g = grid;;) {
@@ -467,12 +478,35 @@ RollingSolver::RollingSolver(const Grid& grid, const Material& material, const F
 }
 
 RollingSolution RollingSolver::solve(const RollingProblem& problem) {
-  if (const Fault fault = check(levels_[0].grid, problem); fault.failed()) {
+  const Grid& grid = levels_[0].grid;
+  if (const Fault fault = check(grid, problem); fault.failed()) {
     RollingSolution failed;
-    clear(levels_[0].grid, failed);
+    clear(grid, failed);
     failed.fault = fault;
     return failed;
   }
+  if (!pressed_) return solve_uncoupled(problem);
+  RollingProblem with = problem;
+  Field x(grid.cells(), 0.0), y = compressive(problem.pressure);
+  pressed_->tangential(x, y);
+  if (with.rigid_slip_x.empty()) {
+    const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
+    const Creepage& c = problem.creepage;
+    for (int j = 0; j < grid.ny; ++j) {
+      for (int i = 0; i < grid.nx; ++i) {
+        with.rigid_slip_x.push_back(c.longitudinal - c.spin * grid.y(j));
+        with.rigid_slip_y.push_back(c.lateral + c.spin * (grid.x(i) + ahead));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    with.rigid_slip_x[k] -= x[k];
+    with.rigid_slip_y[k] -= y[k];
+  }
+  return solve_uncoupled(with);
+}
+
+RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
   std::vector<RollingProblem> problems{problem};
   if (problem.adhesion == Adhesion::coulomb && problem.start == nullptr) {
     for (std::size_t l = 1; l < levels_.size(); ++l) {
@@ -508,12 +542,19 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   return solution;
 }
 
-TransientSolver::TransientSolver(const Grid& grid, const Material& material)
+TransientSolver::TransientSolver(const Grid& grid, const Material& material, double coupling)
     : grid_(grid),
       displacement_(grid, material, Convolution::Kernel::shear_slip),
       steady_(grid, material, Convolution::Kernel::tangential),
       traction_x_(grid.cells(), 0.0),
-      traction_y_(grid.cells(), 0.0) {}
+      traction_y_(grid.cells(), 0.0),
+      pressure_(grid.cells(), 0.0) {
+  using Kernel = Convolution::Kernel;
+  if (coupling == 0.0) return;
+  pressed_ = std::make_unique<TurnedConvolution>(grid, material, Kernel::coupling, Field{}, coupling);
+  pressed_steady_ =
+      std::make_unique<TurnedConvolution>(grid, material, Kernel::coupling_slip, Field{}, coupling);
+}
 
 RollingSolution TransientSolver::step(const RollingProblem& problem) {
   RollingSolution solution;
@@ -531,6 +572,18 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
     solution.traction_x[k] = traction_x_[k];
     solution.traction_y[k] = traction_y_[k];
   }
+  if (pressed_) {  // displaced by -C p now and, a cell ahead, by -C p before
+    const std::size_t n = grid_.cells();
+    const Field pressure = compressive(problem.pressure);
+    Field x(n, 0.0), y(n), before_x(n, 0.0), before_y = pressure_;
+    for (std::size_t k = 0; k < n; ++k) y[k] = (pressure[k] - pressure_[k]) / grid_.dx;
+    pressed_->tangential(x, y);
+    pressed_steady_->tangential(before_x, before_y);
+    for (std::size_t k = 0; k < n; ++k) {
+      earlier_x[k] -= x[k] + before_x[k];
+      earlier_y[k] -= y[k] + before_y[k];
+    }
+  }
   if (!TransientStep(grid_, displacement_, problem, earlier_x, earlier_y, solution).run()) {
     clear(grid_, solution);
     solution.fault = {.status = WRC_ERROR_CANCELLED};
@@ -539,6 +592,7 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
   finish(grid_, problem, solution);
   traction_x_ = solution.traction_x;
   traction_y_ = solution.traction_y;
+  pressure_ = compressive(problem.pressure);
   return solution;
 }
 

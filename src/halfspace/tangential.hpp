@@ -8,6 +8,9 @@
 /// linear systems by GMRES with the rows along x inverted as preconditioner and FFT convolutions as products,
 /// started from the solution on a grid of half as many cells each way.
 ///
+/// Of unlike bodies the pressure moves the surfaces along each other, too: what that adds to w is taken with
+/// it (influence.hpp, Kalker's K), and the energy balance is that of all of w.
+///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
 #pragma once
@@ -95,18 +98,21 @@ struct RollingSolution {
 /// rows' factors) per cell.
 class RollingSolver {
  public:
-  RollingSolver(const Grid& grid, const Material& material, const Field& angles = {});
+  /// `coupling`: Kalker's K.
+  RollingSolver(const Grid& grid, const Material& material, const Field& angles = {}, double coupling = 0.0);
 
   const Grid& grid() const { return levels_.front().grid; }
 
   RollingSolution solve(const RollingProblem& problem);
 
  private:
+  RollingSolution solve_uncoupled(const RollingProblem& problem);
   struct Level {
     Grid grid;
     TurnedConvolution convolution;
   };
-  std::vector<Level> levels_;  // finest first
+  std::vector<Level> levels_;                   // finest first
+  std::unique_ptr<TurnedConvolution> pressed_;  // slip under pressure; none of like bodies
 };
 
 /// Non-steady rolling in the contact frame, from bodies without tractions. In a step the bodies advance by
@@ -116,7 +122,8 @@ class RollingSolver {
 /// long time under equal conditions ends in, to the tolerance. Not to be shared by threads.
 class TransientSolver {
  public:
-  TransientSolver(const Grid& grid, const Material& material);
+  /// `coupling`: Kalker's K.
+  TransientSolver(const Grid& grid, const Material& material, double coupling = 0.0);
 
   const Grid& grid() const { return grid_; }
 
@@ -128,7 +135,8 @@ class TransientSolver {
  private:
   Grid grid_;
   TurnedConvolution displacement_, steady_;
-  Field traction_x_, traction_y_;  // at the end of the last step
+  std::unique_ptr<TurnedConvolution> pressed_, pressed_steady_;  // under pressure; none of like bodies
+  Field traction_x_, traction_y_, pressure_;                     // at the end of the last step
 };
 
 }  // namespace wrc::halfspace

@@ -6,10 +6,10 @@
 namespace wrc::halfspace {
 
 TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material, Convolution::Kernel kernel,
-                                     const Field& angles)
+                                     const Field& angles, double coupling)
     : nx_(static_cast<std::size_t>(grid.nx)),
       ny_(static_cast<std::size_t>(grid.ny)),
-      planar_(grid, material, kernel),
+      planar_(grid, material, kernel, coupling),
       unused_(grid.cells()) {
   if (angles.empty()) return;
   by_cosine_.resize(grid.cells());

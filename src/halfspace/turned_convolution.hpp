@@ -22,7 +22,7 @@ class TurnedConvolution {
  public:
   /// `angles`: one per row [rad]; empty: all equal, and every product is that of Convolution.
   TurnedConvolution(const Grid& grid, const Material& material, Convolution::Kernel kernel,
-                    const Field& angles = {});
+                    const Field& angles = {}, double coupling = 0.0);
 
   /// The coefficients within a row, and between any rows before turning.
   const Convolution& planar() const { return planar_; }
@@ -32,8 +32,8 @@ class TurnedConvolution {
   /// The same with sin(a_i - a_j).
   void normal_crossed(const Field& p, Field& out);
 
-  /// Kernels shear, shear_slip, tangential, in place: x <- sum_j K_xx x_j + K_xy y_j,
-  /// y <- sum_j cos(a_i - a_j) (K_xy x_j + K_yy y_j).
+  /// Kernels shear, shear_slip, tangential, coupling, coupling_slip, in place: x <- sum_j K_xx x_j + K_xy
+  /// y_j, y <- sum_j cos(a_i - a_j) (K_xy x_j + K_yy y_j).
   void tangential(Field& x, Field& y);
   /// out_i = sum_j sin(a_i - a_j) (K_xy x_j + K_yy y_j).
   void tangential_crossed(const Field& x, const Field& y, Field& out);

@@ -91,6 +91,81 @@ TEST_P(CarterLimit, MiddleOfALongContactIsCarters) {
 }
 INSTANTIATE_TEST_SUITE_P(ShareOfSaturation, CarterLimit, testing::Values(0.1, 0.3, 0.5, 0.8, 1.05));
 
+// Cylinders of unlike materials that roll freely without slip: with Hertz's pressure, plane strain, the slip
+// equation xi + 2 K p / G + 2 (1 - nu) / (pi G) P.V. int q / (x - s) ds = 0, q = 0 at the leading edge and
+// int q = 0 have xi = -4 K p0 / (pi G) = -2 beta a / (pi R), beta = K / (1 - nu) (Bentall and Johnson 1967).
+// Ends at +-b take pi a / (4 b) of that away.
+TEST(HalfspaceUnlikeBodies, CylindersThatStickCreepFreely) {
+  constexpr int rows = 25;
+  constexpr double a = 4e-3, b = 40.0 * a, coupling = 0.2;
+  double creepage[2] = {};
+  for (const int fine : {0, 1}) {
+    const int n = fine ? 64 : 32;
+    const Grid grid = grid_over_box(-a, a, -b, b, n, rows);
+    RollingProblem problem;
+    problem.pressure =
+        sdec_pressure(SdecPatch{.a = a, .b = 1e3 * b, .psi = 0.0}, peak, grid, CellPressure::mean);
+    problem.adhesion = Adhesion::full;
+    problem.tolerance = 1e-6;
+    RollingSolver solver(grid, steel, {}, coupling);
+    double force[2] = {};
+    for (const int k : {0, 1}) {
+      problem.creepage.longitudinal = 1e-3 * k;
+      const RollingSolution s = solver.solve(problem);
+      ASSERT_EQ(s.fault.status, WRC_OK);
+      for (int i = 0; i < n; ++i) force[k] += s.traction_x[grid.index(i, rows / 2)];
+    }
+    creepage[fine] = -1e-3 * force[0] / (force[1] - force[0]);
+  }
+  const double exact = -4.0 * coupling * peak / (pi * steel.shear_modulus) * (1.0 - pi * a / (4.0 * b));
+  EXPECT_NEAR(creepage[1] / exact, 1.0, 0.03);
+  EXPECT_NEAR((2.0 * creepage[1] - creepage[0]) / exact, 1.0, 0.01);
+}
+
+// A flat punch bonded to a half-space before it is pressed in is stiffer than a smooth one by
+// ln((1 + beta) / (1 - beta)) / (2 beta), whichever body is the stiff one (Mossakovskii; Spence 1968).
+TEST(HalfspaceUnlikeBodies, BondedPunchIsStifferThanASmoothOne) {
+  constexpr double a = 4e-3, delta = 1e-5, away = 1.0;
+  const Material soft{.shear_modulus = 2.0 * 40e9,
+                      .poisson = 0.0};  // rigid on G = 40 GPa, nu = 0: beta = 1/2
+  double ratio[2] = {};
+  for (const int fine : {0, 1}) {
+    const int n = fine ? 40 : 20;
+    const Grid grid = grid_over_box(-1.1 * a, 1.1 * a, -1.1 * a, 1.1 * a, n, n);
+    for (const double coupling : {0.5, -0.5}) {
+      GapProblem problem;
+      problem.prescribed = Prescribed::approach;
+      problem.approach = delta;
+      problem.gap.assign(grid.cells(), away);
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          if (std::hypot(grid.x(i), grid.y(j)) < a) problem.gap[grid.index(i, j)] = 0.0;
+      const Field flat = problem.gap;
+      NormalSolver normal(grid, soft);
+      TurnedConvolution opening(grid, soft, Convolution::Kernel::coupling, {}, coupling);
+      double smooth = 0.0, bonded = 0.0;
+      for (int turn = 0; turn < 12; ++turn) {
+        const GapSolution pressed = normal.solve(problem);
+        bonded = pressed.normal_force;
+        if (turn == 0) smooth = bonded;
+        RollingProblem sticks;
+        sticks.pressure = pressed.pressure;
+        sticks.adhesion = Adhesion::full;
+        const RollingSolution held = TransientSolver(grid, soft, coupling).step(sticks);
+        ASSERT_EQ(held.fault.status, WRC_OK);
+        Field x = held.traction_x, y = held.traction_y;
+        opening.tangential(x, y);
+        for (std::size_t k = 0; k < flat.size(); ++k) problem.gap[k] = flat[k] + y[k];
+      }
+      if (coupling < 0.0) {
+        EXPECT_NEAR(bonded / smooth, ratio[fine], 1e-4);
+      }
+      ratio[fine] = bonded / smooth;
+    }
+  }
+  EXPECT_NEAR(ratio[1], std::log(3.0), 0.015);
+}
+
 RollingSolution roll(const Creepage& creepage, double psi = 0.0, int n = 33) {
   const SdecPatch patch{.a = 4e-3, .b = 6e-3, .psi = psi};
   const Grid grid = grid_over(patch, n, n);

@@ -112,6 +112,30 @@ TEST(HalfspaceSurface, ShallowContactIsHertz) {
   EXPECT_NEAR(s.force[1] / exact.load, 0.0, 1e-6);
 }
 
+// Of unlike bodies: tractions as on a plane under the same pressure; whichever body is the stiffer, contact
+// that sticks carries more than without coupling.
+TEST(HalfspaceSurface, UnlikeBodiesCoupleAsOnAPlane) {
+  const ConeOnArc contact{.radius = 0.3};
+  WheelAndRail bodies = contact.bodies();
+  const WheelOnRail state = contact.state(1.0);
+  SurfaceOptions options;
+  options.cell_x = options.cell_s = 4e-4;
+  const SurfaceSolution alike = SurfaceContact(bodies, options).solve({.state = state});
+  for (const double coupling : {0.3, -0.3}) {
+    bodies.coupling = coupling;
+    const SurfaceSolution s = SurfaceContact(bodies, options).solve({.state = state});
+    ASSERT_EQ(s.fault.status, WRC_OK);
+    RollingProblem plane;
+    plane.pressure = s.pressure;
+    plane.friction = {1.0};
+    const RollingSolution rolled = RollingSolver(s.grid, steel, {}, coupling).solve(plane);
+    const double fx = s.force[0] - alike.force[0];
+    EXPECT_LT(fx * coupling, 0.0);
+    EXPECT_NEAR(fx, rolled.forces.fx, 0.05 * std::abs(fx));
+    EXPECT_GT(s.pressure_sum, 1.001 * alike.pressure_sum);
+  }
+}
+
 // Everything but the cone's growing radius is symmetric about the touching point: the force is normal there,
 // however wide the contact, and the pressure's middle lies on it.
 TEST(HalfspaceSurface, ForceOnASteepConeIsNormalToIt) {
