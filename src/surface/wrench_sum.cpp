@@ -110,7 +110,7 @@ Fault sum_up(const WheelOnRail& in, const Seen& seen, std::int32_t count, double
   std::int32_t last_strip = -2;
   for (std::int32_t k = 0; k < count; ++k) {
     const std::int32_t strip = w.overlaps.strip[w.candidate[k]];
-    if (strip != last_strip + 1) {
+    if (open.region == nullptr || strip != last_strip + 1) {
       if (out.regions < most_surface_regions) {
         close(in, seen, open, out);
         open.region = &out.region[out.regions++];
