@@ -189,7 +189,8 @@ WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, const wrc_bulk_tem
  * its neighbours: depths a fifth of the patch's smaller half extent apart are close enough). Elastic half-space; strips
  * are joined to at most 36 lanes of 48 cells, near cells are rectangles, others forces at points (Boussinesq, Love, Cerruti;
  * Johnson 1985, 3.2). Bounded: at most 312 places a depth, the surface included, and 24 more, some 3 us each with AVX-512, 12
- * with SSE2, less deep below: 0.6 ms for the surface, 2.4 ms with eight depths. wrc_exact_largest_stresses()
+ * with SSE2, less deep below: 0.6 ms for the surface, 2.4 ms with eight depths; of patches six times as wide as long and
+ * more two to four times that. wrc_exact_largest_stresses()
  * (wrc_offline.h) is the exact counterpart. Theory manual, section 6.
  * @param contact the contact
  * @param body enum wrc_body: the one whose stresses are wanted

@@ -10,8 +10,10 @@
 namespace wrc {
 namespace {
 
-/// So many sizes of a cell away points stand for cells; so many distances of theirs deep, few points serve.
+/// So many sizes of a cell away points stand for cells; so many distances of theirs away, few points serve.
 constexpr double near_cell = 2.3, deep_steps = 1.8;
+/// So many widths deep points serve all lanes, beside each other at even distances.
+constexpr double deep_widths = 1.4;
 
 double square(double a) { return a * a; }
 
@@ -188,8 +190,10 @@ Stress LoadLanes::at(double x, double y, double z) const {
   Corners corners;
   for (std::int32_t k = 0; k < lanes_; ++k) {
     const Lane& lane = lane_[k];
-    const double away2 = square(y - lane.y) + square(z), step = pi / deep * lane.half_length;
-    if (away2 >= square(deep_steps * step)) {
+    const double away2 = square(y - lane.y) + square(z);
+    const double along = deep_steps * (pi / deep) * std::abs(lane.half_length);
+    if (z >= std::max(along, deep_widths * lane.width) ||
+        away2 >= square(std::max(along, near_cell * lane.width))) {
       add_points(lane, of_depths_, deep, deep_along_[k], deep_across_[k], x, y, z, 0.0, sum);
       continue;
     }

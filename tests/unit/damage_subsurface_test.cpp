@@ -92,6 +92,16 @@ TEST(StripStresses, AreTheExactOnesOfTheSameLoads) {
   }
 }
 
+// Short and wide, so that a lane is wider than the points along it lie apart.
+TEST(StripStresses, OfALineContactAreHertzs) {
+  const LoadLanes loads = Slipping(1.0, 10.0, 0.0, 0.0).lanes();
+  for (const double z : {0.1, 0.2, 0.3, 0.5, 0.786, 1.0, 1.5, 2.0}) {
+    const double middle = -1.0 / std::sqrt(1.0 + z * z);        // Johnson 1985, 4.2
+    EXPECT_NEAR(loads.at(0.0, 0.0, z).zz, middle, 0.015) << z;  // between two of 20 lanes
+    EXPECT_NEAR(loads.at(0.0, 0.5, z).zz, middle, 0.015) << z;  // below the centre of one
+  }
+}
+
 TEST(StripStresses, TurnedLoadsTurnTheStresses) {
   const Slipping patch(2.0, 1.0, 0.3, 0.0);
   const StressPeaks forward = patch.lanes().peaks(0.2), other_body = patch.lanes(1.0, -1.0).peaks(0.2),
