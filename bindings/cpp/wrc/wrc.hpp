@@ -4,10 +4,10 @@
  *
  * Structs and enumerations are those of C. What is added:
  *  - handles that own: wrc::model, wrc::contact, wrc::transient, move only. A contact_ref is the same
- * contact, not owned: for memory of
- *    your own (contact_ref::init), and to pass one on. A model must outlive its contacts, as in C.
+ *    contact, not owned: for memory of your own (contact_ref::init), and to pass one on. A model must outlive
+ *    its contacts, as in C.
  *  - statuses and sentences as values or as exceptions. Every function `name` of C (without wrc_contact_ and
- * so on) comes as
+ *    so on) comes as
  *
  *        status  contact.name(inputs..., output)    noexcept; the status as a value, nothing copied: for real time
  *

@@ -1,6 +1,6 @@
 /* Stands for Simulink's simstruc.h where there is none: the names of the published interface that wrc_wheel.c
  * uses, over a struct of its own. For compiling and for running the block's arithmetic in Octave
- * (stub/octave.c), not for Simulink. */
+ * (stub/simulink.c), not for Simulink. */
 #ifndef WRC_STUB_SIMSTRUC_H
 #define WRC_STUB_SIMSTRUC_H
 
