@@ -32,28 +32,60 @@ struct LoadLanes::Corners {
   double x[most], y[most], pressure[most], along[most], across[most];
 };
 
-/// Where the strips first..end - 1 of a patch have tractions: shares of the pressure at any place.
+/// Tractions of a strip as shares of the pressure, at any place between the middles of the patch's cells.
+///
+/// Straight lines between cells would flatten the peak where adhesion ends, which is where a partly sliding
+/// surface is stressed most. The theory of rolling has a root of the distance there (Carter 1926: the sliding
+/// strip's semi-ellipse less a smaller one): (1 - share / bound)^2 falls linearly to nothing at the border,
+/// which so follows from the last two cells that adhere.
 struct LoadLanes::Shares {
-  const Strips& region;
-  const double* pressure;
-  const TangentialFields& fields;
-  std::int32_t own_cells, first, end;
+  const double *pressure, *traction_x, *traction_y;  ///< of the strip's first cell
+  std::int32_t strips, own_cells;
   double sign;
+  bool slips = false;     ///< behind adhesion that begins at the leading edge
+  std::int32_t last = 0;  ///< cell that adheres
+  double border = 0.0;    ///< where adhesion ends, in cells behind that one's middle
+  double bound = 0.0;     ///< share of what slips; that of the second cell behind the last
+  double lacks = 0.0;     ///< 1 - share / bound in the last cell
+
+  Shares(const Strips& region, const double* pressures, const TangentialFields& fields, std::int32_t cells_,
+         std::int32_t strip, double sign_)
+      : pressure(pressures + strip),
+        traction_x(fields.traction_x + strip),
+        traction_y(fields.traction_y + strip),
+        strips(region.count),
+        own_cells(cells_),
+        sign(sign_) {
+    if (!(fields.slip_x && fields.slip_y)) return;
+    std::int32_t first = 0;  // that slips
+    for (; first < own_cells; ++first) {
+      const std::int32_t at = first * strips + strip;
+      if (fields.slip_x[at] != 0.0 || fields.slip_y[at] != 0.0) break;
+    }
+    if (first < 3 || first > own_cells - 3) return;
+    last = first - 1;
+    bound = size(last + 2);
+    if (!(bound > 0.0)) return;
+    lacks = 1.0 - size(last) / bound;
+    const double before = 1.0 - size(last - 1) / bound;
+    if (!(lacks > 0.0 && before > lacks)) return;
+    border = std::min(square(lacks) / (square(before) - square(lacks)), 1.0);
+    slips = border > 0.0;
+  }
 
   void in_cell(std::int32_t i, double& x, double& y) const {
-    double p = 0.0;
-    x = y = 0.0;
-    for (std::int32_t j = first; j < end; ++j) {
-      const double share = region.width[j] * region.half_length[j];
-      const std::int32_t at = i * region.count + j;
-      p += share * pressure[at];
-      x += share * fields.traction_x[at];
-      y += share * fields.traction_y[at];
-    }
-    x = p > 0.0 ? sign * x / p : 0.0;
-    y = p > 0.0 ? sign * y / p : 0.0;
+    const std::int32_t at = i * strips;
+    const double p = pressure[at];
+    x = p > 0.0 ? sign * traction_x[at] / p : 0.0;
+    y = p > 0.0 ? sign * traction_y[at] / p : 0.0;
   }
-  /// At a place in half lengths, between the middles of the patch's own cells.
+  double size(std::int32_t i) const {
+    double x, y;
+    in_cell(i, x, y);
+    return std::sqrt(x * x + y * y);
+  }
+  /// In half lengths, as the place that follows.
+  double border_place() const { return 1.0 - 2.0 * (last + border + 0.5) / own_cells; }
   void at(double place, double& x, double& y) const {
     const double cell = std::clamp(0.5 * own_cells * (1.0 - place) - 0.5, 0.0, own_cells - 1.0);
     const std::int32_t i = std::min(static_cast<std::int32_t>(cell), own_cells - 2);
@@ -62,6 +94,13 @@ struct LoadLanes::Shares {
     in_cell(i + 1, x1, y1);
     x = x0 + (cell - i) * (x1 - x0);
     y = y0 + (cell - i) * (y1 - y0);
+    const double behind = cell - last, adheres = border - behind;
+    if (!slips || behind < 0.0 || behind > 2.0) return;
+    const double straight = std::sqrt(x * x + y * y);
+    const double share = adheres > 0.0 ? bound * (1.0 - lacks * std::sqrt(adheres / border)) : bound;
+    const double factor = straight > 0.0 ? share / straight : 1.0;
+    x *= factor;
+    y *= factor;
   }
 };
 
@@ -106,9 +145,30 @@ double LoadLanes::x_of(const Lane& lane, std::int32_t cell) const {
   } else if (cell >= cells) {
     xi = -2.0 - border_[2 * cells - 1 - cell];
   } else {
-    xi = middle_[cell];
+    xi = middle_of(lane, cell);
   }
   return lane.centre + lane.half_length * xi;
+}
+
+double LoadLanes::middle_of(const Lane& lane, std::int32_t cell) const {
+  if (cell == lane.slips_from) return 0.5 * (lane.slips_at + border_[cell + 1]);
+  if (cell == lane.slips_from - 1) return 0.5 * (border_[cell] + lane.slips_at);
+  return middle_[cell];
+}
+
+void LoadLanes::move_border(Lane& lane, double place) const {
+  std::int32_t k = 1;
+  while (k < cells && border_[k] > place) ++k;
+  if (border_[k - 1] - place < place - border_[k]) --k;
+  if (k < 2 || k > cells - 2) return;  // an end's own cells stay
+  lane.slips_from = k;
+  lane.slips_at = place;
+  const auto height = [](double xi) { return std::sqrt(1.0 - xi * xi); };
+  const auto mean = [&](double low, double high) {  // Simpson's rule
+    return (height(low) + 4.0 * height(0.5 * (low + high)) + height(high)) / 6.0;
+  };
+  lane.mean_before = mean(place, border_[k - 1]);
+  lane.mean_behind = mean(border_[k + 1], place);
 }
 
 void LoadLanes::add_patch(const Strips& region, const double* pressure, const TangentialFields& fields,
@@ -129,11 +189,23 @@ void LoadLanes::add_patch(const Strips& region, const double* pressure, const Ta
     if (!(area > 0.0)) continue;
     lane_[lanes_] = {moment / area, width, centre / area, way * area / width, peak / area};
     deep_from_ = std::max(deep_from_, deep_steps * std::max(pi / deep * (area / width), width));
-    const Shares shares{region, pressure, fields, own_cells, first, end, sign};
+    // Of the one or two strips in the middle: adhesion ends elsewhere in those beside them, and a mean over
+    // all would have no peak there.
+    const std::int32_t middle = first + (end - first - 1) / 2, other = first + (end - first) / 2;
+    const Shares one(region, pressure, fields, own_cells, middle, sign);
+    const Shares two(region, pressure, fields, own_cells, other, sign);
+    const auto share_at = [&](double place, double& x, double& y) {
+      double x1, y1, x2, y2;
+      one.at(place, x1, y1);
+      two.at(place, x2, y2);
+      x = 0.5 * (x1 + x2);
+      y = 0.5 * (y1 + y2);
+    };
+    if (one.slips && two.slips) move_border(lane_[lanes_], 0.5 * (one.border_place() + two.border_place()));
     for (std::int32_t k = 0; k < cells; ++k)
-      shares.at(of_cells_.place[k], along_[lanes_][k], across_[lanes_][k]);
+      share_at(middle_of(lane_[lanes_], k), along_[lanes_][k], across_[lanes_][k]);
     for (std::int32_t k = 0; k < deep; ++k)
-      shares.at(of_depths_.place[k], deep_along_[lanes_][k], deep_across_[lanes_][k]);
+      share_at(of_depths_.place[k], deep_along_[lanes_][k], deep_across_[lanes_][k]);
     ++lanes_;
   }
 }
@@ -154,15 +226,21 @@ void LoadLanes::add_cells(std::int32_t which, std::int32_t first, std::int32_t l
   const auto away = [](double from) { return std::abs(from) < least ? std::copysign(least, from) : from; };
   const Lane& lane = lane_[which];
   const double way = lane.half_length > 0.0 ? 1.0 : -1.0;
+  // The moved border only with the cells on both its sides: a point stands for a cell of the usual length.
+  const std::int32_t moved = lane.slips_from > first && lane.slips_from < last ? lane.slips_from : -1;
   double p_before = 0.0, x_before = 0.0, y_before = 0.0;
   for (std::int32_t k = first; k <= last; ++k) {
     const bool inside = k < last;
-    const double p = inside ? way * lane.pressure * mean_[k] : 0.0;
+    const double at_border = k == moved ? lane.slips_at : border_[k];
+    double mean = inside ? mean_[k] : 0.0;
+    if (moved >= 0 && k == moved - 1) mean = lane.mean_before;
+    if (moved >= 0 && k == moved) mean = lane.mean_behind;
+    const double p = way * lane.pressure * mean;
     const double qx = inside ? p * along_[which][k] : 0.0, qy = inside ? p * across_[which][k] : 0.0;
     for (const double side : {0.5, -0.5}) {
       const std::int32_t at = corners.count++;
       const double weight = side > 0.0 ? 1.0 : -1.0;
-      corners.x[at] = away(x - lane.centre - lane.half_length * border_[k]);
+      corners.x[at] = away(x - lane.centre - lane.half_length * at_border);
       corners.y[at] = away(y - lane.y + side * lane.width);
       corners.pressure[at] = weight * (p_before - p);
       corners.along[at] = weight * (x_before - qx);
@@ -250,13 +328,15 @@ StressPeaks LoadLanes::peaks(double z) const {
   struct Stride {
     std::int32_t lanes, cells;
   };
-  // From one place of the first round to the next; the ends of a lane, where tension is, always.
+  // From one place of the first round to the next; the ends of a lane, where tension is, and where adhesion
+  // ends at the surface, always.
   const bool smooth = z >= deep_from_;
   const Stride first = smooth ? Stride{4, 8} : z > 0.0 ? Stride{2, 6} : Stride{2, 4};
   for (std::int32_t k = std::min(first.lanes / 2, lanes_ / 2); k < lanes_; k += first.lanes) {
     look_at({k, -spared});
     for (std::int32_t i = 2; i < cells - 1; i += first.cells) look_at({k, i});
     look_at({k, cells - 1 + spared});
+    if (!(z > 0.0) && lane_[k].slips_from > 0) look_at({k, lane_[k].slips_from});
   }
   // Then to both sides of the best, along and across, nearer and nearer.
   const Stride rounds[] = {

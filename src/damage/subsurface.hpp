@@ -3,12 +3,13 @@
 /// Neighbouring strips become one lane with their load and area. A lane has `cells` cells that are the
 /// shorter the nearer to its ends, borders at centre + half length cos(pi k / cells): pressure ends like a
 /// root there, and so do the tractions of what slides; cells of one length would end in steps, beside which
-/// tension is much too small. A cell's pressure is the mean of the semi-ellipse over it, its tractions the
-/// share of the pressure that they are in the patch's own cells there. A stress is a sum over loads: near
-/// cells as rectangles, exact at the surface too, the others of a lane as forces at points of Gauss and
-/// Chebyshev's rule; from some depth on fewer of these, whose error falls exponentially with the depth over
-/// their distances (damage/load_stress.hpp). It is looked for at the middles of cells, and at the mirror
-/// images of some behind the ends of a lane, coarsely, then around the largest of each number.
+/// tension is much too small. Where adhesion ends there is a border, too, for stresses peak there. A cell's
+/// pressure is the mean of the semi-ellipse over it, its tractions the share of the pressure that they are
+/// there in the lane's middle strip. A stress is a sum over loads: near cells as rectangles, exact at the
+/// surface too, the others of a lane as forces at points of Gauss and Chebyshev's rule; from some depth on
+/// fewer of these, whose error falls exponentially with the depth over their distances
+/// (damage/load_stress.hpp). It is looked for at the middles of cells, and at the mirror images of some
+/// behind the ends of a lane, coarsely, then around the largest of each number.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +54,9 @@ class LoadLanes {
   struct Lane {
     double y, width, centre, half_length;  ///< the last with the sign of the way
     double pressure;                       ///< peak [Pa]
+    std::int32_t slips_from = -1;          ///< first cell behind adhesion, -1: none
+    double slips_at = 0.0;  ///< where adhesion ends [half lengths]: that cell's border is moved there
+    double mean_before = 0.0, mean_behind = 0.0;  ///< mean_ of the cells on both sides of it
   };
   /// Points along x of a lane: places in half lengths, shares of the lane's force.
   struct Rule {
@@ -61,6 +65,10 @@ class LoadLanes {
   struct Shares;
   struct Corners;
   static void fill(std::int32_t count, Rule& rule);
+  /// Has adhesion end at a border of a lane's cells, `place` in half lengths.
+  void move_border(Lane& lane, double place) const;
+  /// Of a cell [half lengths].
+  double middle_of(const Lane& lane, std::int32_t cell) const;
   /// Of a cell's middle, or behind an end.
   double x_of(const Lane& lane, std::int32_t cell) const;
   /// What a target sees of a lane's points.

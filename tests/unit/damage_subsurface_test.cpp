@@ -102,6 +102,53 @@ TEST(StripStresses, OfALineContactAreHertzs) {
   }
 }
 
+/// A circle whose strips adhere at the leading edge as Carter's rolling cylinder does: tractions -mu p, less
+/// a smaller semi-ellipse where it adheres (Haines and Ollerton 1963: what slips is as long in every strip).
+struct Carter {
+  static constexpr double mu = 0.5, slips = 0.7;
+  static double traction(double x, double y) {
+    const double half2 = 1.0 - y * y;
+    if (half2 <= x * x) return 0.0;
+    const double adheres = std::sqrt(half2) - 0.5 * slips, middle = 0.5 * slips;
+    const double less2 = adheres > 0.0 ? adheres * adheres - (x - middle) * (x - middle) : 0.0;
+    return -mu * (std::sqrt(half2 - x * x) - std::sqrt(std::fmax(0.0, less2)));
+  }
+};
+
+TEST(StripStresses, PeakWhereAdhesionEnds) {
+  Slipping patch(1.0, 1.0, 0.0, 0.0);
+  std::vector<double> slip;
+  for (std::int32_t i = 0; i < Slipping::cells; ++i) {
+    for (std::size_t j = 0; j < Slipping::strips; ++j) {
+      const double x = patch.half[j] * (1.0 - (2.0 * i + 1.0) / Slipping::cells);
+      patch.x[slip.size()] = Carter::traction(x, patch.y[j]);
+      slip.push_back(x < Carter::slips - patch.half[j] ? 1e-3 : 0.0);
+    }
+  }
+  const std::vector<double> none(slip.size(), 0.0);
+  patch.fields.slip_x = slip.data();
+  patch.fields.slip_y = const_cast<double*>(none.data());
+  halfspace::BodyLoads exact;
+  exact.grid = halfspace::grid_over_box(-1.0, 1.0, -1.0, 1.0, 128, 64);
+  exact.poisson = nu;
+  for (std::size_t k = 0; k < exact.grid.cells(); ++k) {
+    const double x = exact.grid.x(static_cast<int>(k) % 128), y = exact.grid.y(static_cast<int>(k) / 128);
+    exact.pressure.push_back(std::sqrt(std::fmax(0.0, 1.0 - x * x - y * y)));
+    exact.traction_x.push_back(Carter::traction(x, y));
+    exact.traction_y.push_back(0.0);
+  }
+  const LoadLanes loads = patch.lanes();
+  const StressPeak found = loads.peaks(0.0).von_mises;
+  // A cusp: its height depends on how near to it is looked, so the exact one is taken at the same place.
+  const double truth = von_mises(halfspace::stress_at(exact, found.x, found.y, 0.0));
+  EXPECT_NEAR(found.value, truth, 0.01 * truth);
+  const double border = Carter::slips - std::sqrt(1.0 - found.y * found.y);
+  EXPECT_LT(found.x, border);
+  EXPECT_GT(found.x, border - 0.05);
+  patch.fields.slip_x = nullptr;  // the same without knowing where adhesion ends
+  EXPECT_LT(patch.lanes().peaks(0.0).von_mises.value, 0.985 * found.value);
+}
+
 TEST(StripStresses, TurnedLoadsTurnTheStresses) {
   const Slipping patch(2.0, 1.0, 0.3, 0.0);
   const StressPeaks forward = patch.lanes().peaks(0.2), other_body = patch.lanes(1.0, -1.0).peaks(0.2),
