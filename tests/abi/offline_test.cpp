@@ -374,14 +374,15 @@ TEST_F(ExactRolling, FullAdhesionIsKalkersCoefficient) {
   EXPECT_NEAR(solution.fx / (-80e9 * a * a * 4.12 * 1e-4), 1.0, 0.02);
 }
 
-// 2/G = 1/G1 + 1/G2: 60 and 120 GPa roll like two bodies of 80 GPa when nu/G agrees too.
+// 2/G = 1/G1 + 1/G2: 60 and 120 GPa roll like two bodies of 80 GPa when nu/G agrees too and (1 - 2 nu)/G is the same
+// for both, without which pressure moves one surface along the other (Kalker's K).
 TEST_F(ExactRolling, UnlikeBodiesRollLikeTheirCombinedMaterial) {
   ASSERT_EQ(solve(), WRC_OK);
   const double fx = solution.fx;
   materials.shear_modulus_1 = 60e9;
   materials.shear_modulus_2 = 120e9;
-  materials.poisson_1 = 0.2;
-  materials.poisson_2 = 0.35;  // (0.2/60 + 0.35/120) / 2 = 0.25 / 80
+  materials.poisson_1 = 0.3125;  // (1 - 2 * 0.3125)/60 = (1 - 2 * 0.125)/120
+  materials.poisson_2 = 0.125;   // (0.3125/60 + 0.125/120) / 2 = 0.25/80
   ASSERT_EQ(solve(), WRC_OK);
   EXPECT_NEAR(solution.fx / fx, 1.0, 1e-9);
 }

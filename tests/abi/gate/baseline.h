@@ -1,7 +1,7 @@
 /* clang-format off */
 /* The interface that today's is held against; tests/abi/gate/baseline.c reads it. Renewed by
      tools/interface/describe.py --renew-baseline "what changed, in a sentence for CHANGELOG.md"
-   BECAUSE: wrc_contact_wrench_flat reads 28 numbers: distance, angle, turning of a roller and motion of the frame behind the 21 of before */
+   BECAUSE: `wrc_contact_wrench_flat` reads 28 numbers: distance, angle, turning of a roller and motion of the frame behind the 21 of before */
 NUMBER(WRC_ABI_VERSION, 2)
 NUMBER(WRC_FLAT_INPUTS, 8)
 NUMBER(WRC_FLAT_OUTPUTS, 12)
