@@ -374,8 +374,8 @@ TEST_F(ExactRolling, FullAdhesionIsKalkersCoefficient) {
   EXPECT_NEAR(solution.fx / (-80e9 * a * a * 4.12 * 1e-4), 1.0, 0.02);
 }
 
-// 2/G = 1/G1 + 1/G2: 60 and 120 GPa roll like two bodies of 80 GPa when nu/G agrees too and (1 - 2 nu)/G is the same
-// for both, without which pressure moves one surface along the other (Kalker's K).
+// 2/G = 1/G1 + 1/G2: 60 and 120 GPa roll like two bodies of 80 GPa when nu/G agrees too and (1 - 2 nu)/G is
+// the same for both, without which pressure moves one surface along the other (Kalker's K).
 TEST_F(ExactRolling, UnlikeBodiesRollLikeTheirCombinedMaterial) {
   ASSERT_EQ(solve(), WRC_OK);
   const double fx = solution.fx;
