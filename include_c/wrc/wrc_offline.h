@@ -312,12 +312,12 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
  * the gap of every cell along its own normal, the sliding of its own surface points, and half-space coefficients over
  * arc length between frames turned against each other, so that pressure and tractions act on one another. Friction zones
  * and friction that falls with the speed are each row of cells', both ways of rolling and what becomes of them near
- * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(): theory manual, sections 5 and 7. Takes from a
- * tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
+ * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(), damping by the speed at which a row's surfaces
+ * near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
  * wrc_contact_wrench().
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone: a rail or a
  * roller; sections along the track, check rails and wheels that are not round are refused
- * @param input as for wrc_contact_wrench(); damping must be 0, friction.slope_reduction 1
+ * @param input as for wrc_contact_wrench(); friction.slope_reduction must be 1
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them

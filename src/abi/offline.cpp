@@ -409,13 +409,6 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   Fault fault = first_of({read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted),
                           read_options(options, solver, reporter)});
   if (fault.failed()) return fault;
-  if (hosted.damping != 0.0) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.damping",
-            .value = hosted.damping,
-            .unit = "s/m",
-            .cause = "the exact solution has no damping: leave it 0"};
-  }
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
   if (placed.problem.slope_reduction != 1.0) {

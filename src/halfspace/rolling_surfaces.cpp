@@ -200,8 +200,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   return row;
 }
 
-void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
-                              double& along_row) const {
+void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
+                             double (&normal)[3]) const {
   const Vector3 n = normal_of(row);
   const double fall = row.fall(x);
   const Vector3 rail_point{x, row.y + fall * down_y(), row.z + fall * down_z()};
@@ -224,6 +224,26 @@ void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoin
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
   const double rail_x = -row.fall_slope(x) * (n.y * down_y() + n.z * down_z());
   const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
+  const Vector3* const from[] = {&velocity, &across};
+  double* const to[] = {moving, normal};
+  for (int k = 0; k < 2; ++k) {
+    to[k][0] = from[k]->x;
+    to[k][1] = from[k]->y;
+    to[k][2] = from[k]->z;
+  }
+}
+
+double RollingSurfaces::approach(const SurfaceRow& row, double x, const SurfacePoint& at) const {
+  double v[3], n[3];
+  motion(row, x, at, v, n);
+  return v[0] * n[0] + v[1] * n[1] + v[2] * n[2];
+}
+
+void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
+                              double& along_row) const {
+  double v[3], n[3];
+  motion(row, x, at, v, n);
+  const Vector3 velocity{v[0], v[1], v[2]}, across{n[0], n[1], n[2]};
   const Vector3 e_x = unit(Vector3{1.0, 0.0, 0.0} - across.x * across);
   along_x = dot(velocity, e_x);
   along_row = dot(velocity, cross(across, e_x));

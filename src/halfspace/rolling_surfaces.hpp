@@ -85,7 +85,13 @@ class RollingSurfaces {
   void sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
                double& along_row) const;
 
+  /// The same along that mean of both normals, positive while the surfaces near each other [m/s].
+  double approach(const SurfaceRow& row, double x, const SurfacePoint& at) const;
+
  private:
+  /// Velocity of the wheel's surface over the rail's at a cell, and the mean of both normals; track axes.
+  void motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
+              double (&normal)[3]) const;
   double down_y() const { return -std::sin(rail_.roll); }
   double down_z() const { return std::cos(rail_.roll); }
 

@@ -7,6 +7,7 @@
 
 #include "base/elementary.hpp"
 #include "geometry/creepages.hpp"
+#include "normal/damping.hpp"
 #include "tangential/friction/friction.hpp"
 
 namespace wrc::halfspace {
@@ -158,6 +159,28 @@ void find_sliding(const RollingSurfaces& surfaces, const Cells& cells, Collocati
                        way.sliding_x[at], way.sliding_y[at]);
     }
   }
+}
+
+// Damps the pressure of each row by the speed at which the surfaces near each other at its middle, and
+// returns the sum of what is left [N].
+double damp(const RollingSurfaces& surfaces, const Cells& cells, double damping, Field& pressure) {
+  const Grid& g = cells.grid;
+  double sum = 0.0;
+  for (int j = 0; j < g.ny; ++j) {
+    double row = 0.0, moment = 0.0;
+    for (int i = 0; i < g.nx; ++i) {
+      row += pressure[g.index(i, j)];
+      moment += g.x(i) * pressure[g.index(i, j)];
+    }
+    if (row <= 0.0) continue;
+    const double x = moment / row;
+    const int middle = std::clamp(static_cast<int>(nearest_integer((x - g.x0) / g.dx)), 0, g.nx - 1);
+    const SurfacePoint at = surfaces.point(cells.rows[j], x, cells.points[g.index(middle, j)].wheel_s);
+    const double factor = damping_factor(surfaces.approach(cells.rows[j], x, at), damping);
+    for (int i = 0; i < g.nx; ++i) pressure[g.index(i, j)] *= factor;
+    sum += factor * row;
+  }
+  return sum * g.cell_area();
 }
 
 // The mean of the speeds at which wheel and rail material pass through the contact, over its pressure [m/s].
@@ -347,6 +370,7 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     gap.progress = progress;
     const GapSolution pressed = normal.solve(gap);
     s.pressure = pressed.pressure;
+    if (state.damping != 0.0) damp(surfaces, cells, state.damping, s.pressure);
     s.fault = pressed.fault;
     s.turns = 1;
     if (!s.fault.failed()) sum_up(state, cells, options_.collocation, nullptr, s);
@@ -390,7 +414,9 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     s.fault = pressed.fault;
     s.pressure = pressed.pressure;
     if (s.fault.failed()) return;
-    if (pressed.normal_force <= 0.0) {
+    const double normal_force =
+        state.damping != 0.0 ? damp(surfaces, cells, state.damping, s.pressure) : pressed.normal_force;
+    if (normal_force <= 0.0) {
       for (Field* field : {&s.traction_x, &s.traction_y}) field->assign(n, 0.0);
       sum_up(state, cells, options_.collocation, nullptr, s);
       break;

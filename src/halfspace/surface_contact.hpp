@@ -16,8 +16,10 @@
 /// V, by which sliding velocities become slips, is the mean of the speeds at which both materials pass
 /// through the contact, over its pressure. Rolling backwards is forwards seen in a mirror across the axle,
 /// and below a small V the tractions are those of both ways by shares (geometry/creepages.hpp), as in real
-/// time. So is the friction law: a coefficient for every row, by its place on the rail and the root mean
-/// square of its rigid sliding velocity (tangential/friction/friction.hpp).
+/// time. So is damping: it multiplies the pressures of a row, by the speed at which the surfaces near each
+/// other at their middle, and what follows sees them damped. So is the friction law: a coefficient for every
+/// row, by its place on the rail and the root mean square of its rigid sliding velocity
+/// (tangential/friction/friction.hpp).
 #pragma once
 
 #include <vector>
@@ -47,7 +49,7 @@ struct SurfaceOptions {
 };
 
 struct SurfaceProblem {
-  WheelOnRail state;               ///< without damping and without a layer between the bodies
+  WheelOnRail state;               ///< without a layer between the bodies
   ProgressCallback progress = {};  ///< while heights are tried and both problems solved in turn
 };
 

@@ -6,6 +6,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
+#include "normal/damping.hpp"
 #include "surface/along_track.hpp"
 #include "surface/wrench_sum.hpp"
 
@@ -209,7 +210,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, WheelWork& w)
       approach_velocity -= o.lean[i] * v[0];
       v[0] = along;
     }
-    const double damped = std::max(0.0, 1.0 + 1.5 * in.damping * approach_velocity);
+    const double damped = damping_factor(approach_velocity, in.damping);
     const double peak = damped * p.strength[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
     const std::int32_t k = loaded.count++;
@@ -218,7 +219,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, WheelWork& w)
     w.width[k] = w.rail.width[j];
     w.half_length[k] = l;
     w.peak[k] = peak;
-    w.curvature[k] = o.curvature[i];
+    w.curvature[k] = damped * o.curvature[i];  // over the level: damping makes nothing stiffer along
     w.slip_x[k] = v[0];
     w.slip_y[k] = v[1] * o.nz[i] - v[2] * o.ny[i];
     w.spin[k] = seen.angular_velocity[1] * o.ny[i] + seen.angular_velocity[2] * o.nz[i];

@@ -311,7 +311,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     loaded.normal[i] = N;
     loaded.half_length[i] = root(seen_number(s.changed_length_squared[k]));
     loaded.peak[i] = strength / loaded.half_length[i];
-    loaded.curvature[i] = seen_number(overlap.curvature);
+    loaded.curvature[i] = damped * seen_number(overlap.curvature);  // as in wrench_at_height.cpp
     loaded.slip_x[i] = vx;
     loaded.slip_y[i] = vy * nz - vz * ny;
     loaded.spin[i] = turning[1] * ny + turning[2] * nz;

@@ -3717,11 +3717,12 @@ class ContactCalls(_l.Handle):
             points, and half-space coefficients over arc length between frames turned against each other, so
             that pressure and tractions act on one another. Friction zones and friction that falls with the
             speed are each row of cells', both ways of rolling and what becomes of them near standstill
-            (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(): theory manual, sections 5 and 7. Takes
-            from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The
-            contact keeps its last Contact.wrench().
+            (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(), damping by the speed at which a row's
+            surfaces near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a
+            second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
+            Contact.wrench().
 
-        input: as for Contact.wrench(); damping must be 0, friction.slope_reduction 1
+        input: as for Contact.wrench(); friction.slope_reduction must be 1
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
