@@ -122,6 +122,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   wrc_region region = wrc_region_default();
   wrc_ellipse ellipse;
   wrc_damage damage;
+  wrc_temperature temperature = wrc_temperature_default();
   static wrc_wrench_sensitivities slopes;
   static double pressure[512];
   input.wheel.z = 0.3e-3;
@@ -131,6 +132,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   DO(wrc_contact_region(contact, 0, &region));
   DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
   DO(wrc_contact_region_damage(contact, 0, &damage));
+  DO(wrc_contact_region_temperature(contact, 0, NULL, &temperature));
   DO(wrc_contact_region_field(contact, 0, WRC_REGION_STRIP_PEAK, pressure, 512));
   printf(
       "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",

@@ -154,8 +154,7 @@ enum wrc_friction_kind {
   WRC_FRICTION_TEMPERATURE = 3     /**< on the temperature of the surfaces, wrc_contact_temperature(): whole up to
                                         cold_temperature, times hot_ratio from hot_temperature on, linear between, and
                                         of each strip the mean over its load; found together with the tractions. Not
-                                        with a method that gives forces alone, and not of a wheel on a rail
-                                        (wrc_wheel.h) */
+                                        with a method that gives forces alone */
 };
 
 /** Where the y of friction zones counts from. */

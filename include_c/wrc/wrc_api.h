@@ -151,6 +151,8 @@ struct wrc_api {
     /**< wrc_profile_take_off() */
   int32_t (*flange_dimensions)(uint32_t, const double*, const double*, double, wrc_flange*, char*, uint64_t);
     /**< wrc_flange_dimensions() */
+  int32_t (*contact_region_temperature)(wrc_contact*, int32_t, const wrc_bulk_temperatures*, wrc_temperature*);
+    /**< wrc_contact_region_temperature() */
 };
 
 #endif /* WRC_API_H */

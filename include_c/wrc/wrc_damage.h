@@ -184,6 +184,18 @@ WRC_DEFAULT_SIZED(wrc_accumulation)
 WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, const wrc_bulk_temperatures* bulk,
                                         wrc_temperature* temperature);
 
+/** wrc_contact_temperature() of a region of the last wrc_contact_wrench(), and of its field WRC_REGION_TEMPERATURE_RISE, which is
+ * there without this call. The results stay as they are.
+ * @param contact the contact; its work space is used
+ * @param index as for wrc_contact_region()
+ * @param bulk temperatures of the bodies; NULL: the defaults
+ * @param[out] temperature the numbers: x as wrc_region.point[0], y the arc length (WRC_REGION_STRIP_S); heat is that of
+ * the cells' power density
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_wrench), _RANGE (no such region, or bulk), _NOT_FINITE,
+ * _UNSUPPORTED (a method that rolled whole patches). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_region_temperature(wrc_contact* contact, int32_t index, const wrc_bulk_temperatures* bulk,
+                                               wrc_temperature* temperature);
+
 /** Largest stresses in one of the bodies under pressure and tractions of the last wrc_contact_tangential or
  * wrc_contact_step: at the surface, at depths of the caller's, and around the largest of these (golden sections between
  * its neighbours: depths a fifth of the patch's smaller half extent apart are close enough). Elastic half-space; strips

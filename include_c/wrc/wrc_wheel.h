@@ -236,8 +236,10 @@ enum wrc_region_field {
   WRC_REGION_STRIP_FRICTION = 14, /**< strips: coefficient of friction the law gave [-] */
   WRC_REGION_STRIP_Y = 15,        /**< strips: the middle in the coordinates of the rail's profile, as wrc_region.y_rail [m] */
   WRC_REGION_STRIP_Z = 16,        /**< strips: the same, as wrc_region.z_rail [m] */
-  WRC_REGION_STRIP_ANGLE = 17     /**< strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side
+  WRC_REGION_STRIP_ANGLE = 17,    /**< strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side
                                        [rad] */
+  WRC_REGION_TEMPERATURE_RISE = 18 /**< cells: rise of both surfaces by friction over what they have at first touch [K]:
+                                       wrc_contact_region_temperature() */
 };
 
 /** What a wrench depends on: the columns of wrc_wrench_sensitivities. */
@@ -303,6 +305,8 @@ WRC_DEFAULT_SIZED(wrc_region)
  * friction.slope_fall; in every other form, as the coarse half-space and the force table, they roll patch by patch with
  * the means of the strips' slips over the load, on the ellipse or double ellipse with the moments of that load
  * (config.tangential.regularisation is not used). Theory manual, section 9.
+ * Friction over temperature (WRC_FRICTION_TEMPERATURE) is found strip by strip as by the stages, in six solutions of the
+ * tractions at each height; the call takes twice as long.
  * @param contact of a model with profiles
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
@@ -324,8 +328,8 @@ WRC_DEFAULT_SIZED(wrc_region)
  * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
  * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);
  * WRC_FLAG_TABLE_RANGE (of methods that know patches); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a
- * model without profiles, or friction zones in a contact frame), _LOAD (the load cannot be carried at this
- * pose).
+ * model without profiles, friction zones in a contact frame, or friction over temperature of a method without tractions),
+ * _LOAD (the load cannot be carried at this pose).
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
@@ -334,7 +338,7 @@ WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* 
  * manual, section 9.
  * @param contact as for wrc_contact_wrench(), of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM;
  * others are refused (WRC_ERROR_UNSUPPORTED)
- * @param input as for wrc_contact_wrench()
+ * @param input as for wrc_contact_wrench(), but not with WRC_FRICTION_TEMPERATURE, which has no derivatives and is refused
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] sensitivities the derivatives; NULL: not wanted
  * @return as wrc_contact_wrench(). Derivatives are zero without contact; with WRC_FLAG_BEYOND_GAP they are those where the

@@ -418,6 +418,13 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
             .unit = "",
             .cause = "between the bodies of the exact solution there is no layer: leave it 1"};
   }
+  if (!hosted.frictionless && hosted.friction.law.fall == FrictionLaw::Fall::heat) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.friction.kind",
+            .value = static_cast<double>(hosted.friction.law.fall),
+            .unit = "",
+            .cause = "the exact solution has no temperatures: take another law"};
+  }
   const SurfaceModel& surface = *model.surface;
   if (surface.varying.faces > 0 || surface.out_of_round.rows > 0) {
     return {

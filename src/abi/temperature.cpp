@@ -55,17 +55,7 @@ int32_t wrc_contact_temperature(wrc_contact* handle, const wrc_bulk_temperatures
     wrc::TemperatureNumbers numbers;
     wrc::Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);
     if (!outcome.failed()) outcome = wrc::assess_temperature(contact, {ours.wheel, ours.rail}, numbers);
-    if (outcome.failed()) return outcome;
-    wrc_temperature result = abi::empty<wrc_temperature>();
-    result.at_entry = numbers.at_entry;
-    result.rise = numbers.rise;
-    result.x = numbers.x;
-    result.y = numbers.y;
-    result.largest = numbers.at_entry + numbers.rise;
-    result.mean_rise = numbers.mean_rise;
-    result.wheel_heat = numbers.wheel_heat;
-    result.rail_heat = numbers.rail_heat;
-    abi::write(result, temperature);
+    if (!outcome.failed()) abi::write(abi::temperature_of(numbers), temperature);
     return outcome;
   });
 }

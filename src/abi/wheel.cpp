@@ -6,6 +6,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "abi/temperature.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
 
@@ -122,13 +123,6 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
 Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
-  if (ours.kind == WRC_FRICTION_TEMPERATURE) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.kind",
-            .value = static_cast<double>(ours.kind),
-            .unit = "",
-            .cause = "a wheel on a rail has no friction over temperature: leave kind, or take the stages"};
-  }
   hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
@@ -225,7 +219,7 @@ wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
 
 static_assert(same<WRC_REGION_TRACTION_S>(RegionField::traction_y) &&
               same<WRC_REGION_STRIP_S>(RegionField::strip_s) &&
-              same<WRC_REGION_STRIP_ANGLE + 1>(RegionField::count_));
+              same<WRC_REGION_TEMPERATURE_RISE + 1>(RegionField::count_));
 
 /// Is there that region of a solution, and somewhere to write what is asked of it?
 int32_t find_region(const Contact& contact, int32_t index, const void* result) {
@@ -317,6 +311,20 @@ int32_t wrc_contact_region_damage(wrc_contact* handle, int32_t index, wrc_damage
                 .reserved = 0},
                damage);
     return WRC_OK;
+  });
+}
+
+int32_t wrc_contact_region_temperature(wrc_contact* handle, int32_t index, const wrc_bulk_temperatures* bulk,
+                                       wrc_temperature* temperature) {
+  return abi::look(handle, abi::clear(temperature), [&](wrc::Contact& contact) -> int32_t {
+    const int32_t status = abi::find_region(contact, index, temperature);
+    if (status != WRC_OK) return status;
+    wrc_bulk_temperatures ours;
+    wrc::TemperatureNumbers numbers;
+    wrc::Fault fault = abi::read_or_defaults(bulk, "bulk", ours);
+    if (!fault.failed()) fault = wrc::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
+    if (!fault.failed()) abi::write(abi::temperature_of(numbers), temperature);
+    return fault.status;
   });
 }
 

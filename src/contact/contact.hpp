@@ -330,12 +330,15 @@ enum class RegionField : std::int32_t {
   strip_y,
   strip_z,
   strip_angle,
+  temperature_rise,
   count_
 };
-constexpr bool over_cells(RegionField field) { return field < RegionField::strip_s; }
+constexpr bool over_cells(RegionField field) {
+  return field < RegionField::strip_s || field == RegionField::temperature_rise;
+}
 constexpr bool of_tractions(RegionField field) {
   return (field >= RegionField::traction_x && field <= RegionField::fatigue_index) ||
-         field == RegionField::strip_power;
+         field == RegionField::strip_power || field == RegionField::temperature_rise;
 }
 
 /// What is asked of a region of the last solve_wheel(), with which nothing of its results changes
@@ -343,6 +346,9 @@ constexpr bool of_tractions(RegionField field) {
 Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& ellipse);
 /// Numbers made of tractions are there where the last solve has them.
 void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
+/// Where there are tractions: temperatures; y by arc length.
+Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
+                         TemperatureNumbers& temperature);
 /// Did the strips of the last solve roll on their own, not as whole patches?
 bool wheel_gives_fields(const Contact& contact);
 std::int32_t region_strip_count(const Contact& contact, std::int32_t index);

@@ -4,9 +4,11 @@
 
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/temperature_sums.hpp"
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
+#include "damage/heated_friction.hpp"
 #include "damage/subsurface.hpp"
 #include "kernels/kernels.hpp"
 #include "tangential/methods/strip_memory.hpp"
@@ -106,83 +108,26 @@ void show_region(Contact& contact, const Patch& patch, double origin) {
   }
 }
 
-/// Solutions of a patch under friction over temperature: always as many, so that the result is as continuous
-/// in the inputs as each of them.
-constexpr int heat_solutions = 6;
-
-/// The coefficient's share f of one strip that goes with its heat: f = mean over the load of the law at
-/// T = entry + f / before * rise, where `rise` is what the share `before` made. In full slip heat is
-/// proportional to friction, and that is all. The right side falls as f grows: one solution, by Newton's
-/// method in its bracket.
-double settled_share(const FrictionLaw& law, double entry, const double* rise, std::int32_t strips,
-                     std::int32_t cells, double before) {
-  double low = law.hot_ratio, high = 1.0, f = before;
-  constexpr int most_steps = 30;
-  for (int step = 0; step < most_steps; ++step) {
-    double sum = 0.0, slopes = 0.0, weights = 0.0;
-    for (std::int32_t i = 0; i < cells; ++i) {
-      const double xi = (2.0 * i + 1.0) / cells - 1.0, weight = std::sqrt(1.0 - xi * xi);
-      const double per_share = rise[i * strips] / before;
-      double slope = 0.0;
-      sum += weight * friction_when_hot(law, entry + per_share * f, &slope);
-      slopes += weight * slope * per_share;
-      weights += weight;
-    }
-    const double excess = f - sum / weights;
-    if (excess > 0.0) {
-      high = f;
-    } else {
-      low = f;
-    }
-    const double next = f - excess / (1.0 - slopes / weights);
-    if (std::fabs(excess) < 1e-13) return f;
-    f = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return f;
-}
-
 /// Solves a patch whose friction falls with the temperature that it makes. The rise of temperature in the
-/// contact is work space. Flags coefficients that still move by more than a thousandth.
-TangentialForces solve_heated(Contact& contact, const Patch& patch, const FrictionLaw& law,
-                              const TangentialFields& fields, RollingContact& rolling, Fault& fault) {
+/// contact is work space.
+TangentialForces roll_heated(Contact& contact, const Patch& patch, const FrictionLaw& law,
+                             const TangentialFields& fields, RollingContact& rolling, Fault& fault) {
   const ModelOptions& options = contact.model->options;
   const Strips& region = rolling.region;
-  const std::int32_t strips = region.count, cells = options.sizes.cells;
   constexpr std::int32_t most_strips = 512;
-  constexpr double least_share = 1e-6;  // below, there is no heat to go by
   double cold[most_strips], share[most_strips];
   double* const shares = array(contact, Array::strip_friction) + patch.region_first;
-  double* const rise = cell_block(contact, Array::temperature_rise, patch);
-  const BulkTemperatures bulk{law.wheel_temperature, law.rail_temperature};
-  const double entry = bulk.at_entry(options.effusivities);
-  const FlashWeights weights(cells);
-  for (std::int32_t j = 0; j < strips; ++j) {
-    cold[j] = rolling.friction[j];
-    share[j] = friction_when_hot(law, entry);
-  }
+  for (std::int32_t j = 0; j < region.count; ++j) cold[j] = rolling.friction[j];
+  HeatedFriction heat(law, options.effusivities, options.sizes.cells, contact.rolling.speed);
   TangentialForces forces;
-  double change = 0.0;
-  for (int k = 0; k < heat_solutions; ++k) {
-    for (std::int32_t j = 0; j < strips; ++j) shares[j] = cold[j] * share[j];
+  const auto solve = [&] {
+    for (std::int32_t j = 0; j < region.count; ++j) shares[j] = cold[j] * share[j];
     rolling.friction = shared_out(region, shares);
     forces = options.tangential_method->solve(rolling, fields, fault, nullptr);
-    flash_rise(region, fields, cells, contact.rolling.speed, options.effusivities, weights, rise);
-    change = 0.0;
-    for (std::int32_t j = 0; j < strips; ++j) {
-      if (!(share[j] > least_share)) continue;
-      const double next = settled_share(law, entry, rise + j, strips, cells, share[j]);
-      change = std::max(change, std::fabs(next - share[j]));
-      if (k + 1 < heat_solutions) share[j] = next;
-    }
-  }
-  constexpr double settled = 1e-3;
-  if (change > settled) {
-    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP,
-                       .field = "friction.kind",
-                       .value = change,
-                       .unit = "",
-                       .cause = "friction over temperature has not settled: this is its last change"});
-  }
+  };
+  double* const rise = cell_block(contact, Array::temperature_rise, patch);
+  const Fault unsettled = solve_heated(heat, region, fields, rise, share, solve);
+  keep_worst(fault, unsettled);
   return forces;
 }
 
@@ -246,7 +191,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   patch.forces = friction.law.fall == FrictionLaw::Fall::heat
-                     ? solve_heated(contact, patch, friction.law, fields, rolling, fault)
+                     ? roll_heated(contact, patch, friction.law, fields, rolling, fault)
                  : model.options.non_steady ? roll_with_memory(rolling, fields, fault)
                                             : method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside.
@@ -548,39 +493,15 @@ Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, Tempera
   const Fault fault = tractions_needed(contact, "this method has no power over the patch: choose another");
   if (fault.status != WRC_OK) return fault;
   const ModelOptions& options = contact.model->options;
-  const Effusivities& bodies = options.effusivities;
-  const std::int32_t cells = options.sizes.cells;
-  const double speed = contact.rolling.speed;
-  const FlashWeights weights(cells);
-  const double difference = bulk.rail - bulk.wheel;
-  double power = 0.0, into_wheel = 0.0, warmth = 0.0, area = 0.0;
-  temperature.at_entry = bulk.at_entry(bodies);
+  TemperatureSums sums(options.effusivities, bulk, options.sizes.cells, contact.rolling.speed);
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
     const Strips region = region_strips(contact, patch);
-    const TangentialFields fields = cell_fields(contact, patch);
     const double* const x = cell_block(contact, Array::x, patch);
-    double* const rise = cell_block(contact, Array::temperature_rise, patch);
-    flash_rise(region, fields, cells, speed, bodies, weights, rise);
-    for (std::int32_t j = 0; j < region.count; ++j) {
-      const double length = 2.0 * region.half_length[j], cell_area = length / cells * region.width[j];
-      for (std::int32_t i = 0; i < cells; ++i) {
-        const std::int32_t at = i * region.count + j;
-        warmth += rise[at] * cell_area;
-        area += cell_area;
-        power -= speed * cell_area *
-                 (fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at]);
-        if (rise[at] <= temperature.rise) continue;
-        temperature.rise = rise[at];
-        temperature.x = x[at];
-        temperature.y = region.y[j];
-      }
-      into_wheel += region.width[j] * heat_by_touching(bodies, difference, speed, length);
-    }
+    sums.add(region, cell_fields(contact, patch), cell_block(contact, Array::temperature_rise, patch),
+             [&](std::int32_t i, std::int32_t j) { return x[i * region.count + j]; });
   }
-  temperature.mean_rise = area > 0.0 ? warmth / area : 0.0;
-  temperature.wheel_heat = bodies.wheel / bodies.sum() * power + into_wheel;
-  temperature.rail_heat = bodies.rail / bodies.sum() * power - into_wheel;
+  temperature = sums.numbers();
   contact.beside |= Contact::temperature;
   return {};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/temperature_sums.hpp"
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
 #include "damage/frictional_power.hpp"
@@ -74,26 +75,58 @@ KeptFields fields_of(Contact& contact, const Run& run) {
   return f;
 }
 
+/// The places and lengths of kept strips that are asked for.
+struct StripNumbers {
+  double place[most_overlapping_strips], width[most_overlapping_strips], half_length[most_overlapping_strips],
+      peak[most_overlapping_strips];
+  Strips strips;
+
+  StripNumbers(const KeptStrips& kept, const Run& run) {
+    for (std::int32_t k = 0; k < run.count; ++k) {
+      const StripOnRail strip = strip_at(kept, run.first + k);
+      place[k] = strip.s;
+      width[k] = strip.width;
+      half_length[k] = strip.half_length;
+      peak[k] = strip.peak;
+    }
+    strips.count = run.count;
+    strips.y = place;
+    strips.width = width;
+    strips.half_length = half_length;
+    strips.peak = peak;
+  }
+  StripNumbers(const StripNumbers&) = delete;
+  StripNumbers& operator=(const StripNumbers&) = delete;
+};
+
+/// x of the middle of a cell [m].
+double cell_x(const Contact& contact, const KeptStrips& kept, std::int32_t i, std::int32_t k) {
+  const double way = kept.backwards > 0.0 ? -1.0 : 1.0;
+  return kept.x + kept.centre[k] + way * kept.half_length[k] * contact.model->march_grid.middles.place[i];
+}
+
+/// Returns the rises over the cells, in the workspace, over the slips.
+const double* heat(Contact& contact, const Run& run, const BulkTemperatures& bulk,
+                   TemperatureNumbers& temperature) {
+  const KeptStrips& kept = kept_strips(contact);
+  const KeptFields cells = fields_of(contact, run);
+  const StripNumbers numbers(kept, run);
+  TemperatureSums sums(contact.model->options.effusivities, bulk, cells.cells, kept.speed);
+  sums.add(numbers.strips, {cells.traction_x, cells.traction_y, cells.slip_x, cells.slip_y}, cells.slip_x,
+           [&](std::int32_t i, std::int32_t k) { return cell_x(contact, kept, i, run.first + k); });
+  temperature = sums.numbers();
+  return cells.slip_x;
+}
+
 /// In the workspace, over the slips.
 void assess(Contact& contact, const Run& run, AssessedCells& assessed) {
   const Model& model = *contact.model;
   const KeptStrips& kept = kept_strips(contact);
   const KeptFields cells = fields_of(contact, run);
-  double width[most_overlapping_strips], half_length[most_overlapping_strips], peak[most_overlapping_strips];
-  for (std::int32_t k = 0; k < run.count; ++k) {
-    const StripOnRail strip = strip_at(kept, run.first + k);
-    width[k] = strip.width;
-    half_length[k] = strip.half_length;
-    peak[k] = strip.peak;
-  }
-  Strips strips;
-  strips.count = run.count;
-  strips.width = width;
-  strips.half_length = half_length;
-  strips.peak = peak;
+  const StripNumbers numbers(kept, run);
   const TangentialFields fields{cells.traction_x, cells.traction_y, cells.slip_x, cells.slip_y};
   simd::CellTask task{};
-  task.region = &strips;
+  task.region = &numbers.strips;
   task.fields = &fields;
   task.middles = &model.march_grid.middles;
   task.cells = cells.cells;
@@ -166,6 +199,16 @@ void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage) 
   damage.local_fatigue_index = cells.worst.fatigue_index;
 }
 
+Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
+                         TemperatureNumbers& temperature) {
+  if (!wheel_gives_fields(contact))
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "index",
+            .cause = "whole patches rolled: their strips have no power"};
+  heat(contact, strips_of(kept_strips(contact), contact.wheel.wrench.region[index]), bulk, temperature);
+  return {};
+}
+
 bool wheel_gives_fields(const Contact& contact) { return kept_strips(contact).by_region == 0.0; }
 
 std::int32_t region_strip_count(const Contact& contact, std::int32_t index) {
@@ -192,12 +235,9 @@ void region_field(Contact& contact, std::int32_t index, RegionField field, doubl
     for (std::int32_t i = 0; i < grid.cells; ++i)
       for (std::int32_t k = 0; k < run.count; ++k) values[i * run.count + k] = value(i, run.first + k);
   };
-  const double way = kept.backwards > 0.0 ? -1.0 : 1.0;
   switch (field) {
     case RegionField::x:
-      return of_cells([&](std::int32_t i, std::int32_t k) {
-        return kept.x + kept.centre[k] + way * kept.half_length[k] * grid.middles.place[i];
-      });
+      return of_cells([&](std::int32_t i, std::int32_t k) { return cell_x(contact, kept, i, k); });
     case RegionField::pressure:
       return of_cells([&](std::int32_t i, std::int32_t k) {
         return kept.factor * kept.peak[k] * grid.middles.pressure[i];
@@ -229,6 +269,11 @@ void region_field(Contact& contact, std::int32_t index, RegionField field, doubl
     const KeptFields cells = fields_of(contact, run);
     const double* const each[] = {cells.traction_x, cells.traction_y, cells.slip_x, cells.slip_y};
     std::copy_n(each[static_cast<int>(field) - static_cast<int>(RegionField::traction_x)], all, values);
+    return;
+  }
+  if (field == RegionField::temperature_rise) {
+    TemperatureNumbers beside;
+    std::copy_n(heat(contact, run, {}, beside), all, values);
     return;
   }
   AssessedCells cells;

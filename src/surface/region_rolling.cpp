@@ -16,6 +16,7 @@ constexpr double least_variance = 1e-12;  // [m^2]: of a load on one line
 
 struct Memory {
   double *line_load, *load, *shares;
+  double *cold, *heat_share, *hot;  ///< of friction over temperature: of a part, of a part, of all
   Strips strips;
   void* method;
 };
@@ -26,7 +27,7 @@ Memory cut(double* at, std::int32_t count) {
     at += count;
     return here;
   };
-  Memory m{take(), take(), take(), {}, nullptr};
+  Memory m{take(), take(), take(), take(), take(), take(), {}, nullptr};
   m.strips = {count, 0, take(), take(), take(), take(), take()};
   m.method = at;
   return m;
@@ -45,12 +46,13 @@ class Roller {
  public:
   Roller(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
          const SlopeFall& slope, double slope_reduction, double* workspace, const TangentialFields& fields,
-         const SurfaceRollingForces& forces)
+         const SurfaceRollingForces& forces, HeatedFriction* heat)
       : in_(in),
         along_(along),
         method_(method),
         fields_(fields),
         forces_(forces),
+        heat_(heat),
         memory_(cut(workspace, in.count)) {
     contact_.shear_modulus = in.shear_modulus;
     contact_.linear_theory = method.linear_theory;
@@ -65,7 +67,7 @@ class Roller {
   }
 
   Fault roll() {
-    for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) std::fill_n(f, in_.count, 0.0);
+    for (double* const f : {forces_.fx, forces_.fy, forces_.mz, memory_.hot}) std::fill_n(f, in_.count, 0.0);
     for (std::int32_t j = 0; j < in_.count; ++j) memory_.line_load[j] = in_.half_length[j] * in_.peak[j];
     for (std::int32_t first = 0, end = 0; first < in_.count; first = end) {
       end = first + 1;
@@ -79,6 +81,8 @@ class Roller {
     }
     return fault_;
   }
+
+  const double* hot() const { return memory_.hot; }
 
  private:
   /// Loads of the strips within the part; of one across its border, what lies inside.
@@ -133,6 +137,27 @@ class Roller {
     contact_.friction = {m.friction};
   }
 
+  TangentialForces solve() {
+    Fault fault;
+    const auto once = [&] { return method_.solve(contact_, fields_, fault, nullptr); };
+    TangentialForces found;
+    if (heat_) {
+      const Strips& region = contact_.region;
+      for (std::int32_t k = 0; k < region.count; ++k) memory_.cold[k] = contact_.friction[k];
+      const Fault unsettled = solve_heated(*heat_, region, fields_, fields_.slip_x, memory_.heat_share, [&] {
+        for (std::int32_t k = 0; k < region.count; ++k)
+          memory_.shares[k] = memory_.cold[k] * memory_.heat_share[k];
+        contact_.friction = shared_out(region, memory_.shares);
+        found = once();
+      });
+      keep_worst(fault, unsettled);
+    } else {
+      found = once();
+    }
+    keep_worst(fault_, fault);
+    return found;
+  }
+
   void roll_part(std::int32_t first, std::int32_t end, double share, const LobeCut* low,
                  const LobeCut* high) {
     const Means m = take_part(first, end, low, high);
@@ -146,15 +171,18 @@ class Roller {
     contact_.shape_number = m.shape.psi;
     contact_.creepage = seen_from(origin, m.creepage);
     contact_.normal_force = m.load;
-    Fault fault;
-    TangentialForces found = method_.solve(contact_, fields_, fault, nullptr);
-    keep_worst(fault_, fault);
+    TangentialForces found = solve();
     refer_back(origin, found, nullptr);
+    std::int32_t k = 0;
     for (std::int32_t j = first; j < end; ++j) {
       const double part = share * memory_.load[j] / m.load;
       forces_.fx[j] += part * found.fx;
       forces_.fy[j] += part * found.fy;
       forces_.mz[j] += part * found.mz;
+      if (!(heat_ && memory_.load[j] > 0.0)) continue;
+      const double whole = 0.5 * pi * in_.width[j] * memory_.line_load[j];
+      const double coefficient = method_.model.on_ellipse ? contact_.friction.mean : contact_.friction[k++];
+      memory_.hot[j] += share * memory_.load[j] / whole * coefficient;
     }
   }
 
@@ -165,6 +193,7 @@ class Roller {
   const RegionRolling& method_;
   const TangentialFields& fields_;
   const SurfaceRollingForces& forces_;
+  HeatedFriction* heat_;
   Memory memory_;
   RollingContact contact_;
   Fault fault_;
@@ -173,7 +202,7 @@ class Roller {
 }  // namespace
 
 std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& method) {
-  return 8 * static_cast<std::int64_t>(most) +
+  return 11 * static_cast<std::int64_t>(most) +
          (method.workspace_bytes + static_cast<std::int64_t>(sizeof(double)) - 1) /
              static_cast<std::int64_t>(sizeof(double));
 }
@@ -197,8 +226,12 @@ Sdec sdec_of_load(double mean_length_squared, double variance, double third_mome
 
 Fault roll_by_region(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
                      const SlopeFall& slope, double slope_reduction, double* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept {
-  return Roller(in, along, method, slope, slope_reduction, workspace, fields, forces).roll();
+                     const TangentialFields& fields, const SurfaceRollingForces& forces, HeatedFriction* heat,
+                     double* hot) noexcept {
+  Roller roller(in, along, method, slope, slope_reduction, workspace, fields, forces, heat);
+  const Fault fault = roller.roll();
+  if (heat) std::copy_n(roller.hot(), in.count, hot);
+  return fault;
 }
 
 }  // namespace wrc

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "base/fault.hpp"
+#include "damage/heated_friction.hpp"
 #include "patch/sdec.hpp"
 #include "surface/surface_rolling.hpp"
 #include "tangential/rolling_contact.hpp"
@@ -38,9 +39,11 @@ std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& meth
 Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept;
 
 /// Rolls the strips of `in`, its method apart, forwards. `along`: x of the strips' middles [m]. `fields`: in
-/// memory for `most` strips, for methods that need it; not results.
+/// memory for `most` strips, for methods that need it; not results. `heat`: friction over temperature; then
+/// the coefficients of `in` are cold ones, and `hot`, which may be the same array, gets the hot ones.
 Fault roll_by_region(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
                      const SlopeFall& slope, double slope_reduction, double* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept;
+                     const TangentialFields& fields, const SurfaceRollingForces& forces,
+                     HeatedFriction* heat = nullptr, double* hot = nullptr) noexcept;
 
 }  // namespace wrc

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "damage/flash_temperature.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
@@ -47,6 +48,7 @@ struct SurfaceBodies {
   RadiusTable radius;             ///< without rows: the wheel is round
   double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
   Material material;
+  Effusivities effusivities;
   // These outlive the model:
   const InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
@@ -65,6 +67,7 @@ struct SurfaceModel {
   double wheel_radius = 0.0;      ///< nominal [m]
   double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
   Material material;
+  Effusivities effusivities;
   const InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
   StripCoefficientTable coefficients;

@@ -46,8 +46,9 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
       doubles(std::max(surface_normal_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
   w.slopes = w.normal;  // which is done with by then
   w.rolling = doubles(static_cast<std::int64_t>(surface_rolling_workspace(most)));
-  for (double** a : {&w.place, &w.width, &w.half_length, &w.peak, &w.curvature, &w.slip_x, &w.slip_y, &w.spin,
-                     &w.friction, &w.fx, &w.fy, &w.mz, &w.other_fx, &w.other_fy, &w.other_mz})
+  for (double** a :
+       {&w.place, &w.width, &w.half_length, &w.peak, &w.curvature, &w.slip_x, &w.slip_y, &w.spin, &w.friction,
+        &w.fx, &w.fy, &w.mz, &w.other_fx, &w.other_fy, &w.other_mz, &w.cold_friction, &w.heat_share})
     *a = doubles(most);
   w.candidate = integers(most);
   for (double** a : {&w.fields.traction_x, &w.fields.traction_y, &w.fields.slip_x, &w.fields.slip_y})

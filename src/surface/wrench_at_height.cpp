@@ -132,7 +132,7 @@ bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
 }
 
 Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, WheelWork& w,
-           const TangentialFields& fields, SurfaceRollingForces forces) {
+           const TangentialFields& fields, SurfaceRollingForces forces, HeatedFriction* heat) {
   const auto mirror = [&](double* a) {
     for (std::int32_t k = 0; k < count; ++k) a[k] = -a[k];
   };
@@ -151,7 +151,7 @@ Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count,
       w.along[k] = backwards ? -x : x;
     }
     fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
-                           forces);
+                           forces, heat, w.friction);
   } else {
     const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
     roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);
@@ -232,6 +232,27 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, WheelWork& w)
   return loaded;
 }
 
+/// Tractions under friction over temperature, `speed` that of rolling [m/s]; leaves the hot coefficients.
+Fault roll_heated(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards,
+                  double speed, WheelWork& w, const SurfaceRollingForces& forces) {
+  HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
+  if (rolls_by_region(model, in)) {
+    std::copy_n(w.cold_friction, count, w.friction);
+    return roll(model, in, count, backwards, w, {}, forces, &heat);
+  }
+  Strips strips;
+  strips.count = count;
+  strips.half_length = w.half_length;
+  Fault fault;
+  const auto solve = [&] {
+    for (std::int32_t k = 0; k < count; ++k) w.friction[k] = w.cold_friction[k] * w.heat_share[k];
+    keep_worst(fault, roll(model, in, count, backwards, w, w.fields, forces));
+  };
+  const Fault unsettled = solve_heated(heat, strips, w.fields, w.fields.slip_x, w.heat_share, solve);
+  keep_worst(fault, unsettled);
+  return fault;
+}
+
 /// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to.
 RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen,
                              const Loaded& loaded, WheelWork& w, Fault& fault) {
@@ -249,11 +270,19 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   }
   if (!(in.friction > 0.0)) return reference;
   if (in.law) find_friction(*in.law, speed, loaded.count, w);
-  const bool backwards = w.backwards;
-  keep_worst(fault, roll(model, in, loaded.count, backwards, w, {}, {w.fx, w.fy, w.mz}));
+  const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
+  if (heated) std::copy_n(w.friction, loaded.count, w.cold_friction);
+  const auto roll_one_way = [&](bool backwards, const SurfaceRollingForces& forces) {
+    return heated ? roll_heated(model, in, loaded.count, backwards, speed, w, forces)
+                  : roll(model, in, loaded.count, backwards, w, {}, forces);
+  };
   const double other = reference.other_way;
+  Fault others;
+  // before its own way, which leaves the strips their friction
+  if (other > 0.0) others = roll_one_way(!w.backwards, {w.other_fx, w.other_fy, w.other_mz});
+  keep_worst(fault, roll_one_way(w.backwards, {w.fx, w.fy, w.mz}));
+  keep_worst(fault, others);
   if (!(other > 0.0)) return reference;
-  keep_worst(fault, roll(model, in, loaded.count, !backwards, w, {}, {w.other_fx, w.other_fy, w.other_mz}));
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     w.fx[k] += other * (w.other_fx[k] - w.fx[k]);
     w.fy[k] += other * (w.other_fy[k] - w.fy[k]);

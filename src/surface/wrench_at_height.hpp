@@ -1,6 +1,7 @@
 /// The wrench of a wheel at a height: overlaps, pressures, slips, tractions, sums.
 #pragma once
 
+#include "damage/heated_friction.hpp"
 #include "surface/wheel_work.hpp"
 
 namespace wrc {
@@ -18,9 +19,10 @@ double margin_of(const SurfaceModel& model);
 bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
 
 /// Tractions of the strips in contact. Backwards is forwards seen in a mirror across the axle: x, and with it
-/// slip along x and spin, change sign, and so do their forces.
+/// slip along x and spin, change sign, and so do their forces. `heat`: friction over temperature of methods
+/// that roll by region, to which the strips' friction is cold, and hot afterwards.
 Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, WheelWork& w,
-           const TangentialFields& fields, SurfaceRollingForces forces);
+           const TangentialFields& fields, SurfaceRollingForces forces, HeatedFriction* heat = nullptr);
 
 /// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
 /// the overlaps at this height stand in w.overlaps already.

@@ -167,12 +167,6 @@ TEST_F(HeatedFriction, RefusesWhatItCannot) {
   config.tangential.force_table = WRC_FORCE_TABLE;
   make();
   refused(WRC_ERROR_UNSUPPORTED, {"friction.kind", "no tractions"});
-
-  ReferenceWheel wheel;
-  wheel.create();
-  wrc_wheel_input input = wrc_wheel_input_default();
-  input.friction.kind = WRC_FRICTION_TEMPERATURE;
-  EXPECT_EQ(wrc_contact_wrench(wheel.contact, &input, nullptr), WRC_ERROR_UNSUPPORTED);
 }
 
 TEST_F(HeatedFriction, IsForEveryMethodWithTractions) {

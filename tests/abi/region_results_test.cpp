@@ -30,14 +30,15 @@ class RegionResults : public testing::Test, protected PlacedWheel {
   Numbers field(int32_t index, int32_t which) {
     const wrc_region shown = region(index);
     const auto strips = static_cast<std::size_t>(shown.strips), cells = static_cast<std::size_t>(shown.cells);
-    Numbers values(which < WRC_REGION_STRIP_S ? strips * cells : strips);
+    const bool of_cells = which < WRC_REGION_STRIP_S || which == WRC_REGION_TEMPERATURE_RISE;
+    Numbers values(of_cells ? strips * cells : strips);
     EXPECT_EQ(wrc_contact_region_field(contact, index, which, values.data(), values.size()), WRC_OK);
     return values;
   }
   Numbers all_fields() {
     Numbers all;
     for (int32_t i = 0; i < wrench.regions; ++i)
-      for (int32_t which = 0; which <= WRC_REGION_STRIP_ANGLE; ++which)
+      for (int32_t which = 0; which <= WRC_REGION_TEMPERATURE_RISE; ++which)
         for (const double value : field(i, which)) all.push_back(value);
     return all;
   }
@@ -241,7 +242,13 @@ TEST_F(RegionResults, WhatIsNotThereIsRefused) {
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_damage(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_REGION_X, nullptr, 1), WRC_ERROR_NULL);
-  for (const int32_t none : {-1, WRC_REGION_STRIP_ANGLE + 1})
+  wrc_temperature temperature = wrc_temperature_default();
+  wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
+  EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_region_temperature(contact, wrench.regions, &bulk, &temperature), WRC_ERROR_RANGE);
+  bulk.rail = 5000.0;
+  EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, &temperature), WRC_ERROR_RANGE);
+  for (const int32_t none : {-1, WRC_REGION_TEMPERATURE_RISE + 1})
     EXPECT_EQ(wrc_contact_region_field(contact, 0, none, &value, 1), WRC_ERROR_UNSUPPORTED);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_REGION_STRIP_S, &value, 1), WRC_ERROR_BUFFER);
   EXPECT_EQ(value, 7.0);

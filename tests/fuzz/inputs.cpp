@@ -345,6 +345,12 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
+  if (choices.one_in(6) && friction.coefficient > 0.0) {
+    friction.kind = WRC_FRICTION_TEMPERATURE;
+    friction.hot_ratio = choices.between(0.0, 1.0);
+    friction.hot_temperature = choices.between(0.0, 1000.0);
+    friction.bulk.rail = choices.between(-273.0, 2000.0);
+  }
   input.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(4)) {
     input.frame.speed = sized(choices, member<wrc_frame_motion>("speed"), 1e-9);

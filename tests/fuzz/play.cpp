@@ -305,14 +305,22 @@ class Case {
     wrc_damage damage{};
     expect(wrc_contact_region_ellipse(contact_, index, &ellipse) >= 0, "a region has an ellipse");
     expect(wrc_contact_region_damage(contact_, index, &damage) == WRC_OK, "a region has damage numbers");
+    wrc_temperature temperature = wrc_temperature_default();
+    const std::int32_t heated = wrc_contact_region_temperature(contact_, index, nullptr, &temperature);
+    expect(heated == WRC_OK || heated == WRC_ERROR_UNSUPPORTED,
+           "a region has temperatures, or whole patches");
+    expect(
+        std::isfinite(temperature.rise) && std::isfinite(temperature.wheel_heat) && temperature.rise >= 0.0,
+        "temperatures of a region are finite");
     expect(all_finite(doubles_from(ellipse, ellipse.a)) && std::isfinite(damage.local_fatigue_index) &&
                std::isfinite(damage.peak_power_density) && std::isfinite(damage.fatigue_index),
            "ellipse and damage of a region are finite");
     expect(std::fabs(ellipse.psi) <= 0.95 && ellipse.a > 0.0 && ellipse.b > 0.0, "an ellipse is one");
-    const auto which = static_cast<std::int32_t>(choices_.below(WRC_REGION_STRIP_ANGLE + 1));
+    const auto which = static_cast<std::int32_t>(choices_.below(WRC_REGION_TEMPERATURE_RISE + 1));
     const auto strips = static_cast<std::size_t>(region.strips),
                cells = static_cast<std::size_t>(region.cells);
-    std::vector<double> values(which < WRC_REGION_STRIP_S ? strips * cells : strips);
+    const bool of_cells = which < WRC_REGION_STRIP_S || which == WRC_REGION_TEMPERATURE_RISE;
+    std::vector<double> values(of_cells ? strips * cells : strips);
     const std::int32_t shown = wrc_contact_region_field(contact_, index, which, values.data(), values.size());
     expect(shown == WRC_OK ||
                (shown == WRC_ERROR_UNSUPPORTED && config_.tangential.method != WRC_TANGENTIAL_STRIP_FASTSIM),

@@ -215,6 +215,12 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_temperature> temperature(const wrc_bulk_temperatures* bulk) { return detail::value_or_throw(try_temperature(bulk), handle_); }
 #endif
+  /** wrc_contact_region_temperature() */
+  status region_temperature(std::int32_t index, const wrc_bulk_temperatures* bulk, wrc_temperature& temperature) noexcept { return wrc_contact_region_temperature(handle_, index, bulk, &temperature); }
+  expected<answer<wrc_temperature>> try_region_temperature(std::int32_t index, const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(wrc_temperature_default(), [&](wrc_temperature& found_) { return this->region_temperature(index, bulk, found_); }); }
+#ifdef WRC_EXCEPTIONS
+  answer<wrc_temperature> region_temperature(std::int32_t index, const wrc_bulk_temperatures* bulk) { return detail::value_or_throw(try_region_temperature(index, bulk), handle_); }
+#endif
   /** wrc_contact_stresses() */
   status stresses(std::int32_t body, const double* depths, std::uint32_t count, wrc_stress_peaks* levels, wrc_stresses* stresses) noexcept { return wrc_contact_stresses(handle_, body, depths, count, levels, stresses); }
   /** wrc_contact_accumulate() */

@@ -236,8 +236,7 @@ class FrictionKind(s.Choice):
         coefficient to the kinetic one
     TEMPERATURE: on the temperature of the surfaces, Contact.temperature(): whole up to cold_temperature,
         times hot_ratio from hot_temperature on, linear between, and of each strip the mean over its load;
-        found together with the tractions. Not with a method that gives forces alone, and not of a wheel on a
-        rail (wrc_wheel.h)
+        found together with the tractions. Not with a method that gives forces alone
     """
 
     CONSTANT = 0
@@ -430,6 +429,8 @@ class RegionField(s.Choice):
     STRIP_Y: strips: the middle in the coordinates of the rail's profile, as Region.y_rail [m]
     STRIP_Z: strips: the same, as Region.z_rail [m]
     STRIP_ANGLE: strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side [rad]
+    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]:
+        Contact.region_temperature()
     """
 
     X = 0
@@ -450,6 +451,7 @@ class RegionField(s.Choice):
     STRIP_Y = 15
     STRIP_Z = 16
     STRIP_ANGLE = 17
+    TEMPERATURE_RISE = 18
 
 
 class WrenchInput(s.Choice):
@@ -3270,6 +3272,7 @@ _wrc_damage_bins_init = _l.function(FUNCTIONS, 'wrc_damage_bins_init', c.c_int32
 _wrc_fatigue_laws_init = _l.function(FUNCTIONS, 'wrc_fatigue_laws_init', c.c_int32, [c.POINTER(FatigueLaws)])
 _wrc_accumulation_init = _l.function(FUNCTIONS, 'wrc_accumulation_init', c.c_int32, [c.POINTER(Accumulation)])
 _wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
+_wrc_contact_region_temperature = _l.function(FUNCTIONS, 'wrc_contact_region_temperature', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
 _wrc_contact_stresses = _l.function(FUNCTIONS, 'wrc_contact_stresses', c.c_int32, [c.c_void_p, c.c_int32, s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses)])
 _wrc_flash_temperature = _l.function(FUNCTIONS, 'wrc_flash_temperature', c.c_int32, [c.c_uint32, c.c_double, s.Numbers(c.c_double), c.c_double, c.POINTER(HeatProperties), c.POINTER(HeatProperties), s.Numbers(c.c_double)])
 _wrc_contact_accumulate = _l.function(FUNCTIONS, 'wrc_contact_accumulate', c.c_int32, [c.c_void_p, c.POINTER(Accumulation), c.POINTER(DamageBins), c.POINTER(DamageBins), c.POINTER(DamageTotals)])
@@ -3558,7 +3561,9 @@ class ContactCalls(_l.Handle):
             than TractionBound.ELLIPSOIDAL, and without friction.slope_fall; in every other form, as the
             coarse half-space and the force table, they roll patch by patch with the means of the strips'
             slips over the load, on the ellipse or double ellipse with the moments of that load
-            (config.tangential.regularisation is not used). Theory manual, section 9.
+            (config.tangential.regularisation is not used). Theory manual, section 9. Friction over
+            temperature (FrictionKind.TEMPERATURE) is found strip by strip as by the stages, in six solutions
+            of the tractions at each height; the call takes twice as long.
 
         input: what to solve
         out: the result; None: a new one
@@ -3570,8 +3575,9 @@ class ContactCalls(_l.Handle):
             Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
             the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
             the field side carry nothing); Status.FLAG_TABLE_RANGE (of methods that know patches);
-            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles, or
-            friction zones in a contact frame), _LOAD (the load cannot be carried at this pose).
+            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles,
+            friction zones in a contact frame, or friction over temperature of a method without tractions),
+            _LOAD (the load cannot be carried at this pose).
         """
         if out is None:
             out = Wrench._new()
@@ -3586,7 +3592,8 @@ class ContactCalls(_l.Handle):
             equations of its solution, not by differences. For implicit integrators; it takes two to three
             times as long as the wrench alone. Theory manual, section 9.
 
-        input: as for Contact.wrench()
+        input: as for Contact.wrench(), but not with FrictionKind.TEMPERATURE, which has no derivatives and is
+            refused
         wrench: as for Contact.wrench(), the same bits; None: a new one
         sensitivities: the derivatives; None: a new one
 
@@ -3683,6 +3690,26 @@ class ContactCalls(_l.Handle):
             out = Temperature._new()
         with self._lock:
             status = self._status = _wrc_contact_temperature(self._handle, bulk, out)
+            if status < 0:
+                raise self._error(status)
+        return out
+
+    def region_temperature(self, index: int, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
+        """Contact.temperature() of a region of the last Contact.wrench(), and of its field
+            RegionField.TEMPERATURE_RISE, which is there without this call. The results stay as they are.
+
+        index: as for Contact.region()
+        bulk: temperatures of the bodies; None: the defaults
+        out: the numbers: x as Region.point[0], y the arc length (RegionField.STRIP_S); heat is that of the
+            cells' power density; None: a new one
+
+        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.wrench), _RANGE (no such
+            region, or bulk), _NOT_FINITE, _UNSUPPORTED (a method that rolled whole patches).
+        """
+        if out is None:
+            out = Temperature._new()
+        with self._lock:
+            status = self._status = _wrc_contact_region_temperature(self._handle, index, bulk, out)
             if status < 0:
                 raise self._error(status)
         return out

@@ -208,9 +208,10 @@ inline constexpr Enumerator wrc_region_field_values[] = {
     {"WRC_REGION_STRIP_Y", WRC_REGION_STRIP_Y},
     {"WRC_REGION_STRIP_Z", WRC_REGION_STRIP_Z},
     {"WRC_REGION_STRIP_ANGLE", WRC_REGION_STRIP_ANGLE},
+    {"WRC_REGION_TEMPERATURE_RISE", WRC_REGION_TEMPERATURE_RISE},
 };
-inline constexpr Enumeration wrc_region_field{wrc_region_field_values, 18,
-    "see enum wrc_region_field: WRC_REGION_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_S (3), _SLIP_X (4), _SLIP_S (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_S (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _STRIP_FRICTION (14), _STRIP_Y (15), _STRIP_Z (16), _STRIP_ANGLE (17)"};
+inline constexpr Enumeration wrc_region_field{wrc_region_field_values, 19,
+    "see enum wrc_region_field: WRC_REGION_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_S (3), _SLIP_X (4), _SLIP_S (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_S (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _STRIP_FRICTION (14), _STRIP_Y (15), _STRIP_Z (16), _STRIP_ANGLE (17), _TEMPERATURE_RISE (18)"};
 
 inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_Y", WRC_BY_Y},

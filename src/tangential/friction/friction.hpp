@@ -20,7 +20,7 @@
 ///
 /// Over temperature f is 1 up to a temperature, a share from another on, and linear between (the form of
 /// CONTACT's user guide, method L = 4); of a strip the mean over its load, at the temperatures that tractions
-/// with these coefficients make (contact/rolling.cpp). At rest, and so here, f is 1.
+/// with these coefficients make (damage/heated_friction.hpp). At rest, and so here, f is 1.
 #pragma once
 
 #include <cstdint>

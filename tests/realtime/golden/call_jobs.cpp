@@ -307,6 +307,25 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// Whose friction falls with the temperature it makes.
+void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(7);
+  for (int i = 0; i < 24; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    if (input.friction.coefficient > 0.0) input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    wrc_wrench wrench = wrc_wrench_default();
+    hash.add(wrc_contact_wrench(contact, &input, &wrench));
+    add_forces(wrench, hash);
+    hash.add(wrench.power);
+    wrc_temperature temperature = wrc_temperature_default();
+    hash.add(wrc_contact_region_temperature(contact, 0, nullptr, &temperature));
+    for (double number : {temperature.rise, temperature.x, temperature.y, temperature.mean_rise,
+                          temperature.wheel_heat, temperature.rail_heat})
+      hash.add(number);
+  }
+}
+
 /// What they do to the bodies.
 void run_wheel_accumulation(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -437,6 +456,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
+  plan.jobs.push_back({"wheel on rail, friction over temperature", model, {}, {}, run_heated_wheels});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 

@@ -272,6 +272,15 @@ int32_t wheel_step(Wheel& wheel) {
   return std::min(status, of_batch);
 }
 
+int32_t wheel_heated(Wheel& wheel) {
+  wrc_wheel_input input = wheel_input(wheel);
+  input.friction.kind = WRC_FRICTION_TEMPERATURE;
+  wrc_wrench wrench = wrc_wrench_default();
+  const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
+  // it is for methods with tractions
+  return wheel.methods.tangential == preset_table && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+}
+
 int32_t wheel_sensitivities(Wheel& wheel) {
   const wrc_wheel_input input = wheel_input(wheel);
   wrc_wrench wrench = wrc_wrench_default();
@@ -337,7 +346,9 @@ int32_t wheel_region_results(Wheel& wheel) {
   const auto of = [](int32_t status) { return status == WRC_ERROR_RANGE ? WRC_OK : status; };
   int32_t status = of(wrc_contact_region_ellipse(wheel.contact, 0, &ellipse));
   if (status >= 0) status = of(wrc_contact_region_damage(wheel.contact, 0, &damage));
-  for (int32_t field = 0; status >= 0 && field <= WRC_REGION_STRIP_ANGLE; ++field)
+  wrc_temperature temperature = wrc_temperature_default();
+  if (status >= 0) status = of(wrc_contact_region_temperature(wheel.contact, 0, nullptr, &temperature));
+  for (int32_t field = 0; status >= 0 && field <= WRC_REGION_TEMPERATURE_RISE; ++field)
     status = of(wrc_contact_region_field(wheel.contact, 0, field, values, 256 * 32));
   // Methods that give forces alone have no damage and fields over a region.
   return wheel.methods.tangential != preset_strip_fastsim && status == WRC_ERROR_UNSUPPORTED ? WRC_OK
@@ -445,9 +456,10 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_tangential, double ellipse", tangential_patch},
       {"wrc_contact_roll, wrc_contact_tangential with memory", roll_on},
       {"wrc_contact_wrench, _batch", wheel_step},
+      {"wrc_contact_wrench, friction over temperature", wheel_heated},
       {"wrc_contact_wrench_flat", wheel_step_flat},
       {"wrc_contact_region", wheel_region},
-      {"wrc_contact_region_ellipse, _damage, _field", wheel_region_results},
+      {"wrc_contact_region_ellipse, _damage, _temperature, _field", wheel_region_results},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_sensitivities", wheel_sensitivities},
       {"wrc_contact_wrench_sensitivities, along the track", wheel_along_track},
