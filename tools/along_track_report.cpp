@@ -221,13 +221,15 @@ struct Flat {
   }
 };
 
+/// Its table, in which the ends of the flat are given.
 struct RoundTable {
   std::vector<double> angle, deviation;
   RoundTable(const Flat& flat, int count) {
-    for (int i = 0; i <= count; ++i) {
-      angle.push_back(turn * i / count);
-      deviation.push_back(flat(turn * (i % count) / count));
-    }
+    const double half = flat.chord ? std::acos(1.0 - flat.deep / radius) : 0.5 * flat.length / radius;
+    for (int i = 0; i <= count; ++i) angle.push_back(turn * i / count);
+    for (const double edge : {half, turn - half})
+      angle[static_cast<std::size_t>(std::lround(edge / turn * count))] = edge;
+    for (const double at : angle) deviation.push_back(flat(at < turn ? at : 0.0));
   }
   wrc_config_roundness table() const {
     return {static_cast<uint32_t>(angle.size()), 1, angle.data(), nullptr, deviation.data()};
@@ -254,8 +256,12 @@ double lower(const Flat& flat, double at) {
   return radius - reach;
 }
 
+/// At the lightest load there is: what the bodies yield then, more where the wheel is curved more, is within
+/// the figures.
 void height_of_a_flat() {
-  std::printf("== height of a wheel with a flat of 0.5 mm against its support function, 1 kN\n");
+  constexpr double light = 100.0;  // [N]
+  std::printf("== height of a wheel with a flat of 0.5 mm against its support function, %.1f kN\n",
+              1e-3 * light);
   for (const bool chord : {false, true}) {
     const Flat flat{chord};
     const RoundTable round(flat, 19999);
@@ -263,13 +269,14 @@ void height_of_a_flat() {
     config.roundness = round.table();
     Pair pair(config);
     pair.input.angle = 0.5 * turn;
-    const double level = pair.height(1e3);
+    const double level = pair.height(light);
     double largest = 0.0;
-    for (int i = -100; i <= 100; ++i) {
-      const double at = 0.13 * i / 100;
+    const auto look = [&](double at) {
       pair.input.angle = -at;
-      largest = std::max(largest, std::abs(pair.height(1e3) - level - lower(flat, at)));
-    }
+      largest = std::max(largest, std::abs(pair.height(light) - level - lower(flat, at)));
+    };
+    for (int i = -100; i <= 100; ++i) look(0.13 * i / 100);
+    for (int i = -100; i <= 100; ++i) look(0.002 * i / 100);  // where it goes over from edge to edge
     std::printf("  %-26s off by at most %.2f um\n", chord ? "chord, sharp edges" : "worn, a cosine of 90 mm",
                 1e6 * largest);
   }

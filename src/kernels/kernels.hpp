@@ -33,6 +33,7 @@ struct SurfacePoint;
 struct SurfacePoints;
 struct SurfaceEdges;
 struct SurfaceSlopes;
+struct SectionStripsTask;
 struct OutlineTask;
 struct CellTask;
 struct CellExtremes;
@@ -95,6 +96,9 @@ struct Kernels {
                                    const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                               const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
+  /// Places strips between sections of a rail. Returns how steeply any of them falls along its normal, within
+  /// task.within of there.
+  double (*section_strips)(const simd::SectionStripsTask& task);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const simd::OutlineTask& task);
   /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.

@@ -13,6 +13,7 @@
 #include "surface/simd/influence_kernel.hpp"
 #include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
+#include "surface/simd/section_strips_kernel.hpp"
 #include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
@@ -46,6 +47,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_edges = surface_edges,
       .surface_influence_slopes = sloped::surface_influence_slopes,
       .surface_edge_slopes = sloped::surface_edge_slopes,
+      .section_strips = section_strips_kernel,
       .outline = outline_kernel,
       .follow_rays = follow_rays_kernel,
       .assess_cells = assess_cells_kernel,

@@ -23,24 +23,27 @@ struct StripOverlap {
 /// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
 inline constexpr double least_curvature_left = 0.2;
 
-/// Adds what the rail does. `distance`: of the wheel's reference point, as far as there are sections [m].
+/// Adds what the rail does. `distance`: of the wheel's reference point, as far as there are sections [m];
+/// `blend`: of each face there.
 template <class Number>
 void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& distance,
-                 StripOverlap<Number>& o) {
-  const RailFace& face = face_of(rail, strip);
+                 const SectionBlend* blend, StripOverlap<Number>& o) {
+  const std::int32_t face = face_of(rail, strip);
   const double kappa = value_of(o.curvature), middle = value_of(o.centre);
   const auto lean_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
   const auto bend_at = [&](const StripAlongTrack<Number>& s) {
     return o.ny * s.curvature_y + o.nz * s.curvature_z;
   };
   const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
-  const StripAlongTrack<Number> here = strip_at(rail, face, strip, distance);
+  const StripAlongTrack<Number> here = strip_at(rail, blend[face], strip, distance);
   constexpr double furthest = 0.05;  // [m]: a slope of 1:9
   const double here_bend = value_of(bend_at(here)), here_lean = value_of(lean_at(here));
   const double shift = (here_lean + here_bend * middle) / curvature_left(here_bend);
   const double x = middle - smaller(larger(shift, -furthest), furthest);
   // one more step, from the rail as it is there, whose derivatives are those of the place that is sought
-  const StripAlongTrack<Number> near = strip_at(rail, face, strip, distance + Number(x));
+  const Number there = distance + Number(x);
+  const SectionBlend near_blend = blend_at(rail, rail.face[face], value_of(there), blend[face]);
+  const StripAlongTrack<Number> near = strip_at(rail, near_blend, strip, there);
   const Number lean = lean_at(near), bend = bend_at(near);
   const double stiff = curvature_left(value_of(bend));
   const Number further = -((o.curvature * (Number(x) - o.centre) + lean) * Number(1.0 / stiff));

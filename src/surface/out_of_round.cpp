@@ -8,11 +8,11 @@ namespace {
 
 constexpr std::int32_t nodes = OutOfRound::nodes;
 
-/// Second derivatives of the periodic spline through n values at the places x[0] < .. < x[n], of which the
-/// last is the first again: a cyclic tridiagonal system by elimination with the corner carried along.
-void periodic_second_derivatives(std::int32_t n, const double* x, const double* v, double* second,
+/// Second derivatives of the periodic spline through n values, the next of which is width(i) further on, the
+/// first again behind the last: a cyclic tridiagonal system by elimination with the corner carried along.
+template <class Width>
+void periodic_second_derivatives(std::int32_t n, const Width& width, const double* v, double* second,
                                  double* pivot, double* corner) {
-  const auto width = [&](std::int32_t i) { return x[i + 1] - x[i]; };
   const auto value = [&](std::int32_t i) { return v[i % n]; };
   const auto rhs = [&](std::int32_t i) {
     const double before = i == 0 ? width(n - 1) : width(i - 1);
@@ -64,9 +64,10 @@ void sample(const RadiusTable& table, const double* deviation, const double* sec
   }
 }
 
-/// The envelope of its parabolas: the largest at the nodes, and the top of the parabola through it and its
-/// neighbours.
-void find_reach(const double* deviation, double radius, double* reach) {
+/// The envelope of its parabolas: the largest at the nodes, the top of the parabola through it and its
+/// neighbours, and what is given between these, where an edge may stand out. `place`: scratch, of nodes.
+void find_reach(const RadiusTable& table, const double* given, const double* deviation, double radius,
+                std::int32_t* place, double* reach) {
   const double step = 2.0 * pi / nodes;
   double low = deviation[0], high = deviation[0];
   for (std::int32_t i = 1; i < nodes; ++i) {
@@ -75,18 +76,36 @@ void find_reach(const double* deviation, double radius, double* reach) {
   }
   const auto furthest =
       std::min(static_cast<std::int32_t>(std::sqrt(2.0 * (high - low) / radius) / step) + 2, nodes / 4);
-  for (std::int32_t i = 0; i < nodes; ++i) {
-    const auto at = [&](std::int32_t j) {
-      return deviation[(i + j + nodes) % nodes] - 0.5 * radius * (step * j) * (step * j);
-    };
-    std::int32_t best = 0;
-    for (std::int32_t j = 1; j <= furthest; ++j) {
-      if (at(j) > at(best)) best = j;
-      if (at(-j) > at(best)) best = -j;
+  const auto at = [&](std::int32_t i, std::int32_t k) {
+    const double off = step * (k - i);
+    return deviation[(k + nodes) % nodes] - 0.5 * radius * off * off;
+  };
+  const auto highest = [&](std::int32_t i, std::int32_t from, std::int32_t to) {
+    std::int32_t best = from;
+    for (std::int32_t k = from + 1; k <= to; ++k)
+      if (at(i, k) > at(i, best)) best = k;
+    return best;
+  };
+  // the place never goes back as the wheel turns on: between those of two nodes lies that of one between them
+  place[0] = highest(0, -furthest, furthest);
+  for (std::int32_t apart = nodes / 2; apart > 0; apart /= 2)
+    for (std::int32_t i = apart; i < nodes; i += 2 * apart) {
+      const std::int32_t next = i + apart < nodes ? place[i + apart] : place[0] + nodes;
+      place[i] = highest(i, std::max(place[i - apart], i - furthest), std::min(next, i + furthest));
     }
-    const double middle = at(best), before = at(best - 1), behind = at(best + 1);
+  const double* const end = table.angle + table.angles;
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    const std::int32_t best = place[i];
+    const double middle = at(i, best), before = at(i, best - 1), behind = at(i, best + 1);
     const double bend = before - 2.0 * middle + behind, lean = 0.5 * (behind - before);
     reach[i] = bend < 0.0 ? middle - 0.5 * lean * lean / bend : middle;
+    for (const std::int32_t k : {best - 1, best}) {
+      const double from = step * ((k + nodes) % nodes);
+      for (const double* a = std::lower_bound(table.angle, end, from); a < end && *a < from + step; ++a) {
+        const double off = step * (k - i) + (*a - from);
+        reach[i] = std::max(reach[i], given[a - table.angle] - 0.5 * radius * off * off);
+      }
+    }
   }
 }
 
@@ -95,7 +114,7 @@ void find_reach(const double* deviation, double radius, double* reach) {
 std::int64_t out_of_round_doubles(const RadiusTable& table) {
   if (table.rows == 0) return 0;
   return 2 * static_cast<std::int64_t>(table.rows) * nodes + 3 * static_cast<std::int64_t>(table.angles) +
-         5 * static_cast<std::int64_t>(nodes) + 1;
+         2 * static_cast<std::int64_t>(nodes);
 }
 
 void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel) {
@@ -106,18 +125,18 @@ void make_out_of_round(const RadiusTable& table, double radius, double* memory, 
   double* const second = value + static_cast<std::int64_t>(table.rows) * nodes;
   double* const given = second + static_cast<std::int64_t>(table.rows) * nodes;
   double *const pivot = given + table.angles, *const corner = pivot + table.angles;
-  double *const sampled = corner + table.angles, *const place = sampled + nodes,
-                *const scratch = place + nodes + 1;
-  for (std::int32_t i = 0; i <= nodes; ++i) place[i] = i;
+  double *const sampled = corner + table.angles, *const scratch = sampled + nodes;
+  const auto apart = [&](std::int32_t i) { return table.angle[i + 1] - table.angle[i]; };
+  const auto one_apart = [](std::int32_t) { return 1.0; };
   for (std::int32_t r = 0; r < table.rows; ++r) {
     if (table.rows > 1) wheel.y[r] = table.y[r];
     const double* const deviation = table.deviation + static_cast<std::int64_t>(r) * table.angles;
-    periodic_second_derivatives(table.angles - 1, table.angle, deviation, given, pivot, corner);
+    periodic_second_derivatives(table.angles - 1, apart, deviation, given, pivot, corner);
     sample(table, deviation, given, sampled);
     double* const reach = value + static_cast<std::int64_t>(r) * nodes;
-    find_reach(sampled, radius, reach);
-    periodic_second_derivatives(nodes, place, reach, second + static_cast<std::int64_t>(r) * nodes, scratch,
-                                scratch + nodes);
+    find_reach(table, deviation, sampled, radius, reinterpret_cast<std::int32_t*>(scratch), reach);
+    periodic_second_derivatives(nodes, one_apart, reach, second + static_cast<std::int64_t>(r) * nodes,
+                                sampled, scratch);
     for (std::int32_t i = 0; i < nodes; ++i) wheel.largest = std::max(wheel.largest, reach[i]);
   }
   wheel.value = value;

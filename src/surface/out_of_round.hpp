@@ -32,7 +32,7 @@ struct RadiusTable {
 inline constexpr std::int32_t most_radius_rows = 16;
 
 struct OutOfRound {
-  static constexpr std::int32_t nodes = 16384;
+  static constexpr std::int32_t nodes = 32768;
   std::int32_t rows = 0;  ///< 0: round
   double radius = 0.0;    ///< nominal [m]
   double largest = 0.0;   ///< largest D, or 0 [m]

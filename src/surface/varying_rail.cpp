@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/simd/tasks.hpp"
+
 namespace wrc {
 namespace {
 
@@ -269,18 +271,15 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
   return {};
 }
 
-SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
-  const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
-  SectionBlend b{};
-  const double* const above = std::upper_bound(begin, end, distance);
-  if (above == begin || above == end) {  // beyond its sections, or at the last one
-    b.left = b.right = face.first_section + (above == begin ? 0 : face.sections - 1);
-    b.weight[0][0] = 1.0;
-    return b;
-  }
-  b.right = face.first_section + static_cast<std::int32_t>(above - begin);
-  b.left = b.right - 1;
-  const double h = above[0] - above[-1], per = 1.0 / h, t = (distance - above[-1]) * per;
+namespace {
+
+/// Between two sections.
+SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double distance) {
+  SectionBlend b;
+  b.left = left;
+  b.right = left + 1;
+  const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
+               t = (distance - rail.distance[left]) * per;
   const double t2 = t * t;
   const double up[4] = {t2 * t * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t2 * (1.0 + t * (t - 2.0)) * per,
                         60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per,
@@ -300,48 +299,52 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
   return b;
 }
 
-double place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
-                    RailStrips& strips) {
+}  // namespace
+
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
+  const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
+  const double* const above = std::upper_bound(begin, end, distance);
+  if (above != begin && above != end)
+    return blend_between(rail, static_cast<std::int32_t>(above - rail.distance) - 1, distance);
+  SectionBlend b{};  // beyond its sections, or at the last one
+  b.left = b.right = face.first_section + (above == begin ? 0 : face.sections - 1);
+  b.weight[0][0] = 1.0;
+  return b;
+}
+
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
+                      const SectionBlend& near) {
+  const bool there =
+      near.left < near.right && distance >= rail.distance[near.left] && distance < rail.distance[near.right];
+  return there ? blend_between(rail, near.left, distance) : blend_at(rail, face, distance);
+}
+
+double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
+                    std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]) {
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
                 *const ty = z + most, *const tz = ty + most;
   strips = {rail.strips, s, width, y, z, ty, tz, 0, {}};
   double steepest = 0.0;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
-    const double begin = rail.distance[face.first_section],
-                 end = rail.distance[face.first_section + face.sections - 1];
-    if (distance < begin || distance > end) continue;
-    strips.range[strips.ranges++] = {face.first, face.strips};
-    const SectionBlend b = blend_at(rail, face, distance);
-    const double* const left = rail.outline + static_cast<std::int64_t>(b.left) * 8 * rail.room;
-    const double* const right = rail.outline + static_cast<std::int64_t>(b.right) * 8 * rail.room;
-    const auto& c = b.weight[0];
-    double* const to[4] = {y, z, ty, tz};
-    for (std::int32_t q = 0; q < 4; ++q) {
-      const double *const lv = left + q * rail.room, *const rv = right + q * rail.room,
-                          *const ls = lv + 4 * rail.room, *const rs = rv + 4 * rail.room;
-      double* const out = to[q];
-      for (std::int32_t j = face.first; j < face.first + face.strips; ++j)
-        out[j] = c[0] * lv[j] + c[1] * rv[j] + c[2] * ls[j] + c[3] * rs[j];
-    }
-    constexpr double within = 20e-3;  // [m]
-    const auto change = [&](std::int32_t list, std::int32_t d, std::int32_t j) {
-      const double *const lv = left + list * rail.room, *const rv = right + list * rail.room;
-      return b.weight[d][0] * lv[j] + b.weight[d][1] * rv[j] + b.weight[d][2] * lv[4 * rail.room + j] +
-             b.weight[d][3] * rv[4 * rail.room + j];
+    const std::int32_t first = face.first, end = first + face.strips;
+    const SectionBlend& b = blend[f] = blend_at(rail, face, distance);
+    if (distance < rail.distance[face.first_section] ||
+        distance > rail.distance[face.first_section + face.sections - 1])
+      continue;
+    strips.range[strips.ranges++] = {first, face.strips};
+    const auto lists = [&](std::int32_t section) {
+      return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.room + first;
     };
+    constexpr double within = 20e-3;  // [m]
+    const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.room,
+                                       b.weight,    rail.step + first, within,         y + first,
+                                       z + first,   ty + first,        tz + first,     width + first};
+    steepest = std::max(steepest, kernels.section_strips(task));
     double at = faces_apart * f;
-    for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
-      const double length = std::sqrt(ty[j] * ty[j] + tz[j] * tz[j]), per = 1.0 / length;
-      width[j] = length * rail.step[j];
-      ty[j] *= per;
-      tz[j] *= per;
+    for (std::int32_t j = first; j < end; ++j) {
       s[j] = at + 0.5 * width[j];
       at += width[j];
-      if (b.left == b.right) continue;
-      const double slope = ty[j] * change(1, 1, j) - tz[j] * change(0, 1, j);
-      const double bend = ty[j] * change(1, 2, j) - tz[j] * change(0, 2, j);
-      steepest = std::max(steepest, std::abs(slope) + within * std::abs(bend));
     }
   }
   return steepest;

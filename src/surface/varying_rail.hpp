@@ -22,6 +22,7 @@
 #include "base/dual.hpp"
 #include "base/fault.hpp"
 #include "geometry/profile.hpp"
+#include "kernels/kernels.hpp"
 #include "surface/rail_strips.hpp"
 
 namespace wrc {
@@ -60,18 +61,22 @@ std::int64_t varying_rail_doubles(std::int32_t sections, std::int32_t nodes, std
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
                         std::int32_t most_strips, double* memory, VaryingRail& rail);
 
-/// Where a distance lies in a face's sections: `at` and the next, and what their values and slopes count for
-/// the outline and its derivatives by the distance, up to the third.
+/// Where a distance lies in a face's sections: between `left` and `right`, or at one that is both, and what
+/// their values and slopes count for the outline and its derivatives by the distance, up to the third.
 struct SectionBlend {
   std::int32_t left, right;
   double weight[4][4];
 };
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance);
+/// The same, looked for first where `near` is.
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
+                      const SectionBlend& near);
 
 /// Cuts the strips of a rail at a distance, into `memory` of rail_strip_doubles(most) doubles: those of faces
-/// that are there. Returns how steeply any of them falls along its normal, within 20 mm of there [-].
-double place_strips(const VaryingRail& rail, double distance, double* memory, std::int32_t most,
-                    RailStrips& strips);
+/// that are there. Returns how steeply any of them falls along its normal, within 20 mm of there [-]. Blends
+/// of all faces.
+double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
+                    std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]);
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).
@@ -80,11 +85,11 @@ inline bool has_check_rail(const VaryingRail& rail) {
   return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
 }
 
-/// The face a strip belongs to.
-inline const RailFace& face_of(const VaryingRail& rail, std::int32_t strip) {
+/// The number of the face a strip belongs to.
+inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
   std::int32_t f = 0;
   while (f + 1 < rail.faces && strip >= rail.face[f + 1].first) ++f;
-  return rail.face[f];
+  return f;
 }
 
 inline double with_slope(double, double value, double) { return value; }
@@ -122,10 +127,10 @@ inline BlendedList blended(const VaryingRail& rail, const SectionBlend& b, std::
   return l;
 }
 
+/// `b`: of the strip's face at the distance.
 template <class Number>
-StripAlongTrack<Number> strip_at(const VaryingRail& rail, const RailFace& face, std::int32_t strip,
+StripAlongTrack<Number> strip_at(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip,
                                  const Number& distance) {
-  const SectionBlend b = blend_at(rail, face, value_of(distance));
   const BlendedList y = blended(rail, b, strip, 0), z = blended(rail, b, strip, 1);
   return {y.at(distance, 0), z.at(distance, 0), y.at(distance, 1),
           z.at(distance, 1), y.at(distance, 2), z.at(distance, 2)};
@@ -133,9 +138,8 @@ StripAlongTrack<Number> strip_at(const VaryingRail& rail, const RailFace& face, 
 
 /// A strip's unit tangent.
 template <class Number>
-void tangent_at(const VaryingRail& rail, const RailFace& face, std::int32_t strip, const Number& distance,
+void tangent_at(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip, const Number& distance,
                 Number& ty, Number& tz) {
-  const SectionBlend b = blend_at(rail, face, value_of(distance));
   const Number dy = blended(rail, b, strip, 2).at(distance, 0),
                dz = blended(rail, b, strip, 3).at(distance, 0);
   const Number per_length = Number(1.0) / root(dy * dy + dz * dz);

@@ -75,7 +75,8 @@ Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   w.steepest = 0.0;
   if (varying.faces == 0) return {};
   w.distance = smaller(larger(in.distance, varying.begin), varying.end);
-  w.steepest = place_strips(varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail);
+  w.steepest = place_strips(*model.kernels, varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail,
+                            w.blend);
   if (has_check_rail(varying)) {
     // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
     StripRange& check = w.rail.range[0];

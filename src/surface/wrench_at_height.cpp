@@ -34,7 +34,7 @@ void follow_track(const SurfaceModel& model, const WheelOnRail& in, const Seen& 
   for (std::int32_t i = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
     StripOverlap<double> s{o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], 0.0};
-    if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, s);
+    if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, w.blend, s);
     if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, w.rail.z[j], w.distance, s);
     if (model.out_of_round.rows > 0) {
       const double y = evaluate(profile, w.scratch.piece[j], w.scratch.along[j]).y;

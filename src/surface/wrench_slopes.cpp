@@ -212,14 +212,15 @@ OverlapSlopes strip_overlap(const SurfaceModel& model, const WheelOnRail& in, co
     angle.d[track_angle] = 1.0;
   }
   if (model.varying.faces > 0 && by == SlopesBy::track) {
-    const auto moved = strip_at(model.varying, face_of(model.varying, j), j, distance);
+    const SectionBlend& blend = work.blend[face_of(model.varying, j)];
+    const auto moved = strip_at(model.varying, blend, j, distance);
     place.y = moved.y;
     place.z = moved.z;
-    tangent_at(model.varying, face_of(model.varying, j), j, distance, place.ty, place.tz);
+    tangent_at(model.varying, blend, j, distance, place.ty, place.tz);
   }
   OverlapSlopes s = overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
   StripOverlap<PlaceDual> o{s.depth, s.centre, s.curvature, s.ny, s.nz, s.wy, s.wz, 0.0};
-  if (model.varying.faces > 0) follow_rail(model.varying, j, distance, o);
+  if (model.varying.faces > 0) follow_rail(model.varying, j, distance, work.blend, o);
   if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, rail.z[j], distance, o);
   if (model.out_of_round.rows > 0) follow_wheel(model.out_of_round, pose, s.y_wheel, angle, o);
   s.depth = o.depth;

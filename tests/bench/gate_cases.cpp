@@ -51,9 +51,9 @@ constexpr Case cases[] = {
     {"accumulate_wheel_on_rail", defaults, Case::wheel_line},
 };
 
-/// The same wheel on a rail of nine sections that rises and falls by 20 um, as to its cost on one that does
-/// not, and a wheel with a
-/// flat of 20 um.
+/// The same wheel on a rail of nine sections that rises and falls by 10 um, passed where it is as high as the
+/// constant one, so that as many strips are in contact: what is counted beside that is the cost of following
+/// it. And a wheel with a flat of 20 um.
 struct AlongTrack {
   AlongTrackBodies bodies;
   wrc_rail_section section[9];
@@ -101,7 +101,7 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrenc
   input.wheel.yaw = 3e-3;
   input.wheel.velocity[0] = 20.0;
   input.wheel.angular_velocity[1] = -20.0 / 0.46;
-  if (part == Case::track) input.distance = 1.1 + 1e-3 * i;
+  if (part == Case::track) input.distance = 1.234 + 1e-3 * i;
   if (part == Case::round) input.angle = 0.1 - 0.0125 * (i % 16);
   if (part == Case::track || part == Case::round)
     wrc_contact_wrench(special, &input, &wrench);

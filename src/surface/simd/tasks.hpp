@@ -51,6 +51,18 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
+/// Strips of a rail between two sections (surface/varying_rail.hpp).
+struct SectionStripsTask {
+  std::int32_t count;
+  const double *left, *right;  ///< the sections' lists: y, z, dy/du, dz/du, and their slopes along the track
+  std::int64_t room;           ///< elements from one list to the next
+  const double (*weight)[4];  ///< of left, right, slope on the left, on the right: for values, then for first
+                              ///< and second derivatives by the distance
+  const double* step;         ///< of u [m]
+  double within;              ///< [m]
+  double *y, *z, *ty, *tz, *width;  ///< of RailStrips
+};
+
 /// A wheel's outline, and the strips whose rays it may cross.
 struct OutlineTask {
   const RailStrips* rail;

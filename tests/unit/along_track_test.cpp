@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "surface/out_of_round.hpp"
+#include "surface/varying_rail.hpp"
+
+namespace wrc {
+namespace {
+
+/// A rail of circular arcs that become sharper along the track and wander aside.
+struct SectionsOfArcs {
+  static constexpr std::int32_t sections = 4, nodes = 41, most = 128;
+  std::vector<double> y[sections], z[sections], memory;
+  VaryingRail rail;
+
+  SectionsOfArcs() {
+    RailSection section[sections];
+    for (std::int32_t k = 0; k < sections; ++k) {
+      const double radius = 0.3 - 0.02 * k;
+      for (std::int32_t i = 0; i < nodes; ++i) {
+        y[k].push_back(1e-3 * (i - nodes / 2));
+        z[k].push_back(radius - std::sqrt(radius * radius - y[k].back() * y[k].back()));
+      }
+      section[k] = {.distance = 1.0 + 0.7 * k,
+                    .y = 1e-3 * k * k,
+                    .z = -2e-3 * k,
+                    .profile = {nodes, y[k].data(), z[k].data()}};
+    }
+    memory.resize(static_cast<std::size_t>(varying_rail_doubles(sections, nodes, most)));
+    EXPECT_FALSE(make_varying_rail(section, sections, 0.025, most, memory.data(), rail).failed());
+  }
+};
+
+// Strips placed by the kernels of each instruction set: the same bits, and those of the formulas of one
+// strip.
+TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
+  const SectionsOfArcs arcs;
+  constexpr std::int32_t most = SectionsOfArcs::most;
+  for (int n = 0; n < 40; ++n) {
+    const double distance = 1.0 + 2.09 * n / 39;
+    std::vector<double> baseline;
+    for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (set > best_instruction_set()) continue;
+      std::vector<double> placed(static_cast<std::size_t>(rail_strip_doubles(most)), 0.0);
+      RailStrips strips;
+      SectionBlend blend[most_rail_faces];
+      const double steepest =
+          place_strips(kernels_for(set), arcs.rail, distance, placed.data(), most, strips, blend);
+      placed.push_back(steepest);
+      ASSERT_GT(strips.count, 20);
+      if (baseline.empty()) baseline = placed;
+      ASSERT_EQ(std::memcmp(baseline.data(), placed.data(), placed.size() * sizeof(double)), 0) << distance;
+      double most_seen = 0.0;
+      for (std::int32_t j = 0; j < strips.count; ++j) {
+        const auto here = strip_at(arcs.rail, blend[0], j, distance);
+        double ty = 0.0, tz = 0.0;
+        tangent_at(arcs.rail, blend[0], j, distance, ty, tz);
+        ASSERT_EQ(strips.y[j], here.y);
+        ASSERT_EQ(strips.z[j], here.z);
+        ASSERT_NEAR(strips.ty[j], ty, 1e-15);
+        ASSERT_NEAR(strips.tz[j], tz, 1e-15);
+        most_seen = std::max(most_seen, std::abs(ty * here.slope_z - tz * here.slope_y) +
+                                            20e-3 * std::abs(ty * here.curvature_z - tz * here.curvature_y));
+      }
+      EXPECT_NEAR(steepest, most_seen, 1e-15);
+    }
+  }
+}
+
+TEST(VaryingRail, BlendsNearAnotherAreTheSameBits) {
+  const SectionsOfArcs arcs;
+  const RailFace& face = arcs.rail.face[0];
+  for (int n = -5; n < 50; ++n)
+    for (int m = -5; m < 50; ++m) {
+      const double distance = 1.0 + 2.1 * n / 42, near = 1.0 + 2.1 * m / 42;
+      const SectionBlend plain = blend_at(arcs.rail, face, distance),
+                         hinted = blend_at(arcs.rail, face, distance, blend_at(arcs.rail, face, near));
+      ASSERT_EQ(plain.left, hinted.left) << distance << " " << near;
+      ASSERT_EQ(plain.right, hinted.right);
+      ASSERT_EQ(std::memcmp(plain.weight, hinted.weight, sizeof plain.weight), 0);
+    }
+}
+
+// A chord of 0.5 mm, its ends given: the wheel stands on one of them, r (1 - cos) lower, and goes over from
+// one to the other in the middle, wherever that lies between the angles tabulated.
+TEST(OutOfRound, ReachOfAChordIsThatOfItsEnds) {
+  constexpr double radius = 0.46, deep = 0.5e-3, turn = 2.0 * pi;
+  constexpr std::int32_t count = 19999;
+  const double half = std::acos(1.0 - deep / radius);
+  for (const double middle :
+       {0.0, 1.0 + 0.25 * turn / OutOfRound::nodes, 1.0 + 0.5 * turn / OutOfRound::nodes}) {
+    std::vector<double> angle, deviation;
+    for (std::int32_t i = 0; i <= count; ++i) angle.push_back(turn * i / count);
+    for (const double side : {-half, half}) {
+      const double edge = middle + side;
+      angle[static_cast<std::size_t>(std::lround((edge < 0.0 ? edge + turn : edge) / turn * count))] =
+          edge < 0.0 ? edge + turn : edge;
+    }
+    for (const double at : angle) {
+      const double from = at - middle - turn * std::round((at - middle) / turn);
+      deviation.push_back(std::abs(from) < half ? radius * (std::cos(half) / std::cos(from) - 1.0) : 0.0);
+    }
+    const RadiusTable table{count + 1, 1, angle.data(), nullptr, deviation.data()};
+    std::vector<double> memory(static_cast<std::size_t>(out_of_round_doubles(table)));
+    OutOfRound wheel;
+    make_out_of_round(table, radius, memory.data(), wheel);
+    for (int i = -6000; i <= 6000; ++i) {
+      const double from = 1e-5 * i, beside = std::abs(from);
+      const double exact = beside < half ? radius * (std::cos(half - beside) - 1.0) : 0.0;
+      ASSERT_NEAR(reach_at(wheel, 0.0, middle + from).depth, exact, 2e-6) << middle << " " << from;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wrc
