@@ -315,14 +315,19 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
  * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(), damping by the speed at which a row's surfaces
  * near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
  * wrc_contact_wrench().
- * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone: a rail or a
- * roller; sections along the track, check rails and wheels that are not round are refused
+ *
+ * On a rail that changes along the track every cell has its gap to the rail as it is there, between the strips that
+ * wrc_contact_wrench() has cut, and its sliding along it; normals turn with the section, and forces lean along the track,
+ * row by row as they do where the wheel is nearest. Faces - a check rail, a blade - are solved each alone, with its own
+ * rolling speed, and added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
+ * rail that is level along the track. Each row of cells has one patch along the track.
+ * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
  * @param input as for wrc_contact_wrench(); friction.slope_reduction must be 1
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile),
- * _CREEPAGES_LIMITED; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED,
+ * _CREEPAGES_LIMITED, _BEYOND_SECTIONS; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED,
  * _LOAD, _MEMORY, _CANCELLED.
  * @rt init @thread contact */
 WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,

@@ -20,6 +20,7 @@
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
+#include "surface/wrench_at_height.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies that have rolled so far, and what they are.
@@ -384,6 +385,36 @@ halfspace::SectionCurve section_of(const Curve& curve, double z_of_origin) {
   return {y, z};
 }
 
+/// The rail where the wheel is: its strips' middles, of each face that is there. Flagged beyond the sections.
+Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
+                 std::vector<halfspace::RailSurface>& faces) {
+  if (surface.varying.faces == 0) {
+    faces.push_back({.section = section_of(surface.rail_curve, 0.0)});
+    return {};
+  }
+  std::vector<double> memory(static_cast<std::size_t>(rail_strip_doubles(most_strips_of_a_rail)));
+  RailStrips strips;
+  double distance = problem.distance, steepest = 0.0;
+  SectionBlend blend[most_rail_faces];
+  const Fault outside = place_strips(*surface.kernels, surface.varying, memory.data(), most_strips_of_a_rail,
+                                     distance, strips, blend, steepest);
+  strips = strips_before(surface, see(surface, problem, problem.wheel.position[2]), strips);
+  const bool same_everywhere = has_check_rail(surface.varying);
+  for (std::int32_t r = 0; r < strips.ranges; ++r) {
+    const StripRange& range = strips.range[r];
+    constexpr std::int32_t fewest = 4;  // a spline has
+    if (range.count < fewest) continue;
+    const auto part = [&](const double* of) {
+      return std::vector<double>(of + range.first, of + range.first + range.count);
+    };
+    faces.push_back({.section = {part(strips.y), part(strips.z), 0.0},
+                     .varying = same_everywhere ? nullptr : &surface.varying,
+                     .first = range.first,
+                     .distance = distance});
+  }
+  return outside;
+}
+
 Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOptions& options,
                    Reporter& reporter) {
   wrc_exact_wrench_options ours;
@@ -426,28 +457,24 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
             .cause = "the exact solution has no temperatures: take another law"};
   }
   const SurfaceModel& surface = *model.surface;
-  if (surface.varying.faces > 0 || surface.out_of_round.rows > 0) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = surface.varying.faces == 0 ? "config.roundness"
-                 : model.options.check_rail ? "config.check_rail"
-                                            : "config.rail_section",
-        .cause =
-            "the exact solution is of a round wheel and one rail that is the same everywhere, or a roller"};
-  }
   const double radius = model.options.wheelset.nominal_radius;
-  const halfspace::SurfaceContact contact({.wheel = section_of(surface.wheel.curve, radius),
-                                           .rail = section_of(surface.rail_curve, 0.0),
-                                           .nominal_radius = radius,
-                                           .rail_y = surface.rail_origin_y,
-                                           .rail_z = surface.rail_origin_z,
-                                           .material = surface.material,
-                                           .coupling = model.options.coupling,
-                                           .roller_curvature = surface.roller_curvature},
-                                          solver);
+  halfspace::WheelAndRail bodies{
+      .wheel = section_of(surface.wheel.curve, radius),
+      .rail = {},
+      .nominal_radius = radius,
+      .rail_y = surface.rail_origin_y,
+      .rail_z = surface.rail_origin_z,
+      .material = surface.material,
+      .coupling = model.options.coupling,
+      .roller_curvature = surface.roller_curvature,
+      .out_of_round = surface.out_of_round.rows > 0 ? &surface.out_of_round : nullptr};
+  const Fault outside = find_faces(surface, placed.problem, bodies.rail);
+  const halfspace::SurfaceContact contact(std::move(bodies), solver);
   const halfspace::SurfaceSolution found =
       contact.solve({.state = placed.problem, .progress = reporter.callback()});
   if (found.fault.failed()) return found.fault;
+  fault = found.fault;
+  keep_worst(fault, outside);
 
   HostedWrench result;
   Wrench& wrench = result.wrench;
@@ -462,13 +489,15 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   wrench.sweeps = found.turns + found.heights;
   // Regions are runs of rows; the normal force is the sum of their resultants.
   double along = 0.0, across = 0.0, end = -1.0;
+  int face = 0;
   for (const halfspace::RowForces& row : found.row_forces) {
-    if (row.s > end) {
+    if (row.s > end || row.face != face) {
       wrench.normal_force += std::sqrt(along * along + across * across);
       along = across = 0.0;
       ++wrench.regions;
     }
     end = row.s + 1.5 * solver.cell_s;
+    face = row.face;
     const SineCosine turned = sine_cosine(row.angle);
     along += row.normal_force * solver.cell_s * turned.cosine;
     across += row.normal_force * solver.cell_s * turned.sine;
@@ -480,7 +509,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   ours = wrench_of(result);
   ours.regions = regions;
   if (!hosted.load_prescribed) ours.z = hosted.z;
-  return found.fault;
+  return fault;
 }
 
 bool equal(const wrc_grid& a, const wrc_grid& b) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace wrc::halfspace {
 namespace {
@@ -74,32 +76,89 @@ void TurnedAboveAxle::turn(double sine, double (&v)[3]) const {
 
 void TurnedAboveAxle::turn_back(double (&v)[3]) const { turn(-sine_, v); }
 
-RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& wheel, const RailMotion& rail)
-    : bodies_(bodies), wheel_(wheel), rail_(rail) {}
+RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface,
+                                 const WheelOnRail& state)
+    : bodies_(bodies),
+      surface_(surface),
+      wheel_(state.wheel),
+      rail_(state.rail),
+      cosine_(std::cos(state.rail.roll)),
+      sine_(std::sin(state.rail.roll)) {
+  if (bodies.out_of_round != nullptr) deviation_.emplace(*bodies.out_of_round, state.angle);
+}
+
+RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
+  if (row.radius > 0.0) {
+    const double above = std::sqrt(row.radius * row.radius - x * x), down = row.radius - above,
+                 slope = x / above;
+    return {-sine_ * down, cosine_ * down, -sine_ * slope, cosine_ * slope};
+  }
+  if (surface_.varying == nullptr) return {};
+  const VaryingRail& varying = *surface_.varying;
+  const RailFace& face = varying.face[face_of(varying, row.strip)];
+  const double from = surface_.distance, to = from + x;
+  const SectionBlend at_from = blend_at(varying, face, from), at_to = blend_at(varying, face, to, at_from);
+  double y = 0.0, z = 0.0, slope_y = 0.0, slope_z = 0.0;
+  for (std::int32_t k = 0; k < 4; ++k) {
+    const auto here = strip_at(varying, at_from, row.strip + k, from);
+    const auto there = strip_at(varying, at_to, row.strip + k, to);
+    y += row.weight[k] * (there.y - here.y);
+    z += row.weight[k] * (there.z - here.z);
+    slope_y += row.weight[k] * there.slope_y;
+    slope_z += row.weight[k] * there.slope_z;
+  }
+  return {cosine_ * y - sine_ * z, sine_ * y + cosine_ * z, cosine_ * slope_y - sine_ * slope_z,
+          sine_ * slope_y + cosine_ * slope_z};
+}
+
+double RollingSurfaces::rail_angle(const SurfaceRow& row, double s, double x) const {
+  if (surface_.varying == nullptr) {
+    const SectionCurve::Point p = surface_.section.at(s);
+    return std::atan2(p.dz, p.dy) + rail_.roll;
+  }
+  const VaryingRail& varying = *surface_.varying;
+  const double distance = surface_.distance + x;
+  const SectionBlend blend = blend_at(varying, varying.face[face_of(varying, row.strip)], distance);
+  double along_y = 0.0, along_z = 0.0;
+  for (std::int32_t k = 0; k < 4; ++k) {
+    double ty, tz;
+    tangent_at(varying, blend, row.strip + k, distance, ty, tz);
+    along_y += row.weight[k] * ty;
+    along_z += row.weight[k] * tz;
+  }
+  return std::atan2(along_z, along_y) + rail_.roll;
+}
 
 // The ray q(t) = P - t n in wheel axes meets the surface of revolution where
-//     q_y - Y(s) = 0,  sqrt(q_x^2 + q_z^2) - (r0 + Z(s)) = 0:
-// Newton's method over t and s, in steps of at most a millimetre.
+//     q_y - Y(s) = 0,  sqrt(q_x^2 + q_z^2) - (r0 + Z(s) + d) = 0:
+// Newton's method over t and s, in steps of at most a millimetre; the deviation d of a wheel that is not
+// round hardly changes along the ray.
 SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double wheel_s) const {
   constexpr int cap = 100;
   constexpr double longest_step = 1e-3, tolerance = 1e-13;
   constexpr double farthest = 0.02;     // beyond it a ray meets another face of the wheel [m]
   constexpr double least_cosine = 0.1;  // of the angle between the ray and the wheel's normal
   const Vector3 n = normal_of(row);
-  const double fall = row.fall(x);
-  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + fall * down_y() - wheel_.position[1],
-                                                          row.z + fall * down_z() - wheel_.position[2]});
+  SurfacePoint found{.wheel_s = std::clamp(wheel_s, 0.0, bodies_.wheel.length()), .fall = fall(row, x)};
+  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + found.fall.y - wheel_.position[1],
+                                                          row.z + found.fall.z - wheel_.position[2]});
   const Vector3 ray = to_wheel(wheel_.rotation, -1.0 * n);
-  SurfacePoint found{.wheel_s = std::clamp(wheel_s, 0.0, bodies_.wheel.length())};
   for (int k = 0; k < cap; ++k) {
     const SectionCurve::Point p = bodies_.wheel.at(found.wheel_s);
     const Vector3 q = start + found.gap * ray;
     const double radius = std::sqrt(q.x * q.x + q.z * q.z);
-    const double e1 = q.y - p.y, e2 = radius - (bodies_.nominal_radius + p.z);
+    const WheelDeviation::Value more =
+        deviation_ ? deviation_->at(p.y, std::atan2(q.x, q.z)) : WheelDeviation::Value{};
+    const double e1 = q.y - p.y, e2 = radius - (bodies_.nominal_radius + p.z + more.depth);
     const double ray_r = (q.x * ray.x + q.z * ray.z) / radius;
     // Outward normal of the profile (-dz, dy) in (y, radius); cosine < 0 where the ray goes into the wheel.
     const double cosine = -p.dz * ray.y + p.dy * ray_r;
-    const Vector3 normal = to_track(wheel_.rotation, {p.dy * q.x / radius, -p.dz, p.dy * q.z / radius});
+    Vector3 outwards{p.dy * q.x / radius, -p.dz, p.dy * q.z / radius};
+    if (deviation_) {
+      const double turn = more.slope / radius;
+      outwards = unit(outwards - p.dy * turn / radius * Vector3{q.z, 0.0, -q.x});
+    }
+    const Vector3 normal = to_track(wheel_.rotation, outwards);
     found.normal[0] = normal.x;
     found.normal[1] = normal.y;
     found.normal[2] = normal.z;
@@ -122,9 +181,9 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
 SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
   constexpr double spacing = 2e-4;
   const Vector3 n = normal_of(row);
-  const double fall = row.fall(x);
-  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + fall * down_y() - wheel_.position[1],
-                                                          row.z + fall * down_z() - wheel_.position[2]});
+  const RailFall fallen = fall(row, x);
+  const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + fallen.y - wheel_.position[1],
+                                                          row.z + fallen.z - wheel_.position[2]});
   const Vector3 normal = to_wheel(wheel_.rotation, n);
   // In the plane of the axle through the point: the profile's point nearest to the ray among those that face
   // it.
@@ -148,63 +207,103 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
   return point(row, x, nearest);
 }
 
+double RollingSurfaces::gap_slope(const SurfaceRow& row, const SurfacePoint& at) const {
+  const Vector3 n = normal_of(row);
+  const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
+  return (at.normal[0] + (at.normal[1] * at.fall.slope_y + at.normal[2] * at.fall.slope_z)) / facing;
+}
+
+// The gap is smallest where the wheel's normal has no part along the rail: Newton's method with the wheel's
+// radius as first guess of the curvature, secants after.
+void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
+  constexpr int steps = 8;
+  double before = 0.0, slope_before = 0.0;
+  for (int k = 0; k < steps && at.found; ++k) {
+    const Vector3 n = normal_of(row);
+    const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
+    const double slope = gap_slope(row, at);
+    const double by_roller = row.radius > 0.0 ? bodies_.nominal_radius / row.radius : 0.0;
+    const double by_radius = bodies_.nominal_radius * facing / (1.0 + by_roller);
+    const double change = slope - slope_before;
+    const double secant = change != 0.0 ? (row.middle - before) / change : 0.0;
+    const double radius = k > 0 && secant > 0.2 * by_radius && secant < 5.0 * by_radius ? secant : by_radius;
+    before = row.middle;
+    slope_before = slope;
+    const double step = std::clamp(-slope * radius, -5e-3, 5e-3);
+    row.middle += step;
+    at = point(row, row.middle, at.wheel_s);
+    if (std::abs(step) < 1e-7) break;
+  }
+}
+
+void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
+  constexpr double farthest = 0.1, near_enough = 1e-7;  // [m]
+  const double way = gap_slope(row, at) > 0.0 ? -1.0 : 1.0;
+  double known = row.middle, step = 1e-3;  // the middle lies beyond `known`, by a step at most at last
+  for (; at.found && way * gap_slope(row, at) < 0.0 && step < farthest; step *= 2.0) {
+    known = row.middle;
+    row.middle += way * step;
+    at = point(row, row.middle, at.wheel_s);
+  }
+  double beyond = row.middle;
+  while (at.found && std::abs(beyond - known) > near_enough) {
+    row.middle = 0.5 * (known + beyond);
+    at = point(row, row.middle, at.wheel_s);
+    (way * gap_slope(row, at) < 0.0 ? known : beyond) = row.middle;
+  }
+}
+
 SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const {
-  const SectionCurve::Point p = bodies_.rail.at(s);
-  const double c = std::cos(rail_.roll), sn = std::sin(rail_.roll);
-  SurfaceRow row{.y = bodies_.rail_y + rail_.y + c * p.y - sn * p.z,
-                 .z = bodies_.rail_z + rail_.z + sn * p.y + c * p.z};
+  const SectionCurve::Point p = surface_.section.at(s);
+  SurfaceRow row{.y = bodies_.rail_y + rail_.y + cosine_ * p.y - sine_ * p.z,
+                 .z = bodies_.rail_z + rail_.z + sine_ * p.y + cosine_ * p.z};
   if (bodies_.roller_curvature != 0.0) {
     constexpr double least_radius = 0.02;  // [m]: of faces that no wheel reaches
     row.radius = std::max(1.0 / bodies_.roller_curvature - p.z, least_radius);
   }
-  const double rail_angle = std::atan2(p.dz, p.dy) + rail_.roll;
-  row.angle = rail_angle;
+  if (surface_.varying != nullptr) {  // Lagrange's cubic through the strips beside it
+    const std::vector<double>& places = surface_.section.places();
+    const auto above = std::upper_bound(places.begin(), places.end(), s) - places.begin();
+    const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(places) - 4);
+    row.strip = surface_.first + static_cast<std::int32_t>(first);
+    const double* const place = places.data() + first;
+    for (int k = 0; k < 4; ++k) {
+      row.weight[k] = 1.0;
+      for (int l = 0; l < 4; ++l)
+        if (l != k) row.weight[k] *= (s - place[l]) / (place[k] - place[l]);
+    }
+  }
+  double on_rail = rail_angle(row, s, 0.0);
+  row.angle = on_rail;
   SurfacePoint at = point(row, 0.0);
-  // The gap is smallest where the wheel's normal has no part along x: Newton's method with the wheel's radius
-  // as first guess of the curvature, secants after.
-  constexpr int rounds = 4, steps = 8;
+  constexpr int rounds = 4;
   for (int round = 0; round < rounds && at.found; ++round) {
-    double before = 0.0, slope_before = 0.0;
-    for (int k = 0; k < steps && at.found; ++k) {
-      const Vector3 n = normal_of(row);
-      const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
-      const double falling = row.fall_slope(row.middle);
-      const double slope = (at.normal[0] + falling * (at.normal[1] * down_y() + at.normal[2] * down_z())) /
-                           facing;  // d gap / dx
-      const double by_roller = row.radius > 0.0 ? bodies_.nominal_radius / row.radius : 0.0;
-      const double by_radius = bodies_.nominal_radius * facing / (1.0 + by_roller);
-      const double change = slope - slope_before;
-      const double secant = change != 0.0 ? (row.middle - before) / change : 0.0;
-      const double radius =
-          k > 0 && secant > 0.2 * by_radius && secant < 5.0 * by_radius ? secant : by_radius;
-      before = row.middle;
-      slope_before = slope;
-      const double step = std::clamp(-slope * radius, -5e-3, 5e-3);
-      row.middle += step;
-      at = point(row, row.middle, at.wheel_s);
-      if (std::abs(step) < 1e-7) break;
+    if (deviation_) {
+      halve_to_middle(row, at);
+    } else {
+      find_middle(row, at);
     }
     if (normals == RowNormals::rail || !at.found) break;
+    if (surface_.varying != nullptr) on_rail = rail_angle(row, s, row.middle);
     // Where the surfaces part at a large angle they do not touch: there the rail's normal will do.
     constexpr double largest_turn = 0.25;
     const double wheel_angle = std::atan2(-at.normal[1], at.normal[2]);
-    const double turn = std::clamp(0.5 * (wheel_angle - rail_angle), -largest_turn, largest_turn);
-    const bool settled = std::abs(rail_angle + turn - row.angle) < 1e-9;
-    row.angle = rail_angle + turn;
+    const double turn = std::clamp(0.5 * (wheel_angle - on_rail), -largest_turn, largest_turn);
+    const bool settled = std::abs(on_rail + turn - row.angle) < 1e-9;
+    row.angle = on_rail + turn;
     if (settled) break;
     at = point(row, row.middle, at.wheel_s);
   }
   found = at.found;
   const Vector3 n = normal_of(row);
-  row.lean = row.fall_slope(row.middle) * (n.y * down_y() + n.z * down_z());
+  row.lean = n.y * at.fall.slope_y + n.z * at.fall.slope_z;
   return row;
 }
 
 void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
                              double (&normal)[3]) const {
   const Vector3 n = normal_of(row);
-  const double fall = row.fall(x);
-  const Vector3 rail_point{x, row.y + fall * down_y(), row.z + fall * down_z()};
+  const Vector3 rail_point{x, row.y + at.fall.y, row.z + at.fall.z};
   const Vector3 wheel_point = rail_point - at.gap * n;
   const Vector3 arm = wheel_point - Vector3{0.0, wheel_.position[1], wheel_.position[2]};
   const Vector3 turning{wheel_.angular_velocity[0], wheel_.angular_velocity[1], wheel_.angular_velocity[2]};
@@ -215,14 +314,14 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
   Vector3 rail_velocity{0.0, rail_.velocity_y - rail_.velocity_roll * rail_arm_z,
                         rail_.velocity_z + rail_.velocity_roll * rail_arm_y};
   if (row.radius > 0.0) {  // about the axle, which lies at x = 0
-    const double from_axle = row.radius - fall;
-    rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, -x * down_y(), -x * down_z()};
+    const double from_axle = std::sqrt(row.radius * row.radius - x * x);
+    rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, x * sine_, -x * cosine_};
   }
   const Vector3 velocity = wheel_velocity - rail_velocity;
   // Row's normal n is (at the row's middle) the mean of both already; along x the wheel's share is half its
   // own.
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
-  const double rail_x = -row.fall_slope(x) * (n.y * down_y() + n.z * down_z());
+  const double rail_x = -(at.fall.slope_y * n.y + at.fall.slope_z * n.z);
   const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
   const Vector3* const from[] = {&velocity, &across};
   double* const to[] = {moving, normal};

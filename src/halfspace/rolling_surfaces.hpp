@@ -6,24 +6,38 @@
 /// Right-hand wheel and rail, track axes and types of surface/wheel_on_rail.hpp.
 #pragma once
 
-#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "halfspace/grid.hpp"
 #include "halfspace/section_curve.hpp"
+#include "halfspace/wheel_deviation.hpp"
 #include "patch/material.hpp"
+#include "surface/out_of_round.hpp"
+#include "surface/varying_rail.hpp"
 #include "surface/wheel_on_rail.hpp"
 
 namespace wrc::halfspace {
 
+/// A face of the rail: its cross section below the wheel, and how it goes on along the track.
+struct RailSurface {
+  SectionCurve section;                  ///< y to the field side, z down, from the origin of the profile
+  const VaryingRail* varying = nullptr;  ///< nullptr: the same everywhere
+  std::int32_t first = 0;                ///< of its strips, through whose middles the section runs
+  double distance = 0.0;                 ///< of the wheel along the track [m]
+};
+
 struct WheelAndRail {
   SectionCurve wheel;  ///< y to the field side from the tape circle's plane, z outwards from its radius
-  SectionCurve rail;   ///< y to the field side, z down, from the origin of the profile
+  std::vector<RailSurface> rail;      ///< one, or faces that do not press on each other
   double nominal_radius = 0.0;        ///< of the tape circle [m]
   double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
   Material material;
   double coupling = 0.0;  ///< Kalker's K of unlike bodies [-]
   double roller_curvature =
       0.0;  ///< of a rail that is a roller: 1 / radius at the origin of its profile [1/m]
+  const OutOfRound* out_of_round = nullptr;  ///< nullptr: the wheel is round
 };
 
 /// Direction of the normals of the rows.
@@ -36,10 +50,15 @@ struct SurfaceRow {
   double middle = 0.0;      ///< x where the wheel is nearest [m]
   double radius = 0.0;      ///< of a roller at this row; 0: the row is straight [m]
   double lean = 0.0;        ///< what the rail falls along the normal per x at the middle [-]
+  std::int32_t strip = 0;   ///< of a rail that varies: the first of four between which the row lies
+  double weight[4] = {};    ///< what each of them counts
+};
 
-  /// What a roller's surface falls at x from above its axle [m], and the slope of that.
-  double fall(double x) const { return radius > 0.0 ? radius - std::sqrt(radius * radius - x * x) : 0.0; }
-  double fall_slope(double x) const { return radius > 0.0 ? x / std::sqrt(radius * radius - x * x) : 0.0; }
+/// Where the rail's surface lies at some x of a row, from its place at x = 0, and the slope of that; track
+/// axes.
+struct RailFall {
+  double y = 0.0, z = 0.0;              ///< [m]
+  double slope_y = 0.0, slope_z = 0.0;  ///< by x [-]
 };
 
 /// A cell's gap and what its kinematics need.
@@ -47,6 +66,7 @@ struct SurfacePoint {
   double gap = 0.0;       ///< from the rail along -normal to the wheel; negative: overlap [m]
   double normal[3] = {};  ///< of the wheel, into the rail, track axes
   double wheel_s = 0.0;   ///< on the wheel's profile [m]
+  RailFall fall;          ///< of the rail
   bool found = false;     ///< the normal meets the wheel's facing side near by
 };
 
@@ -65,11 +85,12 @@ class TurnedAboveAxle {
   double down_y_ = 0.0, down_z_ = 1.0;  // of the rail's z axis
 };
 
-/// A wheel over a rail, or above the axle of a roller. Axes: x from the wheel's reference point, y and z of
-/// the track.
+/// A wheel over one face of a rail, or above the axle of a roller. Axes: x from the wheel's reference point,
+/// y and z of the track.
 class RollingSurfaces {
  public:
-  RollingSurfaces(const WheelAndRail& bodies, const WheelMotion& wheel, const RailMotion& rail);
+  /// All three outlive it.
+  RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface, const WheelOnRail& state);
 
   /// Row at arc length s from the rail's first point; `found` tells whether the wheel faces it.
   SurfaceRow row(double s, RowNormals normals, bool& found) const;
@@ -92,12 +113,22 @@ class RollingSurfaces {
   /// Velocity of the wheel's surface over the rail's at a cell, and the mean of both normals; track axes.
   void motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
               double (&normal)[3]) const;
-  double down_y() const { return -std::sin(rail_.roll); }
-  double down_z() const { return std::cos(rail_.roll); }
+  RailFall fall(const SurfaceRow& row, double x) const;
+  /// Angle of the rail's normal about x [rad].
+  double rail_angle(const SurfaceRow& row, double s, double x) const;
+  /// Growth of the gap by x [-].
+  double gap_slope(const SurfaceRow& row, const SurfacePoint& at) const;
+  /// Moves the row's middle, and `at` with it, to where the wheel is nearest.
+  void find_middle(SurfaceRow& row, SurfacePoint& at) const;
+  /// The same where the gap's slope may leap: by halving.
+  void halve_to_middle(SurfaceRow& row, SurfacePoint& at) const;
 
   const WheelAndRail& bodies_;
+  const RailSurface& surface_;
   const WheelMotion& wheel_;
-  RailMotion rail_;
+  const RailMotion& rail_;
+  double cosine_, sine_;  // of the rail's roll
+  std::optional<WheelDeviation> deviation_;
 };
 
 }  // namespace wrc::halfspace

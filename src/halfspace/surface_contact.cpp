@@ -110,11 +110,16 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   double lowest = 0.0, top = 0.0;
   const auto on_wheel = static_cast<int>(bodies.wheel.length() / spacing);
   for (int k = 0; k <= on_wheel; ++k) lowest = std::max(lowest, bodies.wheel.at(spacing * k).z);
-  const auto on_rail = static_cast<int>(bodies.rail.length() / spacing);
-  for (int k = 0; k <= on_rail; ++k) {
-    const SectionCurve::Point p = bodies.rail.at(spacing * k);
-    const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
-    top = k == 0 ? z : std::min(top, z);
+  if (bodies.out_of_round != nullptr) lowest += bodies.out_of_round->largest;
+  bool first = true;
+  for (const RailSurface& face : bodies.rail) {
+    const auto on_rail = static_cast<int>(face.section.length() / spacing);
+    for (int k = 0; k <= on_rail; ++k) {
+      const SectionCurve::Point p = face.section.at(spacing * k);
+      const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
+      top = first ? z : std::min(top, z);
+      first = false;
+    }
   }
   return bodies.rail_z + rail.z + top - bodies.nominal_radius - lowest;
 }
@@ -240,6 +245,23 @@ Field moved(const Grid& from, const Field& field, const Grid& to) {
   return out;
 }
 
+// Does the contact reach the last cell of a profile?
+Fault at_edge(const WheelAndRail& bodies, const RailSurface& face, const Cells& cells,
+              const Field& pressure) {
+  const Grid& g = cells.grid;
+  for (int j = 0; j < g.ny; ++j) {
+    for (int i = 0; i < g.nx; ++i) {
+      const std::size_t at = g.index(i, j);
+      if (pressure[at] <= 0.0) continue;
+      const bool rail_ends = g.y(j) < g.dy || g.y(j) > face.section.length() - g.dy;
+      const double on_wheel = cells.points[at].wheel_s;
+      if (rail_ends || on_wheel < g.dy || on_wheel > bodies.wheel.length() - g.dy)
+        return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+    }
+  }
+  return {};
+}
+
 // Force, moment and sums over the rows from the fields; `ways`: with friction, rolled.
 void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocation, const Way* ways,
             SurfaceSolution& s) {
@@ -274,8 +296,9 @@ void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocatio
       const double lean = place.lean;  // tangent (1, lean n), normal (-lean, n)
       const double fx = (px + lean * p) * area, fy = (py * c + (p - lean * px) * sn) * area,
                    fz = (py * sn - (p - lean * px) * c) * area;
-      const double x = g.x(i), y = place.y + half * sn - state.wheel.position[1],
-                   z = place.z - half * c - state.wheel.position[2];
+      const RailFall& fall = cells.points[at].fall;
+      const double x = g.x(i), y = place.y + fall.y + half * sn - state.wheel.position[1],
+                   z = place.z + fall.z - half * c - state.wheel.position[2];
       s.force[0] += fx;
       s.force[1] += fy;
       s.force[2] += fz;
@@ -327,16 +350,49 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
   WheelOnRail state = in;
   state.wheel.position[2] = height;
   const TurnedAboveAxle turned_wheel(bodies_, state);
-  solve_turned(state, with_friction, start, progress, s);
+  if (bodies_.rail.size() == 1) {
+    solve_face(bodies_.rail[0], state, with_friction, start, progress, s);
+  } else {
+    s.fault = {.status = WRC_FLAG_NO_CONTACT};
+    double sticking = 0.0;
+    for (std::size_t f = 0; f < bodies_.rail.size() && !s.fault.failed(); ++f) {
+      const double per_face = 1.0 / static_cast<double>(bodies_.rail.size()),
+                   begun = per_face * static_cast<double>(f);
+      PartOfProgress part(progress, begun, begun + per_face);
+      SurfaceSolution& one = s.faces.emplace_back();
+      solve_face(bodies_.rail[f], state, with_friction,
+                 start != nullptr && start->faces.size() > f ? &start->faces[f] : nullptr, part.callback(),
+                 one);
+      if (one.fault.status == WRC_FLAG_NO_CONTACT) continue;
+      if (s.fault.status == WRC_FLAG_NO_CONTACT) s.fault = {};
+      keep_worst(s.fault, one.fault);
+      for (int k = 0; k < 3; ++k) {
+        s.force[k] += one.force[k];
+        s.moment[k] += one.moment[k];
+      }
+      s.pressure_sum += one.pressure_sum;
+      s.area += one.area;
+      s.power += one.power;
+      s.peak_pressure = std::max(s.peak_pressure, one.peak_pressure);
+      s.turns = std::max(s.turns, one.turns);
+      sticking += one.adhesion_fraction * one.area;
+      for (RowForces& row : one.row_forces) {
+        row.face = static_cast<int>(f);
+        s.row_forces.push_back(row);
+      }
+    }
+    if (s.area > 0.0) s.adhesion_fraction = sticking / s.area;
+  }
   turned_wheel.turn_back(s.force);
   turned_wheel.turn_back(s.moment);
   return s;
 }
 
-void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, const SurfaceSolution* start,
-                                  const ProgressCallback& progress, SurfaceSolution& s) const {
-  const RollingSurfaces surfaces(bodies_, state.wheel, state.rail);
-  const Cells cells = lay_cells(surfaces, bodies_.rail.length(), options_);
+void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& state, bool with_friction,
+                                const SurfaceSolution* start, const ProgressCallback& progress,
+                                SurfaceSolution& s) const {
+  const RollingSurfaces surfaces(bodies_, face, state);
+  const Cells cells = lay_cells(surfaces, face.section.length(), options_);
   s.grid = cells.grid;
   if (cells.too_many) {
     s.grid = {};
@@ -373,7 +429,9 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     if (state.damping != 0.0) damp(surfaces, cells, state.damping, s.pressure);
     s.fault = pressed.fault;
     s.turns = 1;
-    if (!s.fault.failed()) sum_up(state, cells, options_.collocation, nullptr, s);
+    if (s.fault.failed()) return;
+    sum_up(state, cells, options_.collocation, nullptr, s);
+    keep_worst(s.fault, at_edge(bodies_, face, cells, s.pressure));
     return;
   }
 
@@ -391,7 +449,7 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
     way.problem.collocation = options_.collocation;
     way.problem.tolerance = options_.rolling_tolerance;
   }
-  const bool warm = start != nullptr && start->grid.cells() > 0;
+  const bool warm = start != nullptr && start->grid.cells() > 0 && !start->traction_x.empty();
   if (warm) {
     s.traction_x = moved(start->grid, start->traction_x, s.grid);
     s.traction_y = moved(start->grid, start->traction_y, s.grid);
@@ -432,7 +490,7 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
       if (way.share <= 0.0) continue;
       RollingProblem& problem = way.problem;
       problem.pressure = way.seen(s.grid, s.pressure, false);
-      const Field friction = friction_of_rows(state, bodies_.rail, s.grid, s.pressure, way);
+      const Field friction = friction_of_rows(state, face.section, s.grid, s.pressure, way);
       problem.friction = friction.size() > 1 ? way.seen(s.grid, friction, false) : friction;
       problem.rigid_slip_x = way.seen(s.grid, way.sliding_x, true);
       problem.rigid_slip_y = way.seen(s.grid, way.sliding_y, false);
@@ -480,6 +538,7 @@ void SurfaceContact::solve_turned(const WheelOnRail& state, bool with_friction, 
       break;
     }
   }
+  keep_worst(s.fault, at_edge(bodies_, face, cells, s.pressure));
 }
 
 // The load grows with the depth below first touch nearly with its power 3/2: secants of load^(2/3) over the
@@ -500,15 +559,18 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
     WheelOnRail state = problem.state;
     state.wheel.position[2] = height;
     const TurnedAboveAxle turned(bodies_, state);
-    const RollingSurfaces surfaces(bodies_, state.wheel, state.rail);
     double nearest = apart;
-    const int rows = static_cast<int>(bodies_.rail.length() / options_.cell_s);
-    for (int j = 0; j < rows; ++j) {
-      bool found = false;
-      const SurfaceRow row = surfaces.row((j + 0.5) * options_.cell_s, options_.normals, found);
-      if (!found) continue;
-      const SurfacePoint p = surfaces.point(row, row.middle);
-      if (p.found) nearest = std::min(nearest, p.gap / std::max(std::cos(row.angle), 0.1));
+    for (const RailSurface& face : bodies_.rail) {
+      const RollingSurfaces surfaces(bodies_, face, state);
+      const int rows = static_cast<int>(face.section.length() / options_.cell_s);
+      for (int j = 0; j < rows; ++j) {
+        bool found = false;
+        const SurfaceRow row = surfaces.row((j + 0.5) * options_.cell_s, options_.normals, found);
+        constexpr double least_down = 0.2;  // steeper faces guide
+        if (!found || std::cos(row.angle) < least_down) continue;
+        const SurfacePoint p = surfaces.point(row, row.middle);
+        if (p.found) nearest = std::min(nearest, p.gap / std::cos(row.angle));
+      }
     }
     height += std::min(nearest, apart);
     if (std::abs(nearest) < 1e-7) break;
@@ -534,11 +596,10 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
     const double begun = friction ? 0.1 : 0.0, done = with_friction && !friction ? 0.1 : 1.0;
     double nearest = 1.0;
     for (;; ++heights) {
-      const bool warm = s.grid.cells() > 0 && friction && !s.traction_x.empty();
       const SurfaceSolution start = std::move(s);
       const double decades = natural_log(nearest) / natural_log(tolerance), rest = done - begun;
       PartOfProgress part(problem.progress, begun + rest * decades, begun + rest * (0.5 + 0.5 * decades));
-      s = at_height(problem.state, height, friction, warm ? &start : nullptr, part.callback());
+      s = at_height(problem.state, height, friction, friction ? &start : nullptr, part.callback());
       if (s.fault.failed()) break;
       const double force = -s.force[2];
       nearest = std::clamp(std::abs(force - load) / load, tolerance, nearest);
@@ -573,7 +634,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
     }
     if (s.fault.failed()) break;
   }
-  if (!s.fault.failed() && s.grid.cells() == 0) {
+  if (!s.fault.failed() && s.row_forces.empty()) {
     s.fault = {.status = WRC_ERROR_LOAD,
                .field = "input.vertical_load",
                .value = load,

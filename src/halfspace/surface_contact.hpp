@@ -56,6 +56,7 @@ struct SurfaceProblem {
 /// One row of cells: what acts on the wheel per arc length, in the row's own frame.
 struct RowForces {
   double s = 0.0;              ///< arc length of the rail from its first point [m]
+  int face = 0;                ///< of the rail
   double y = 0.0, z = 0.0;     ///< of the rail's surface, track axes [m]
   double angle = 0.0;          ///< of the normal (0, -sin, cos) about x [rad]
   double normal_force = 0.0;   ///< integral of the pressure over x [N/m]
@@ -77,6 +78,8 @@ struct SurfaceSolution {
   std::vector<SurfaceRow> rows;
   Field gap, pressure, traction_x, traction_y;  ///< over the grid
   std::vector<RowForces> row_forces;            ///< of the rows in contact
+  /// Of a rail of several faces: each with the cells of its own, whose sums are those above.
+  std::vector<SurfaceSolution> faces;
   int turns = 0, heights = 0;
   Fault fault;  ///< flags of both solvers; WRC_FLAG_ITERATION_CAP where turns or heights did not suffice
 };
@@ -92,9 +95,9 @@ class SurfaceContact {
  private:
   SurfaceSolution at_height(const WheelOnRail& state, double height, bool with_friction,
                             const SurfaceSolution* start, const ProgressCallback& progress) const;
-  /// At the height and above the axle of a roller, forces in these axes.
-  void solve_turned(const WheelOnRail& state, bool with_friction, const SurfaceSolution* start,
-                    const ProgressCallback& progress, SurfaceSolution& s) const;
+  /// On one face, at the height and above the axle of a roller, forces in these axes.
+  void solve_face(const RailSurface& face, const WheelOnRail& state, bool with_friction,
+                  const SurfaceSolution* start, const ProgressCallback& progress, SurfaceSolution& s) const;
 
   WheelAndRail bodies_;
   SurfaceOptions options_;

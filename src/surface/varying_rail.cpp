@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc {
@@ -348,6 +349,30 @@ double place_strips(const Kernels& kernels, const VaryingRail& rail, double dist
     }
   }
   return steepest;
+}
+
+Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memory, std::int32_t most,
+                   double& distance, RailStrips& strips, SectionBlend (&blend)[most_rail_faces],
+                   double& steepest) {
+  const double asked = distance;
+  distance = smaller(larger(asked, rail.begin), rail.end);
+  steepest = place_strips(kernels, rail, distance, memory, most, strips, blend);
+  if (has_check_rail(rail)) {
+    // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
+    StripRange& check = strips.range[0];
+    while (check.count > 1 && strips.tz[check.first] < 0.0) {
+      ++check.first;
+      --check.count;
+    }
+  }
+  if (distance == asked) return {};
+  return {.status = WRC_FLAG_BEYOND_SECTIONS,
+          .field = "input.distance",
+          .value = asked,
+          .unit = "m",
+          .low = rail.begin,
+          .high = rail.end,
+          .cause = "the nearest section is used"};
 }
 
 }  // namespace wrc

@@ -78,6 +78,12 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
                     std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]);
 
+/// The same within the sections, where `distance` is put, and flagged beyond them; of a check rail the side
+/// that guides.
+Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memory, std::int32_t most,
+                   double& distance, RailStrips& strips, SectionBlend (&blend)[most_rail_faces],
+                   double& steepest);
+
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).
 inline bool has_check_rail(const VaryingRail& rail) {

@@ -71,28 +71,10 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
 Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
   w.rail = model.rail;
   w.distance = in.distance;
-  const VaryingRail& varying = model.varying;
   w.steepest = 0.0;
-  if (varying.faces == 0) return {};
-  w.distance = smaller(larger(in.distance, varying.begin), varying.end);
-  w.steepest = place_strips(*model.kernels, varying, w.distance, w.rail_strips, most_strips_of_a_rail, w.rail,
-                            w.blend);
-  if (has_check_rail(varying)) {
-    // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
-    StripRange& check = w.rail.range[0];
-    while (check.count > 1 && w.rail.tz[check.first] < 0.0) {
-      ++check.first;
-      --check.count;
-    }
-  }
-  if (w.distance == in.distance) return {};
-  return {.status = WRC_FLAG_BEYOND_SECTIONS,
-          .field = "input.distance",
-          .value = in.distance,
-          .unit = "m",
-          .low = varying.begin,
-          .high = varying.end,
-          .cause = "the nearest section is used"};
+  if (model.varying.faces == 0) return {};
+  return place_strips(*model.kernels, model.varying, w.rail_strips, most_strips_of_a_rail, w.distance, w.rail,
+                      w.blend, w.steepest);
 }
 
 /// What the last solve left in `w`, for later.

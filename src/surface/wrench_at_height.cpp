@@ -90,13 +90,14 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   return s;
 }
 
-namespace {
-
-/// Takes from the rail's faces what stands behind the flange and looks away from the wheel: the front of the
-/// flange touches only what is on its own side of its tip, and rays from there would meet it through its
-/// body. Overlaps that are solved are less deep than 3 mm.
-void leave_out_behind_flange(const WheelCurve& wheel, const RelativePose& pose, RailStrips& rail) {
+// The front of the flange touches only what is on its own side of its tip, and rays from there would meet it
+// through its body. Overlaps that are solved are less deep than 3 mm.
+RailStrips strips_before(const SurfaceModel& model, const Seen& seen, const RailStrips& strips) {
+  RailStrips rail = strips;
+  if (rail.ranges < 2 || has_check_rail(model.varying)) return rail;
   constexpr double deepest = 3e-3;  // [m]
+  const WheelCurve& wheel = model.wheel;
+  const RelativePose& pose = seen.pose;
   std::int32_t tip = 0;
   for (std::int32_t k = 1; k < wheel.knots; ++k)
     if (wheel.knot_radius[k] > wheel.knot_radius[tip]) tip = k;
@@ -109,9 +110,8 @@ void leave_out_behind_flange(const WheelCurve& wheel, const RelativePose& pose, 
       --face.count;
     }
   }
+  return rail;
 }
-
-}  // namespace
 
 void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, WheelWork& w) {
   const bool varying = varies(model);
@@ -120,9 +120,7 @@ void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, do
   const double more = varying ? smaller(0.5 * concave * w.steepest * w.steepest * model.wheel_radius, 2e-3) +
                                     model.out_of_round.largest
                               : 0.0;
-  RailStrips rail = w.rail;
-  if (rail.ranges > 1 && !has_check_rail(model.varying))
-    leave_out_behind_flange(model.wheel, seen.pose, rail);
+  const RailStrips rail = strips_before(model, seen, w.rail);
   find_overlaps(*model.kernels, rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
   if (varying) follow_track(model, in, seen, margin, w);
 }

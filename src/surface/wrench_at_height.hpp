@@ -9,6 +9,9 @@ namespace wrc {
 /// The wheel at this height as the rail sees it.
 Seen see(const SurfaceModel& model, const WheelOnRail& in, double height);
 
+/// The rail's strips but those of faces behind the flange that look away from the wheel.
+RailStrips strips_before(const SurfaceModel& model, const Seen& seen, const RailStrips& strips);
+
 /// Finds all strips with depth > -margin.
 void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double margin, WheelWork& w);
 

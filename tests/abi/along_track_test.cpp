@@ -8,6 +8,7 @@
 #include "../check_rail_points.hpp"
 #include "not_finite.hpp"
 #include "wheel_on_rail.hpp"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -414,6 +415,179 @@ TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {
   config.normal.method = WRC_NORMAL_HERTZ;
   angles[5] = 0.5 * (angles[4] + angles[6]);
   EXPECT_EQ(refused(), WRC_ERROR_UNSUPPORTED);
+}
+
+/// The same input exactly, on cells of 0.4 mm.
+class ExactAlongTrack : public AlongTrack {
+ protected:
+  wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+  wrc_wrench exact = wrc_wrench_default();
+
+  ExactAlongTrack() { options.cell_x = options.cell_s = 4e-4; }
+  int32_t solve() { return wrc_exact_wrench(contact, &input, &options, &exact); }
+  /// The height at which real time carries 80 kN.
+  void carry() {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = wrench.z;
+  }
+  void expect_as_real_time(double share) {
+    ASSERT_EQ(step(), WRC_OK) << error();
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    const double size = share * wrench.normal_force;
+    ASSERT_GT(wrench.normal_force, 20e3);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(exact.force[i], wrench.force[i], size) << i;
+      EXPECT_NEAR(exact.moment[i], wrench.moment[i], 0.75 * size) << i;
+    }
+    EXPECT_NEAR(exact.power, wrench.power, 0.1 * wrench.power);
+    EXPECT_EQ(exact.regions, wrench.regions);
+  }
+};
+
+TEST_F(ExactAlongTrack, EqualSectionsAreTheConstantRail) {
+  wheel.y = 3e-3;
+  wheel.yaw = 5e-3;
+  create();
+  carry();
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench constant = exact;
+  for (double distance : {-20.0, -3.0, 10.0}) add(distance);
+  give();
+  create();
+  input.distance = -12.3;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(exact.force[i], constant.force[i], 2e-3 * constant.normal_force) << i;
+    EXPECT_NEAR(exact.moment[i], constant.moment[i], 2e-3 * constant.normal_force) << i;
+  }
+  input.distance = 10.1;
+  EXPECT_EQ(solve(), WRC_FLAG_BEYOND_SECTIONS);
+}
+
+/// On a straight ramp everything is as on the level, turned about the y axis; sections are cut upright: what
+/// lies a millimetre below the top lies 0.2 um nearer on 1:50, which is 0.3 % of the load.
+TEST_F(ExactAlongTrack, ARampIsTheLevelTurned) {
+  give_ramp();
+  wheel.y = 4e-3;
+  wheel.velocity[1] = 0.04;
+  create();
+  const double slope = 0.02, cosine = 1.0 / std::sqrt(1.0 + slope * slope), sine = slope * cosine;
+  input.distance = 0.5;
+  carry();
+  const double level_z = wheel.z;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench level = exact;
+  ASSERT_GT(level.normal_force, 20e3);
+  input.distance = 3.5;
+  wheel.z = 0.03 + radius - (radius - level_z) / cosine;
+  wheel.velocity[0] = 20.0 * cosine;
+  wheel.velocity[2] = 20.0 * sine;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const double f[] = {cosine * level.force[0] - sine * level.force[2], level.force[1],
+                      sine * level.force[0] + cosine * level.force[2]};
+  const double m[] = {cosine * level.moment[0] - sine * level.moment[2], level.moment[1],
+                      sine * level.moment[0] + cosine * level.moment[2]};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(exact.force[i], f[i], 4e-3 * level.normal_force) << i;
+    EXPECT_NEAR(exact.moment[i], m[i], 4e-3 * level.normal_force) << i;
+  }
+  EXPECT_NEAR(exact.power, level.power, 5e-3 * level.power);
+}
+
+/// Where the rail bends, and its section changes.
+TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionWhereTheRailChanges) {
+  add(0.0);
+  add(1.0, 0.0, 0.0);
+  add(1.2, 1e-3, 2e-3);
+  add(1.5, 3e-3, 6e-3).profile.kind = WRC_PROFILE_60E1;
+  add(2.0, 4e-3, 8e-3).profile.kind = WRC_PROFILE_60E1;
+  give();
+  wheel.y = 6e-3;
+  wheel.yaw = 8e-3;
+  create();
+  for (const double at : {1.05, 1.3, 1.62}) {
+    input.distance = at;
+    carry();
+    expect_as_real_time(0.02);
+  }
+}
+
+TEST_F(ExactAlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
+  add(0.0);
+  add(10.0);
+  for (const double distance : {4.0, 6.0}) add(distance, 30e-6).face = 1;  // the same head, lower
+  give();
+  wheel.y = 3e-3;
+  create();
+  input.distance = 5.0;
+  carry();
+  expect_as_real_time(0.02);
+  EXPECT_EQ(exact.regions, 2);
+}
+
+/// A wheel whose radius is r + e cos(theta) is a round one whose middle lies e beside the axle.
+TEST_F(ExactAlongTrack, AnEccentricWheelIsARoundOneElsewhere) {
+  constexpr double off = 4e-5;
+  wheel.y = 5e-3;
+  wheel.velocity[1] = 0.03;
+  create();
+  carry();
+  for (const double angle : {0.9, -1.2}) {
+    config.roundness = wrc_config_default().roundness;
+    const wrc_wheel_input as_it_is = input;
+    // the material's angle 0 is below the axle before it has turned; +y turns the lowest point forwards
+    const double x = off * std::sin(angle), z = off * std::cos(angle), w = wheel.angular_velocity[1];
+    wheel.z += z;
+    wheel.velocity[0] += w * z;
+    wheel.velocity[2] -= w * x;
+    create();
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    const wrc_wrench round = exact;
+    ASSERT_GT(round.normal_force, 1e3);
+    input = as_it_is;
+    give_wheel(720, [](double a) { return off * std::cos(a); });
+    create();
+    input.angle = angle;
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    input = as_it_is;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(exact.force[i], round.force[i], 2e-3 * round.normal_force) << i;
+    EXPECT_NEAR(exact.moment[1], round.moment[1] + z * round.force[0] - x * round.force[2],
+                2e-3 * 0.46 * round.normal_force);
+    EXPECT_NEAR(exact.power, round.power, 0.01 * round.power);
+    friction.coefficient = 0.0;
+    input.angle = angle;
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    input = as_it_is;
+    EXPECT_NEAR(exact.moment[1], -x * exact.force[2], 0.02 * off * round.normal_force);
+  }
+}
+
+/// A polygon of 0.1 mm, and a flat with its edges worn: bent less and more than a round wheel.
+TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionOfAWheelThatIsNotRound) {
+  wheel.y = 4e-3;
+  wheel.yaw = 2e-3;
+  const auto flat = [](double a) {
+    const double from = a > 0.5 * turn ? a - turn : a, half = 0.1;
+    return std::abs(from) < half ? -0.25e-3 * (1.0 + std::cos(0.5 * turn * from / half)) : 0.0;
+  };
+  for (const bool polygon : {true, false}) {
+    if (polygon) {
+      give_wheel(720, [](double a) { return 1e-4 * std::cos(20.0 * a); });
+    } else {
+      give_wheel(4000, flat);
+    }
+    create();
+    for (const double at : {0.0, 0.08}) {
+      input.angle = at;
+      carry();
+      SCOPED_TRACE(at);
+      expect_as_real_time(0.03);
+    }
+  }
 }
 
 }  // namespace

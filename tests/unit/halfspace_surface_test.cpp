@@ -39,7 +39,7 @@ struct ConeOnArc {
   double angle = 0.0, radius = 13e-3, wheel_radius = 0.46, overlap = 60e-6;
   WheelAndRail bodies() const {
     return {.wheel = line(angle),
-            .rail = arc(radius, angle - 8e-3 / radius, angle + 8e-3 / radius),
+            .rail = {{.section = arc(radius, angle - 8e-3 / radius, angle + 8e-3 / radius)}},
             .nominal_radius = wheel_radius,
             .material = steel};
   }

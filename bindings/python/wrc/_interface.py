@@ -3747,7 +3747,12 @@ class ContactCalls(_l.Handle):
             (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(), damping by the speed at which a row's
             surfaces near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a
             second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
-            Contact.wrench().
+            Contact.wrench(). On a rail that changes along the track every cell has its gap to the rail as it
+            is there, between the strips that Contact.wrench() has cut, and its sliding along it; normals turn
+            with the section, and forces lean along the track, row by row as they do where the wheel is
+            nearest. Faces - a check rail, a blade - are solved each alone, with its own rolling speed, and
+            added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
+            rail that is level along the track. Each row of cells has one patch along the track.
 
         input: as for Contact.wrench(); friction.slope_reduction must be 1
         options: None: the defaults
@@ -3756,8 +3761,8 @@ class ContactCalls(_l.Handle):
             counted, Contact.region() does not have them; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the
-            end of a profile), _CREEPAGES_LIMITED; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also:
-            more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY, _CANCELLED.
+            end of a profile), _CREEPAGES_LIMITED, _BEYOND_SECTIONS; Status.ERROR_NULL, _STRUCT_SIZE,
+            _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY, _CANCELLED.
         """
         if out is None:
             out = Wrench._new()
