@@ -297,8 +297,8 @@ WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
 /** @} */
 
 /** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
- * exactly on nx x ny cells over its patches, and reports the errors of the real-time method. The contact is not
- * changed.
+ * exactly on nx x ny cells over its patches, friction.slope_reduction included, and reports the errors of the real-time
+ * method. The contact is not changed.
  * @param contact after wrc_contact_tangential or wrc_contact_step
  * @param nx cells along x, 8..512 @param ny cells along y, 8..512
  * @param progress NULL: none @param user handed to progress
@@ -313,8 +313,9 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
  * arc length between frames turned against each other, so that pressure and tractions act on one another. Friction zones
  * and friction that falls with the speed are each row of cells', both ways of rolling and what becomes of them near
  * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(), damping by the speed at which a row's surfaces
- * near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
- * wrc_contact_wrench().
+ * near each other at its middle; friction.slope_reduction divides what tractions move the surfaces along each other:
+ * theory manual, sections 5, 7 and 9. Takes from a tenth of a second to minutes, growing with the second to fourth power
+ * of 1 / cell. The contact keeps its last wrc_contact_wrench().
  *
  * On a rail that changes along the track every cell has its gap to the rail as it is there, between the strips that
  * wrc_contact_wrench() has cut, and its sliding along it; normals turn with the section, and forces lean along the track,
@@ -322,7 +323,7 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
  * rolling speed, and added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
  * rail that is level along the track. Each row of cells has one patch along the track.
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
- * @param input as for wrc_contact_wrench(); friction.slope_reduction must be 1
+ * @param input as for wrc_contact_wrench()
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them

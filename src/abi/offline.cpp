@@ -333,9 +333,11 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   problem.creepage.longitudinal *= rolling.way;
   problem.creepage.spin *= rolling.way;
   problem.progress = reporter.callback();
+  Material material = contact.model->options.material;
+  const double layer = friction_of(contact).slope_reduction;  // as in halfspace/surface_contact.cpp
+  material.shear_modulus *= layer;
   const halfspace::RollingSolution exact =
-      halfspace::RollingSolver(grid, contact.model->options.material, {}, contact.model->options.coupling)
-          .solve(problem);
+      halfspace::RollingSolver(grid, material, {}, contact.model->options.coupling * layer).solve(problem);
   if (exact.fault.failed()) return exact.fault;
   result.fx = rolling.way * exact.forces.fx;
   result.fy = exact.forces.fy;
@@ -442,20 +444,6 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (fault.failed()) return fault;
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
-  if (placed.problem.slope_reduction != 1.0) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.slope_reduction",
-            .value = placed.problem.slope_reduction,
-            .unit = "",
-            .cause = "between the bodies of the exact solution there is no layer: leave it 1"};
-  }
-  if (!hosted.frictionless && hosted.friction.law.fall == FrictionLaw::Fall::heat) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.kind",
-            .value = static_cast<double>(hosted.friction.law.fall),
-            .unit = "",
-            .cause = "the exact solution has no temperatures: take another law"};
-  }
   const SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;
   halfspace::WheelAndRail bodies{

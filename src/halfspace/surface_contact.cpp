@@ -435,7 +435,10 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
     return;
   }
 
-  RollingSolver roller(s.grid, bodies_.material, angles, bodies_.coupling);
+  // A layer between the bodies: what tractions move the surfaces along each other, over the reduction.
+  Material softer = bodies_.material;
+  softer.shear_modulus *= state.slope_reduction;
+  RollingSolver roller(s.grid, softer, angles, bodies_.coupling * state.slope_reduction);
   TurnedConvolution lift(s.grid, bodies_.material, Convolution::Kernel::shear, angles);
   const bool couples = bodies_.coupling != 0.0;
   std::optional<TurnedConvolution> opening;  // of unlike bodies, under tractions

@@ -49,7 +49,7 @@ struct SurfaceOptions {
 };
 
 struct SurfaceProblem {
-  WheelOnRail state;               ///< without a layer between the bodies
+  WheelOnRail state;
   ProgressCallback progress = {};  ///< while heights are tried and both problems solved in turn
 };
 

@@ -65,6 +65,22 @@ TEST_F(ExactCheck, BackwardsIsTheMirrorImageOfForward) {
   expect_words(error(), {"creepage.other_way = 0.1", "both ways"});
 }
 
+/// Over half the slope a layer leaves, creepages do what half of them do without it.
+TEST_F(ExactCheck, ALayerIsAsSmallerCreepages) {
+  friction.slope_reduction = 0.5;
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  const wrc_exact_check_result layer = result;
+  EXPECT_LT(layer.force_error, 0.05);
+  friction.slope_reduction = 1.0;
+  for (double* each : {&creepage.longitudinal, &creepage.lateral, &creepage.spin}) *each *= 0.5;
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(check(), WRC_OK) << error();
+  EXPECT_NEAR(result.fx, layer.fx, 1e-3 * 0.35 * 80e3);
+  EXPECT_NEAR(result.fy, layer.fy, 1e-3 * 0.35 * 80e3);
+  EXPECT_NEAR(result.power, 0.5 * layer.power, 2e-3 * result.power);
+}
+
 TEST_F(ExactCheck, LeavesTheContactAsItWas) {
   ASSERT_EQ(step(), WRC_OK);
   wrc_damage before{}, after = before;

@@ -266,9 +266,9 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   expect(WRC_ERROR_UNSUPPORTED, {"options.influence = 2", "WRC_INFLUENCE_TURNED (0), _PLAIN (1)"});
   options.influence = WRC_INFLUENCE_TURNED;
   friction = wrc_friction_default();
-  friction.slope_reduction = 0.5;
-  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.slope_reduction = 0.5", "layer"});
-  friction.slope_reduction = 1.0;
+  friction.slope_fall = 0.5;
+  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.slope_fall = 0.5", "WRC_TANGENTIAL_FASTSIM"});
+  friction.slope_fall = 0.0;
   wheel.y = 0.2;
   expect(WRC_ERROR_LOAD, {"input.vertical_load", "80000 N", "no rail"});
   wheel.y = 0.0;

@@ -321,6 +321,35 @@ TEST_F(Roller, ExactlyTooAGiantOneIsARail) {
     EXPECT_NEAR(giant.force[k], rail_only.force[k], 1e-4 * rail_only.normal_force) << k;
 }
 
+/// With flexibilities over k tractions are those of k times the slips, which here are the same everywhere;
+/// they dissipate 1 / k as much.
+TEST_F(Roller, ExactlyALayerIsAsSmallerSlips) {
+  config.roller_curvature = 0.0;
+  create();
+  input.roller_velocity = 0.0;
+  wheel.z = 100e-6;
+  wheel.velocity[0] = 20.0;
+  constexpr double layer = 0.4;
+  const auto slide = [&](double by) {
+    wheel.velocity[1] = by * 0.02;
+    wheel.angular_velocity[1] = -20.0 * (1.0 + by * 1e-3) / config.wheelset.wheel_radius;
+  };
+  slide(1.0);
+  const wrc_wrench clean = exactly(4e-4);
+  friction.slope_reduction = layer;
+  const wrc_wrench soft = exactly(4e-4);
+  ASSERT_EQ(step(), WRC_OK) << error();
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(wrench.force[k], soft.force[k], 0.02 * 0.3 * soft.normal_force) << k;
+  friction.slope_reduction = 1.0;
+  slide(layer);
+  const wrc_wrench slower = exactly(4e-4);
+  for (int k = 0; k < 2; ++k)
+    EXPECT_NEAR(soft.force[k], slower.force[k], 5e-3 * 0.3 * slower.normal_force) << k;
+  EXPECT_NEAR(layer * soft.power, slower.power, 0.02 * slower.power);
+  EXPECT_LT(std::abs(soft.force[1]), 0.7 * std::abs(clean.force[1]));
+}
+
 TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
   const auto refused = [&](int32_t status, const char* word) {
     EXPECT_EQ(step(), status);

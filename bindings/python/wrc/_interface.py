@@ -3716,8 +3716,8 @@ class ContactCalls(_l.Handle):
 
     def exact_check(self, nx: int, ny: int, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
         """Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages
-            and friction) exactly on nx x ny cells over its patches, and reports the errors of the real-time
-            method. The contact is not changed.
+            and friction) exactly on nx x ny cells over its patches, friction.slope_reduction included, and
+            reports the errors of the real-time method. The contact is not changed.
 
         nx: cells along x, 8..512
         ny: cells along y, 8..512
@@ -3745,8 +3745,9 @@ class ContactCalls(_l.Handle):
             that pressure and tractions act on one another. Friction zones and friction that falls with the
             speed are each row of cells', both ways of rolling and what becomes of them near standstill
             (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(), damping by the speed at which a row's
-            surfaces near each other at its middle: theory manual, sections 5 and 7. Takes from a tenth of a
-            second to minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
+            surfaces near each other at its middle; friction.slope_reduction divides what tractions move the
+            surfaces along each other: theory manual, sections 5, 7 and 9. Takes from a tenth of a second to
+            minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
             Contact.wrench(). On a rail that changes along the track every cell has its gap to the rail as it
             is there, between the strips that Contact.wrench() has cut, and its sliding along it; normals turn
             with the section, and forces lean along the track, row by row as they do where the wheel is
@@ -3754,7 +3755,7 @@ class ContactCalls(_l.Handle):
             added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
             rail that is level along the track. Each row of cells has one patch along the track.
 
-        input: as for Contact.wrench(); friction.slope_reduction must be 1
+        input: as for Contact.wrench()
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
