@@ -322,8 +322,9 @@ WRC_DEFAULT_SIZED(wrc_region)
  * does, the one at which the force first ceases to grow, which is where the former ends as the load grows: without a
  * jump, and with less than the load in force[2]; zero at first touch, where it never grows. WRC_FLAG_CLIMBING says that
  * none or several carry the load, or that the force falls on the way to the one returned.
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm:
- * where the height is given, continued with the stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero; a flange 4 mm and more inside the side of a rail may not be seen
+ * either), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the
+ * stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
  * end of a profile; what lies beyond carries nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
  * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
  * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);

@@ -73,7 +73,7 @@ const char* status_text(std::int32_t status) {
   }
 }
 
-void write_sentence(const Fault& fault, char* text, std::size_t size) {
+void write_sentence(const Fault& fault, char* text, std::size_t size, const char* file) {
   const FloatingPointScope scope;  // digits are inexact, and the value refused may be a signalling NaN
   Sentence out(text, size);
   if (fault.status == WRC_OK) return;
@@ -113,6 +113,11 @@ void write_sentence(const Fault& fault, char* text, std::size_t size) {
   if (fault.cause != nullptr) {
     out.add(": ");
     out.add(fault.cause);
+  }
+  if (file != nullptr) {
+    out.add(" (");
+    out.add(file);
+    out.add(")");
   }
 }
 

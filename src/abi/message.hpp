@@ -12,7 +12,7 @@ const char* status_name(std::int32_t status);
 const char* status_text(std::int32_t status);
 
 /// Writes the sentence to `text` (`size` > 0 bytes, always terminated, cut if too long). Empty for WRC_OK.
-/// Uses neither locale nor heap.
-void write_sentence(const Fault& fault, char* text, std::size_t size);
+/// Uses neither locale nor heap. `file`: the one it is about, which it ends with; nullptr: about none.
+void write_sentence(const Fault& fault, char* text, std::size_t size, const char* file = nullptr);
 
 }  // namespace wrc::abi

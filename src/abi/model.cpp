@@ -121,8 +121,8 @@ namespace abi = wrc::abi;
 extern "C" {
 
 int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
+  wrc::ModelOptions options;
   const Fault fault = abi::guarded([&] {
-    wrc::ModelOptions options;
     Fault found = abi::read_options(config, options);
     if (found.failed()) return found;
     const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
@@ -133,7 +133,8 @@ int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
     abi::default_release(nullptr, memory);
     return found;
   });
-  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size);
+  const char* const file = fault.status == WRC_ERROR_FILE ? options.force_table : nullptr;
+  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size, file);
   return fault.status;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
 #include "surface/surface_means.hpp"
@@ -32,12 +33,7 @@ struct Scratch {
 };
 
 std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
-  double* at = memory;
-  const auto take = [&at](std::int64_t n) {
-    double* const here = at;
-    at += n;
-    return here;
-  };
+  Cutter take{memory};
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = take(size.rows * size.stride);
@@ -50,7 +46,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
        {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l, &w.growth,
         &w.level, &w.wanted_level, &w.wanted_shift, &w.shift, &w.seen.value, &w.seen.by_length, &w.seen.by_x})
     *a = take(padded);
-  return at - memory;
+  return take.at - memory;
 }
 
 /// A point's displacement: its row over the unknowns, added with a factor, and what turning adds to it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "surface/lobes.hpp"
 
@@ -16,12 +17,8 @@ struct Memory {
   Strips strips;
 };
 
-Memory cut(double* at, std::int32_t most, std::int32_t strips) {
-  const auto take = [&at](std::int32_t n) {
-    double* const here = at;
-    at += n;
-    return here;
-  };
+Memory cut(double* memory, std::int32_t most, std::int32_t strips) {
+  Cutter take{memory};
   const std::int32_t rows = most + 2 * beyond;
   Memory m{take(most), take(rows), take(rows), take(rows), take(rows), {}};
   m.strips = {strips, 0, take(strips), take(strips), take(strips), take(strips), take(strips)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
@@ -21,15 +22,12 @@ struct Memory {
   void* method;
 };
 
-Memory cut(double* at, std::int32_t count) {
-  const auto take = [&] {
-    double* const here = at;
-    at += count;
-    return here;
-  };
+Memory cut(double* memory, std::int32_t count) {
+  Cutter cutter{memory};
+  const auto take = [&] { return cutter(count); };
   Memory m{take(), take(), take(), take(), take(), take(), {}, nullptr};
   m.strips = {count, 0, take(), take(), take(), take(), take()};
-  m.method = at;
+  m.method = cutter.at;
   return m;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
 
@@ -188,12 +189,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
                         std::int32_t most_strips, double* memory, VaryingRail& rail) {
   rail = {};
   rail.room = most_strips;
-  double* at = memory;
-  const auto take = [&at](std::int64_t n) {
-    double* const here = at;
-    at += n;
-    return here;
-  };
+  Cutter take{memory};
   double* const distance = take(count);
   double* const outline = take(static_cast<std::int64_t>(count) * 8 * most_strips);
   double* const step = take(most_strips);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
 #include "kernels/kernels.hpp"
@@ -45,12 +46,7 @@ struct Scratch {
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
-  double* at = memory;
-  const auto take = [&at](std::int64_t n) {
-    double* const here = at;
-    at += n;
-    return here;
-  };
+  Cutter take{memory};
   const auto numbers = [&]<class Each>(Each*& array, std::int64_t each) {
     static_assert(sizeof(Each) % sizeof(double) == 0);
     array =
@@ -60,10 +56,10 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (double** a : {&p.place, &p.width, &p.strength, &p.length_squared, &p.centre}) *a = take(most);
   for (PlaceDual** a : {&p.changed_strength, &p.changed_length_squared, &p.changed_centre}) numbers(*a, 1);
   numbers(p.overlap, 1);
-  double* const shared = at;
+  double* const shared = take.at;
   w.normal = take(normal_slopes_doubles(most));
-  double* const end = at;
-  at = shared;
+  double* const end = take.at;
+  take.at = shared;
   LoadedStrips& s = w.loaded;
   s.pressed = reinterpret_cast<std::int32_t*>(take((most + 1) / 2));
   s.place = take(most);
@@ -74,7 +70,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   numbers(w.numbers, RollingArraysOf<Number>::count);
   w.values = take(most * kernel_numbers);
   w.slopes = take(most * 3 * simd::strip_inputs);
-  return std::max(at, end) - memory;
+  return std::max(take.at, end) - memory;
 }
 
 /// Coefficients of the law at the strips' sliding speeds: find_friction() of wheel_on_rail.cpp.

@@ -360,6 +360,7 @@ TEST(ForceTableFile, IsNeeded) {
   std::uint64_t bytes = 0, alignment = 0;
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_FILE);
   expect_mentions(text, "cannot be opened");
+  expect_mentions(text, config.tangential.force_table);
   EXPECT_EQ(wrc_model_size(&config, &bytes, &alignment), WRC_ERROR_FILE);
   EXPECT_EQ(bytes, 0u);
   config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;  // which does not look at it

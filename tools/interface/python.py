@@ -306,6 +306,7 @@ class _Writer:
             passed[at:at + 1] = ["_text", "len(_text)"]
             body.append("_text = c.create_string_buffer(1024)")
         call = f"_{function.name}({', '.join(passed)})"
+        prepared = len(body)
         if owner and sentence:
             body += ["with self._lock:", f"    status = self._status = {call}", "_l.check_watched(status, _text, _watch)" if progress else
                      "_l.check(status, _text)"]
@@ -317,6 +318,11 @@ class _Writer:
             body += [f"_l.check_watched({call}, {'_text' if sentence else 'None'}, _watch)"]
         else:
             body += [f"_l.check({call}{', _text' if sentence else ''})"]
+        structs = [(each, kind) for each, kind, role in roles if role == "in"] + [(answers[k], kind) for k, (_, kind) in enumerate(outs)]
+        given = ", ".join(f"{each}=({each}, {class_name(kind.base)})" for each, kind in structs)
+        if given:
+            body[prepared:] = ["try:", *[f"    {each}" for each in body[prepared:]], "except c.ArgumentError as _why:",
+                               f"    raise _l.misfit(_why, {given}) from None"]
         body.append(f"return {', '.join(answers)}")
         return lines + [f"{indent}    {each}" for each in body]
 

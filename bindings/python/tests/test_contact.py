@@ -146,6 +146,8 @@ def test_batches_refuse_what_does_not_fit(model):
     with pytest.raises(ValueError, match="once"):
         wrc.Batch([contacts[0], contacts[0]])
     batch = wrc.Batch(contacts)
+    with pytest.raises(TypeError, match=r"input is a wrc.Input, not a dict: wrc.Input\(\*\*values\)"):
+        model.contact().step({"load": {"normal_force": 80e3}})
     with pytest.raises(TypeError, match=r"wrc.Input.array\(2\)"):
         batch.step(np.zeros(2))
     inputs = wrc.Input.array(2, like=wrc.Input(**LOADED))

@@ -3335,10 +3335,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = ContactPoint._new()
-        with self._lock:
-            status = self._status = _wrc_contact_geometry(self._handle, pose, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_geometry(self._handle, pose, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, pose=(pose, Pose), out=(out, ContactPoint)) from None
         return out
 
     def creepages(self, motion: Motion, *, out: Optional[Creepage] = None) -> Creepage:
@@ -3362,10 +3365,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Creepage._new()
-        with self._lock:
-            status = self._status = _wrc_contact_creepages(self._handle, motion, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_creepages(self._handle, motion, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, motion=(motion, Motion), out=(out, Creepage)) from None
         return out
 
     def normal(self, load: Load, gap: Optional[Gap] = None, *, out: Optional[NormalSolution] = None) -> NormalSolution:
@@ -3387,10 +3393,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = NormalSolution._new()
-        with self._lock:
-            status = self._status = _wrc_contact_normal(self._handle, gap, load, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_normal(self._handle, gap, load, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, gap=(gap, Gap), load=(load, Load), out=(out, NormalSolution)) from None
         return out
 
     def regularise(self, strips: Optional[Strips] = None, *, out: Optional[NormalSolution] = None) -> NormalSolution:
@@ -3407,10 +3416,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = NormalSolution._new()
-        with self._lock:
-            status = self._status = _wrc_contact_regularise(self._handle, strips, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_regularise(self._handle, strips, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, strips=(strips, Strips), out=(out, NormalSolution)) from None
         return out
 
     def tangential(self, creepage: Creepage, friction: Friction, ellipse: Optional[Ellipse] = None, *, out: Optional[Forces] = None) -> Forces:
@@ -3430,10 +3442,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Forces._new()
-        with self._lock:
-            status = self._status = _wrc_contact_tangential(self._handle, ellipse, creepage, friction, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_tangential(self._handle, ellipse, creepage, friction, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, ellipse=(ellipse, Ellipse), creepage=(creepage, Creepage), friction=(friction, Friction), out=(out, Forces)) from None
         return out
 
     def damage(self, *, out: Optional[Damage] = None) -> Damage:
@@ -3446,10 +3461,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Damage._new()
-        with self._lock:
-            status = self._status = _wrc_contact_damage(self._handle, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_damage(self._handle, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Damage)) from None
         return out
 
     def wear(self, laws: Optional[WearLaws] = None, *, out: Optional[Wear] = None) -> Wear:
@@ -3465,10 +3483,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Wear._new()
-        with self._lock:
-            status = self._status = _wrc_contact_wear(self._handle, laws, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_wear(self._handle, laws, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, laws=(laws, WearLaws), out=(out, Wear)) from None
         return out
 
     def sensitivities(self, *, out: Optional[Sensitivity] = None) -> Sensitivity:
@@ -3489,10 +3510,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Sensitivity._new()
-        with self._lock:
-            status = self._status = _wrc_contact_sensitivities(self._handle, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_sensitivities(self._handle, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Sensitivity)) from None
         return out
 
     def step_sensitivities(self, *, out: Optional[StepSensitivity] = None) -> StepSensitivity:
@@ -3509,10 +3533,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = StepSensitivity._new()
-        with self._lock:
-            status = self._status = _wrc_contact_step_sensitivities(self._handle, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_step_sensitivities(self._handle, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, StepSensitivity)) from None
         return out
 
     def step(self, input: Input, *, out: Optional[Output] = None) -> Output:
@@ -3527,10 +3554,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Output._new()
-        with self._lock:
-            status = self._status = _wrc_contact_step(self._handle, input, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_step(self._handle, input, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, input=(input, Input), out=(out, Output)) from None
         return out
 
     def patch(self, index: int, *, out: Optional[Patch] = None) -> Patch:
@@ -3544,10 +3574,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Patch._new()
-        with self._lock:
-            status = self._status = _wrc_contact_patch(self._handle, index, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_patch(self._handle, index, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Patch)) from None
         return out
 
     def wrench(self, input: WheelInput, *, out: Optional[Wrench] = None) -> Wrench:
@@ -3568,23 +3601,27 @@ class ContactCalls(_l.Handle):
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero), _ITERATION_CAP, _CLIMBING (above),
-            _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the stiffness and the
-            directions there), _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries
-            nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
-            Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
-            the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
-            the field side carry nothing); Status.FLAG_TABLE_RANGE (of methods that know patches);
-            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles,
-            friction zones in a contact frame, or friction over temperature of a method without tractions),
-            _LOAD (the load cannot be carried at this pose).
+        C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero; a flange 4 mm and more inside the side
+            of a rail may not be seen either), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2
+            mm: where the height is given, continued with the stiffness and the directions there),
+            _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries nothing),
+            _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as Contact.creepages()),
+            _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is whole;
+            or, says the sentence, more strips overlap than there is room for: those on the field side carry
+            nothing); Status.FLAG_TABLE_RANGE (of methods that know patches); Status.ERROR_NULL, _STRUCT_SIZE,
+            _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles, friction zones in a contact frame, or
+            friction over temperature of a method without tractions), _LOAD (the load cannot be carried at
+            this pose).
         """
         if out is None:
             out = Wrench._new()
-        with self._lock:
-            status = self._status = _wrc_contact_wrench(self._handle, input, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_wrench(self._handle, input, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, input=(input, WheelInput), out=(out, Wrench)) from None
         return out
 
     def wrench_sensitivities(self, input: WheelInput, *, wrench: Optional[Wrench] = None, sensitivities: Optional[WrenchSensitivities] = None) -> Tuple[Wrench, WrenchSensitivities]:
@@ -3605,10 +3642,13 @@ class ContactCalls(_l.Handle):
             wrench = Wrench._new()
         if sensitivities is None:
             sensitivities = WrenchSensitivities._new()
-        with self._lock:
-            status = self._status = _wrc_contact_wrench_sensitivities(self._handle, input, wrench, sensitivities)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_wrench_sensitivities(self._handle, input, wrench, sensitivities)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, input=(input, WheelInput), wrench=(wrench, Wrench), sensitivities=(sensitivities, WrenchSensitivities)) from None
         return wrench, sensitivities
 
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
@@ -3622,10 +3662,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Region._new()
-        with self._lock:
-            status = self._status = _wrc_contact_region(self._handle, index, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_region(self._handle, index, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Region)) from None
         return out
 
     def region_ellipse(self, index: int, *, out: Optional[Ellipse] = None) -> Ellipse:
@@ -3642,10 +3685,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Ellipse._new()
-        with self._lock:
-            status = self._status = _wrc_contact_region_ellipse(self._handle, index, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_region_ellipse(self._handle, index, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Ellipse)) from None
         return out
 
     def region_damage(self, index: int, *, out: Optional[Damage] = None) -> Damage:
@@ -3661,10 +3707,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Damage._new()
-        with self._lock:
-            status = self._status = _wrc_contact_region_damage(self._handle, index, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_region_damage(self._handle, index, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, Damage)) from None
         return out
 
     def temperature(self, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
@@ -3688,10 +3737,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Temperature._new()
-        with self._lock:
-            status = self._status = _wrc_contact_temperature(self._handle, bulk, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_temperature(self._handle, bulk, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, bulk=(bulk, BulkTemperatures), out=(out, Temperature)) from None
         return out
 
     def region_temperature(self, index: int, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
@@ -3708,10 +3760,13 @@ class ContactCalls(_l.Handle):
         """
         if out is None:
             out = Temperature._new()
-        with self._lock:
-            status = self._status = _wrc_contact_region_temperature(self._handle, index, bulk, out)
-            if status < 0:
-                raise self._error(status)
+        try:
+            with self._lock:
+                status = self._status = _wrc_contact_region_temperature(self._handle, index, bulk, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, bulk=(bulk, BulkTemperatures), out=(out, Temperature)) from None
         return out
 
     def exact_check(self, nx: int, ny: int, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
@@ -3731,11 +3786,14 @@ class ContactCalls(_l.Handle):
         if out is None:
             out = ExactCheckResult._new()
         _watch = s.Watch(progress)
-        with self._lock:
-            status = self._status = _wrc_exact_check(self._handle, nx, ny, _watch.c, None, out)
-            _watch.end()
-            if status < 0:
-                raise self._error(status, _watch)
+        try:
+            with self._lock:
+                status = self._status = _wrc_exact_check(self._handle, nx, ny, _watch.c, None, out)
+                _watch.end()
+                if status < 0:
+                    raise self._error(status, _watch)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, ExactCheckResult)) from None
         return out
 
     def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
@@ -3771,11 +3829,14 @@ class ContactCalls(_l.Handle):
         if progress:
             options = options.copy() if options else ExactWrenchOptions()
             options.progress = _watch.c
-        with self._lock:
-            status = self._status = _wrc_exact_wrench(self._handle, input, options, out)
-            _watch.end()
-            if status < 0:
-                raise self._error(status, _watch)
+        try:
+            with self._lock:
+                status = self._status = _wrc_exact_wrench(self._handle, input, options, out)
+                _watch.end()
+                if status < 0:
+                    raise self._error(status, _watch)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, input=(input, WheelInput), options=(options, ExactWrenchOptions), out=(out, Wrench)) from None
         return out
 
 
@@ -3792,7 +3853,10 @@ def linear_coefficients(a_over_b: float, psi: float, poisson: float, *, out: Opt
     """
     if out is None:
         out = Coefficients._new()
-    _l.check(_wrc_linear_coefficients(a_over_b, psi, poisson, out))
+    try:
+        _l.check(_wrc_linear_coefficients(a_over_b, psi, poisson, out))
+    except c.ArgumentError as _why:
+        raise _l.misfit(_why, out=(out, Coefficients)) from None
     return out
 
 

@@ -6,7 +6,7 @@ import os
 import pathlib
 import sys
 import threading
-from typing import Any, Callable, Dict, Optional
+from typing import Any, Callable, Dict, Optional, Tuple
 
 NAMES = {"win32": "wrc.dll", "darwin": "libwrc.dylib"}
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -81,6 +81,16 @@ def check(status: int, text: Optional[c.Array] = None) -> int:
     if status < 0:
         raise fault(status, text.value.decode(errors="replace") if text is not None else "")
     return status
+
+
+def misfit(why: Exception, **given: Tuple[Any, type]) -> TypeError:
+    """The exception for an argument that is not the struct it should be: name=(what was given, the struct's class)."""
+    for name, (value, kind) in given.items():
+        if value is not None and not isinstance(value, kind):
+            struct = f"wrc.{kind.__name__}"
+            return TypeError(f"{name} is a {struct}, not a {type(value).__name__}: " + (
+                f"{struct}(**values) makes one of a dict" if isinstance(value, dict) else f"{struct}(member=value, ...) makes one"))
+    return TypeError(str(why))
 
 
 def check_watched(status: int, text: Optional[c.Array], watch: Any) -> int:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "base/cutter.hpp"
+
 namespace wrc {
 namespace {
 
@@ -30,12 +32,7 @@ constexpr std::int64_t arrays_of_indices = 4;
 
 StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept {
   const Sizes sizes(capacity);
-  auto* next = static_cast<double*>(memory);
-  const auto take = [&](std::int64_t size) {
-    double* const block = next;
-    next += size;
-    return block;
-  };
+  Cutter take{static_cast<double*>(memory)};
   StripSystem s;
   for (double** field : {&s.grid.y, &s.grid.width, &s.cell_y, &s.cell_width, &s.height, &s.curvature,
                          &s.gap_centre, &s.half_length, &s.inverse_length, &s.centre, &s.peak, &s.by_approach,
@@ -54,7 +51,7 @@ StripSystem lay_out_strips(void* memory, std::int32_t capacity) noexcept {
   s.influence = take(sizes.influence);
   s.matrix = take(sizes.matrix);
   // behind the doubles, in memory that holds no objects yet
-  auto* const indices = reinterpret_cast<std::int32_t*>(next);
+  auto* const indices = reinterpret_cast<std::int32_t*>(take.at);
   s.grid.region = indices;
   s.active = indices + capacity;
   s.next_active = indices + 2 * capacity;
