@@ -37,7 +37,7 @@ WheelDeviation::WheelDeviation(const OutOfRound& wheel, double angle) : wheel_(w
 WheelDeviation::Value WheelDeviation::row_at(int row, double place) const {
   const double at = std::clamp(place / step + to_either_side, 0.0, nodes - 1.0);
   const int k = std::min(static_cast<int>(at), nodes - 2);
-  const auto first = static_cast<std::size_t>(row * nodes + k);
+  const auto first = static_cast<std::size_t>(row) * nodes + static_cast<std::size_t>(k);
   const Value &a = nodes_[first], &b = nodes_[first + 1];
   const double t = at - k, rise = b.depth - a.depth, from = step * a.slope - rise, to = rise - step * b.slope;
   return {
