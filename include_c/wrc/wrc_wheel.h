@@ -335,11 +335,12 @@ WRC_DEFAULT_SIZED(wrc_region)
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
 /** wrc_contact_wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the equations of
- * its solution, not by differences. For implicit integrators; it takes two to three times as long as the wrench alone. Theory
- * manual, section 9.
+ * its solution, not by differences; but with WRC_FRICTION_TEMPERATURE the tractions' part by a difference of their solution
+ * for each of ten numbers. For implicit integrators; it takes two to three times as long as the wrench alone, over temperature
+ * four to five times. Theory manual, section 9.
  * @param contact as for wrc_contact_wrench(), of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM;
  * others are refused (WRC_ERROR_UNSUPPORTED)
- * @param input as for wrc_contact_wrench(), but not with WRC_FRICTION_TEMPERATURE, which has no derivatives and is refused
+ * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] sensitivities the derivatives; NULL: not wanted
  * @return as wrc_contact_wrench(). Derivatives are zero without contact; with WRC_FLAG_BEYOND_GAP they are those where the

@@ -115,7 +115,7 @@ TangentialForces roll_heated(Contact& contact, const Patch& patch, const Frictio
   const ModelOptions& options = contact.model->options;
   const Strips& region = rolling.region;
   constexpr std::int32_t most_strips = 512;
-  double cold[most_strips], share[most_strips];
+  double cold[most_strips] = {}, share[most_strips] = {};
   double* const shares = array(contact, Array::strip_friction) + patch.region_first;
   for (std::int32_t j = 0; j < region.count; ++j) cold[j] = rolling.friction[j];
   HeatedFriction heat(law, options.effusivities, options.sizes.cells, contact.rolling.speed);

@@ -185,13 +185,6 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
             .cause = normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
                             : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone"};
   }
-  if (slopes && !hosted.frictionless && hosted.friction.law.fall == FrictionLaw::Fall::heat) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.kind",
-            .value = static_cast<double>(hosted.friction.law.fall),
-            .unit = "",
-            .cause = "friction over temperature has no derivatives: difference wrc_contact_wrench"};
-  }
   if (model.options.non_steady) {
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config.non_steady",

@@ -42,15 +42,17 @@ class HeatedFriction {
 };
 
 /// Solves: `solve` with the strips' shares of their cold coefficients as they are, then fills `fields`; of
-/// the last solution both are left. Flags shares that still move by more than a thousandth.
+/// the last solution both are left. Flags shares that still move by more than a thousandth. `again`: so many
+/// solutions from the shares as they are.
 template <class Solve>
 Fault solve_heated(HeatedFriction& heat, const Strips& region, const TangentialFields& fields, double* rise,
-                   double* share, Solve&& solve) {
-  for (std::int32_t j = 0; j < region.count; ++j) share[j] = heat.share_at_entry();
+                   double* share, Solve&& solve, int again = 0) {
+  const int solutions = again > 0 ? again : heat_solutions;
+  for (std::int32_t j = 0; j < region.count && again == 0; ++j) share[j] = heat.share_at_entry();
   double change = 0.0;
-  for (int k = 0; k < heat_solutions; ++k) {
+  for (int k = 0; k < solutions; ++k) {
     solve();
-    change = heat.settle(region, fields, k + 1 == heat_solutions, rise, share);
+    change = heat.settle(region, fields, k + 1 == solutions, rise, share);
   }
   constexpr double settled = 1e-3;
   if (!(change > settled)) return {};

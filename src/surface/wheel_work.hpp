@@ -38,8 +38,8 @@ struct WheelWork {
   double *place, *width, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz,
       *other_fx, *other_fy, *other_mz;
   double *cold_friction, *heat_share;  ///< of friction over temperature (damage/heated_friction.hpp)
-  std::int32_t* candidate;  ///< of a strip in contact
-  TangentialFields fields;  ///< over their cells, on request; scratch of FaStrip
+  std::int32_t* candidate;             ///< of a strip in contact
+  TangentialFields fields;             ///< over their cells, on request; scratch of FaStrip
   // of the last solve
   std::int32_t loaded;   ///< strips in contact
   double speed;          ///< what their slips are over [m/s]

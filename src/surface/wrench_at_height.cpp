@@ -159,6 +159,26 @@ Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count,
   return fault;
 }
 
+Fault roll_heated(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards,
+                  double speed, WheelWork& w, const SurfaceRollingForces& forces, int again) {
+  HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
+  if (rolls_by_region(model, in)) {
+    std::copy_n(w.cold_friction, count, w.friction);
+    return roll(model, in, count, backwards, w, {}, forces, &heat);
+  }
+  Strips strips;
+  strips.count = count;
+  strips.half_length = w.half_length;
+  Fault fault;
+  const auto solve = [&] {
+    for (std::int32_t k = 0; k < count; ++k) w.friction[k] = w.cold_friction[k] * w.heat_share[k];
+    keep_worst(fault, roll(model, in, count, backwards, w, w.fields, forces));
+  };
+  const Fault unsettled = solve_heated(heat, strips, w.fields, w.fields.slip_x, w.heat_share, solve, again);
+  keep_worst(fault, unsettled);
+  return fault;
+}
+
 namespace {
 
 /// Velocity of the wheel's point less the rail's, rail axes; r from the wheel's reference point.
@@ -228,27 +248,6 @@ Loaded take_loaded_strips(const WheelOnRail& in, const Seen& seen, WheelWork& w)
     loaded.below += N * o.wz[i];
   }
   return loaded;
-}
-
-/// Tractions under friction over temperature, `speed` that of rolling [m/s]; leaves the hot coefficients.
-Fault roll_heated(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards,
-                  double speed, WheelWork& w, const SurfaceRollingForces& forces) {
-  HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
-  if (rolls_by_region(model, in)) {
-    std::copy_n(w.cold_friction, count, w.friction);
-    return roll(model, in, count, backwards, w, {}, forces, &heat);
-  }
-  Strips strips;
-  strips.count = count;
-  strips.half_length = w.half_length;
-  Fault fault;
-  const auto solve = [&] {
-    for (std::int32_t k = 0; k < count; ++k) w.friction[k] = w.cold_friction[k] * w.heat_share[k];
-    keep_worst(fault, roll(model, in, count, backwards, w, w.fields, forces));
-  };
-  const Fault unsettled = solve_heated(heat, strips, w.fields, w.fields.slip_x, w.heat_share, solve);
-  keep_worst(fault, unsettled);
-  return fault;
 }
 
 /// Makes slips of the strips' velocities and finds their tractions; returns the speed the slips refer to.

@@ -27,6 +27,11 @@ bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
 Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards, WheelWork& w,
            const TangentialFields& fields, SurfaceRollingForces forces, HeatedFriction* heat = nullptr);
 
+/// The same under friction over temperature, `speed` that of rolling [m/s], from the strips' cold_friction;
+/// leaves the hot coefficients. `again`: so many solutions from heat_share.
+Fault roll_heated(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count, bool backwards,
+                  double speed, WheelWork& w, const SurfaceRollingForces& forces, int again = 0);
+
 /// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
 /// the overlaps at this height stand in w.overlaps already.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,

@@ -1,5 +1,6 @@
 #include "surface/wrench_slopes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/cutter.hpp"
@@ -11,6 +12,7 @@
 #include "surface/strip_numbers.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wheel_work.hpp"
+#include "surface/wrench_at_height.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
@@ -165,6 +167,57 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
     for (Number* numbers : {s.slip_x, s.spin, fx, mz}) mirror(numbers);
 }
 
+/// Tractions under friction over temperature, at a speed: by one difference of their solution along what each
+/// input changes of the strips. The arrays of the solved strips serve as work space.
+void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& solved,
+                       const Number& speed, bool backwards, const LoadedStrips& s, Number* fx, Number* fy,
+                       Number* mz) {
+  constexpr double relative_step = 3e-7, least_slip = 1e-4;
+  WheelWork work = solved;
+  const Number* const from[] = {s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin};
+  double* const to[] = {work.half_length, work.peak, work.curvature, work.slip_x, work.slip_y, work.spin};
+  Number* const forces[] = {fx, fy, mz};
+  const double* const found[] = {work.fx, work.fy, work.mz};
+  constexpr int more_solutions = 3;  // from friction found
+  constexpr int numbers = 6, results = 3, lengths = 0, slips = 3, spins = 5;
+  double size[numbers] = {};
+  for (int a = 0; a < numbers; ++a)
+    for (std::int32_t k = 0; k < s.count; ++k) size[a] = larger(size[a], magnitude(from[a][k].value));
+  const double slip =
+      larger(larger(size[slips], size[slips + 1]), larger(size[spins] * size[lengths], least_slip));
+  size[slips] = size[slips + 1] = slip;
+  size[spins] = slip / size[lengths];
+  for (std::int32_t k = 0; k < s.count; ++k)
+    work.cold_friction[k] = friction_at_rest(work.rail, *in.law, work.overlaps.strip[work.candidate[k]]);
+  double share[most_differentiated_strips];
+  const auto solve = [&](std::size_t input, double step, int again) {
+    if (again > 0) std::copy_n(share, s.count, work.heat_share);
+    for (std::int32_t k = 0; k < s.count; ++k)
+      for (int a = 0; a < numbers; ++a) to[a][k] = from[a][k].value + step * from[a][k].d[input];
+    for (std::int32_t k = 0; k < s.count; ++k) to[lengths][k] = larger(to[lengths][k], 0.0);
+    roll_heated(model, in, s.count, backwards, speed.value + step * speed.d[input], work,
+                {work.fx, work.fy, work.mz}, again);
+  };
+  solve(0, 0.0, 0);
+  for (int r = 0; r < results; ++r)
+    for (std::int32_t k = 0; k < s.count; ++k) forces[r][k] = found[r][k];
+  std::copy_n(work.heat_share, s.count, share);
+  double base[results][most_differentiated_strips];
+  solve(0, 0.0, more_solutions);
+  for (int r = 0; r < results; ++r) std::copy_n(found[r], s.count, base[r]);
+  for (std::size_t input = 0; input < seen_inputs; ++input) {
+    double change = magnitude(speed.d[input]) / speed.value;
+    for (int a = 0; a < numbers; ++a)
+      for (std::int32_t k = 0; k < s.count; ++k)
+        change = larger(change, magnitude(from[a][k].d[input]) / size[a]);
+    if (!(change > 0.0)) continue;
+    const double step = relative_step / change;
+    solve(input, step, more_solutions);
+    for (int r = 0; r < results; ++r)
+      for (std::int32_t k = 0; k < s.count; ++k) forces[r][k].d[input] = (found[r][k] - base[r][k]) / step;
+  }
+}
+
 /// Makes slips of the strips' velocities and finds their tractions: roll_strips() of wheel_on_rail.cpp.
 void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
                  const Number& rolling_speed, const Scratch& w) {
@@ -174,11 +227,19 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
   if (in.law) find_friction(*in.law, reference.divisor, work, s);
+  const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
+  const auto roll_one_way = [&](bool backwards, Number* fx, Number* fy, Number* mz) {
+    if (heated) {
+      difference_heated(model, in, work, reference.divisor, backwards, s, fx, fy, mz);
+    } else {
+      roll(model, in, backwards, w, fx, fy, mz);
+    }
+  };
   const bool backwards = rolling_speed.value < 0.0;
-  roll(model, in, backwards, w, s.fx, s.fy, s.mz);
+  roll_one_way(backwards, s.fx, s.fy, s.mz);
   const Number& other = reference.other_way;
   if (!(other.value > 0.0)) return;
-  roll(model, in, !backwards, w, s.other_fx, s.other_fy, s.other_mz);
+  roll_one_way(!backwards, s.other_fx, s.other_fy, s.other_mz);
   for (std::int32_t k = 0; k < s.count; ++k) {
     s.fx[k] += other * (s.other_fx[k] - s.fx[k]);
     s.fy[k] += other * (s.other_fy[k] - s.fy[k]);

@@ -252,9 +252,6 @@ TEST_F(HeatedWheel, EveryMethodWithTractionsHeats) {
 
 TEST_F(HeatedWheel, RefusesWhatItCannot) {
   create();
-  wrc_wrench_sensitivities slopes{};
-  EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &slopes), WRC_ERROR_UNSUPPORTED);
-  ReferenceWheel::expect_words(error(), {"input.friction.kind", "derivatives"});
   EXPECT_EQ(wrc_exact_wrench(contact, &input, nullptr, &wrench), WRC_ERROR_UNSUPPORTED);
   friction.hot_temperature = friction.cold_temperature;
   EXPECT_EQ(step(), WRC_ERROR_RANGE);

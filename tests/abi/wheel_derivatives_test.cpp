@@ -115,6 +115,23 @@ TEST_P(WheelDerivatives, FrictionThatFallsAndALayer) {
   expect_differences(differences_see);
 }
 
+TEST_P(WheelDerivatives, FrictionOverTemperature) {
+  input.friction.coefficient = 0.4;
+  input.friction.kind = WRC_FRICTION_TEMPERATURE;
+  const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+  for (const double way : {1.0, -1.0}) {
+    wheel.velocity[0] = way * 40.0;
+    for (const double slip : {0.003, 0.02}) {
+      for (const double y : {0.0, 5e-3, 6.5e-3}) {
+        SCOPED_TRACE(testing::Message() << way << ' ' << slip << ' ' << y);
+        wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * (1.0 + slip);
+        press(outward * y, 60e3);
+        expect_differences(differences_see);
+      }
+    }
+  }
+}
+
 TEST_P(WheelDerivatives, Backwards) {
   input.friction.coefficient = 0.3;
   wheel.velocity[0] = -20.0;
@@ -131,6 +148,8 @@ TEST_P(WheelDerivatives, NearStandstillBothWaysHaveAShare) {
   rail.y_velocity = rail.z_velocity = rail.roll_velocity = 1e-4;
   wheel.velocity[2] = wheel.angular_velocity[0] = wheel.angular_velocity[2] = 1e-4;
   press(0.0, 60e3);
+  expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);
+  input.friction.kind = WRC_FRICTION_TEMPERATURE;
   expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);
 }
 

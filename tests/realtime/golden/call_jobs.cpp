@@ -323,6 +323,11 @@ void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     for (double number : {temperature.rise, temperature.x, temperature.y, temperature.mean_rise,
                           temperature.wheel_heat, temperature.rail_heat})
       hash.add(number);
+    if (i % 3 != 0) continue;
+    wrc_wrench_sensitivities found{};
+    hash.add(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found));
+    for (const auto& row : found.wrench)
+      for (double number : row) hash.add(number);
   }
 }
 

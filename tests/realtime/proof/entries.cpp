@@ -276,7 +276,9 @@ int32_t wheel_heated(Wheel& wheel) {
   wrc_wheel_input input = wheel_input(wheel);
   input.friction.kind = WRC_FRICTION_TEMPERATURE;
   wrc_wrench wrench = wrc_wrench_default();
-  const int32_t status = wrc_contact_wrench(wheel.contact, &input, &wrench);
+  wrc_wrench_sensitivities found{};
+  int32_t status = wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+  if (status == WRC_ERROR_UNSUPPORTED) status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   // it is for methods with tractions
   return wheel.methods.tangential == preset_table && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
