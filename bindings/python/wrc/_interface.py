@@ -3626,11 +3626,12 @@ class ContactCalls(_l.Handle):
 
     def wrench_sensitivities(self, input: WheelInput, *, wrench: Optional[Wrench] = None, sensitivities: Optional[WrenchSensitivities] = None) -> Tuple[Wrench, WrenchSensitivities]:
         """Contact.wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the
-            equations of its solution, not by differences. For implicit integrators; it takes two to three
-            times as long as the wrench alone. Theory manual, section 9.
+            equations of its solution, not by differences; but with FrictionKind.TEMPERATURE the tractions'
+            part by a difference of their solution for each of ten numbers. For implicit integrators; it takes
+            two to three times as long as the wrench alone, over temperature four to five times. Theory
+            manual, section 9.
 
-        input: as for Contact.wrench(), but not with FrictionKind.TEMPERATURE, which has no derivatives and is
-            refused
+        input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
         sensitivities: the derivatives; None: a new one
 
