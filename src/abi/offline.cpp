@@ -444,6 +444,13 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (fault.failed()) return fault;
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
+  if (placed.problem.law && placed.problem.law->fall == FrictionLaw::Fall::heat) {
+    return {.status = WRC_ERROR_UNSUPPORTED,
+            .field = "input.friction.kind",
+            .value = static_cast<double>(placed.problem.law->fall),
+            .unit = "",
+            .cause = "the exact solution has no temperatures: take another law"};
+  }
   const SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;
   halfspace::WheelAndRail bodies{

@@ -3814,7 +3814,7 @@ class ContactCalls(_l.Handle):
             added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
             rail that is level along the track. Each row of cells has one patch along the track.
 
-        input: as for Contact.wrench()
+        input: as for Contact.wrench(); without FrictionKind.TEMPERATURE: there are no temperatures
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
