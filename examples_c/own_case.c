@@ -16,7 +16,7 @@ enum { MOST_POINTS = 20000 };
 static uint32_t read_points(const char* path, double scale, double* y, double* z) {
   FILE* file = fopen(path, "r");
   if (file == NULL) {
-    fprintf(stderr, "cannot open profile file '%s'\n", path);
+    fprintf(stderr, "cannot open profile file '%s'; built in are S1002 and the rails 60E1 and UIC60\n", path);
     exit(EXIT_FAILURE);
   }
   char line[256];
@@ -123,8 +123,11 @@ static options parse(int argc, char** argv) {
       given.rail = argv[++i];
     } else if (value != NULL && strcmp(option, "--csv") == 0) {
       given.csv = argv[++i];
-    } else if (value != NULL && strcmp(option, "--unit") == 0 &&
-               (strcmp(value, "mm") == 0 || strcmp(value, "m") == 0)) {
+    } else if (value != NULL && strcmp(option, "--unit") == 0) {
+      if (strcmp(value, "mm") != 0 && strcmp(value, "m") != 0) {
+        fprintf(stderr, "--unit is mm or m, not '%s'\n", value);
+        exit(EXIT_FAILURE);
+      }
       given.scale = strcmp(value, "mm") == 0 ? 1e-3 : 1.0;
       ++i;
     } else {

@@ -72,9 +72,11 @@ Fault check_rail_orientation(std::int32_t count, const double* y, const double* 
                     static_cast<std::int32_t>(bottom - z));
   }
   if (top == z || top == z + count - 1) {
-    return unusable("rail profile z", *top,
-                    "the highest point of the head is at an end of the points: the profile is cut too short",
-                    static_cast<std::int32_t>(top - z));
+    return unusable(
+        "rail profile z", *top,
+        "the highest point of the head is at an end of the points: is the profile cut too short, or a "
+        "wheel's?",
+        static_cast<std::int32_t>(top - z));
   }
   constexpr double datum_most = 0.020;  // a head wears down by this much before it is scrapped
   if (std::abs(*top) > datum_most) {
@@ -104,8 +106,8 @@ Fault check_wheel_orientation(std::int32_t count, const double* y, const double*
   if (y[flange] > 0.5 * (y[0] + y[count - 1])) {
     return unusable(
         "wheel profile y", y[flange],
-        "the flange is on the field side: the profile is mirrored, turn the sign of y and the order "
-        "of the points",
+        "the flange is on the field side: the profile is a rail's, or mirrored: turn the sign of y and the "
+        "order of the points",
         flange);
   }
   const double* after = std::lower_bound(y, y + count, 0.0);

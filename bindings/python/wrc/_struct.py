@@ -265,13 +265,17 @@ class Struct(c.Structure):
                     setattr(self, name, value.as_struct())
                 elif isinstance(value, str) and hasattr(type(now), "kind"):
                     if "." in value or "/" in value:
-                        raise ValueError(f"{value!r} is no built-in shape; a file is read by wrc.read_profile({value!r})")
+                        body = f", body={name!r}" if name in ("wheel", "rail") else ""
+                        raise ValueError(f"{value!r} is no built-in shape; a file is read by wrc.read_profile({value!r}{body})")
                     now.kind = value  # type: ignore[attr-defined]
                 else:
                     raise TypeError(f"{kind.__name__}.{name} is a wrc.{type(now).__name__} or a dict of its members, "
                                     f"not {value!r}")
             else:
-                setattr(self, name, value)
+                try:
+                    setattr(self, name, value)
+                except TypeError as why:
+                    raise TypeError(f"{kind.__name__}.{name}: {why}") from None
         return self
 
     def copy(self: S) -> S:
