@@ -225,6 +225,24 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
   return kept;
 }
 
+/// Hands on the strips in contact that strip i takes means over, with their weights, whose sum is returned.
+/// `from`: where among them to begin, 0 for the first i, which must rise from call to call.
+template <class Take>
+double weigh_near(const StripSet& s, std::int32_t i, std::int32_t kept, std::int32_t& from, const Scratch& w,
+                  const Take& take) {
+  const double reach = smoothing_reach(s.width[i]);
+  while (from < kept && s.place[i] - w.place[from] >= reach) ++from;
+  double weights = 0.0;
+  for (std::int32_t b = from; b < kept; ++b) {
+    const double t = (w.place[b] - s.place[i]) / reach;
+    if (t >= 1.0) break;
+    const double weight = smoothing_weight(t) * s.width[w.active[b]] * w.strength[b];
+    weights += weight;
+    take(b, weight);
+  }
+  return weights;
+}
+
 /// Levels and centres the edges ask for, smoothed; leaves the residuals of L and of the shifts.
 void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept, bool skewed, Scratch& w) {
   std::fill_n(s.q, s.count, 0.0);
@@ -258,17 +276,11 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   for (std::int32_t i = 0, a = 0; i < s.count; ++i) {
     const bool in = a < kept && w.active[a] == i;
     if (!in && !skewed) continue;
-    const double reach = smoothing_reach(s.width[i]);
-    while (from < kept && s.place[i] - w.place[from] >= reach) ++from;
-    double weights = 0.0, level = 0.0, shift = 0.0;
-    for (std::int32_t b = from; b < kept; ++b) {
-      const double t = (w.place[b] - s.place[i]) / reach;
-      if (t >= 1.0) break;
-      const double weight = smoothing_weight(t) * s.width[w.active[b]] * w.strength[b];
-      weights += weight;
+    double level = 0.0, shift = 0.0;
+    const double weights = weigh_near(s, i, kept, from, w, [&](std::int32_t b, double weight) {
       level += weight * w.wanted_level[b];
       shift += weight * w.wanted_shift[b];
-    }
+    });
     const bool lone = !(weights > 0.0);
     if (in) {
       s.level[i] = lone ? w.wanted_level[a] : level / weights;
@@ -322,17 +334,10 @@ void make_steps(const StripSet& s, std::int32_t kept, bool skewed, double* steps
     std::int32_t from = 0;
     for (std::int32_t a = 0; a < kept; ++a) {
       const std::int32_t i = w.active[a];
-      const double reach = smoothing_reach(s.width[i]);
-      while (s.place[i] - w.place[from] >= reach) ++from;
-      double weights = 0.0, mean_shift = 0.0;
-      for (std::int32_t b = from; b < kept; ++b) {
-        const double t = (w.place[b] - s.place[i]) / reach;
-        if (t >= 1.0) break;
-        const double weight = smoothing_weight(t) * s.width[w.active[b]] * w.strength[b];
-        weights += weight;
-        mean_shift += weight * shifts[w.active[b]];
-      }
-      const double rough = weights > 0.0 ? shifts[i] - mean_shift / weights : 0.0;
+      double near = 0.0;
+      const double weights = weigh_near(
+          s, i, kept, from, w, [&](std::int32_t b, double weight) { near += weight * shifts[w.active[b]]; });
+      const double rough = weights > 0.0 ? shifts[i] - near / weights : 0.0;
       w.smooth_shift[a] = smooth_shift_part * w.smooth_shift[a] + rough_shift_part * rough;
     }
   }
@@ -431,7 +436,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
     const std::int32_t slot = sweep % (history + 1);
     std::copy_n(s.L, n, w.x[slot]);
     std::copy_n(s.shift, n, w.x[slot] + n);
-    std::copy_n(w.residual, both, w.f[slot]);
+    std::copy_n(w.residual, 2 * n, w.f[slot]);
     make_steps(s, kept, skewed, w.f[slot], w);
     if (sweep == 0) shift_weight = area / (n * s.width[0]);
     accelerate(n, both, shift_weight, sweep, std::min(since, history), w);
