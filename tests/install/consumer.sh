@@ -132,7 +132,7 @@ case $way in
     ;;
   fetchcontent)
     need cmake
-    consumer_project fetchcontent -DFETCHCONTENT_SOURCE_DIR_WRC="$source" -DBUILD_SHARED_LIBS=OFF -DWRC_INSTALL=ON \
+    consumer_project fetchcontent -DFETCHCONTENT_SOURCE_DIR_WRC="$source" -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=ON -DWRC_INSTALL=ON \
       -DCMAKE_BUILD_TYPE=Debug
     runs "$scratch/project/first_step"
     if ldd "$scratch/project/first_step" | grep libwrc; then echo "not the static library"; exit 1; fi

@@ -17,7 +17,7 @@ bool prove_quiet(int steps);
 
 /// Floating-point exceptions, the inexact one too, that reach a host which traps them: every entry, every
 /// method.
-bool prove_no_traps();
+bool prove_no_traps(int steps);
 
 /// Deepest use of the stack by any entry with any method, below stack_bound bytes.
 bool prove_stack_bound();
