@@ -62,7 +62,7 @@ def test_choices_by_member_number_and_name():
         config.wheel.kind = "S1003"
     with pytest.raises(ValueError, match="choose 'NONE', 'POINTS'"):
         config.wheel.kind = "round"
-    with pytest.raises(ValueError, match=r"read by wrc.read_profile\('worn.whl'\)"):
+    with pytest.raises(ValueError, match=r"read by wrc.read_profile\('worn.whl', body='wheel'\)"):
         config.set(wheel="worn.whl")
     assert wrc.Profile(y=[0.0, 1.0], z=[0.0, 0.0]).kind is wrc.ProfileKind.POINTS
     assert str(wrc.Side.LEFT) == "LEFT" and wrc.Forces(available=1).available == wrc.Available.TRACTIONS

@@ -87,13 +87,15 @@ class Twins {
 
 }  // namespace
 
-bool prove_equal_bytes() {
+bool prove_equal_bytes(int steps) {
   const bool notices = harness_notices();
   std::printf("a deliberate hole: %s\n", notices ? "noticed" : "NOT NOTICED");
   int compared = 0, different = 0;
+  const int stride = stride_of(steps, 5);
+  int first = 0;
   for (const Methods& methods : all_methods()) {
     Twins twins(methods);
-    for (int i = 0; i < 10; ++i) {
+    for (int i = first++ % stride; i < 10; i += stride) {
       for (const Entry& entry : all_entries()) {
         const long at = twins.difference(1531 * i, entry);
         ++compared;

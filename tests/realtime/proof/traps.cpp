@@ -48,8 +48,7 @@ bool prove_no_traps(int steps) {
   const bool notices = disturbs([&] { third = 1.0 / three; });
   std::printf("deliberate inexact division: %s\n", notices ? "noticed" : "NOT NOTICED");
   int calls = 0, disturbing = 0;
-  // A short run has every fourth variation, and others with the next methods and the next instruction set.
-  const int stride = steps < 1000000 ? 4 : 1;
+  const int stride = stride_of(steps, 4);
   int first = 0;
   for (const Methods& methods : on_every_instruction_set(all_methods())) {
     Wheel wheel(methods);
