@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The tests, under 15 minutes on two cores. Debian packages that are missing are named and installed, as in run.sh; not
 # with WRC_NO_INSTALL=1.
-#   ./test.sh          the release build with all its tests, the C interface under wine, the bits from clang and on
-#                      aarch64 under qemu; address, undefined and thread sanitizer; instruction counts; format, code
-#                      written twice, clang-tidy over what changed lately, manual, main job
+#   ./test.sh          the release build with all its tests, the C interface under wine, the bits from clang and
+#                      mingw-w64; address and undefined sanitizer; instruction counts; format, code written twice,
+#                      clang-tidy over what changed lately, manual, main job
 #   ./test.sh quick    the release build and its tests only
-#   ./test.sh all      besides: all tests of the clang and mingw builds, the golden hashes from every compiler and
-#                      optimisation, kernel symbols at every optimisation, clang-tidy over everything, run.sh's own build,
-#                      a method, member, field and status added to a copy
+#   ./test.sh all      besides: all tests of the clang and mingw builds, thread sanitizer, the golden hashes from every
+#                      compiler and optimisation and on aarch64 under qemu, kernel symbols at every optimisation,
+#                      clang-tidy over everything, run.sh's own build, a method, member, field and status added to a copy
 # Before the last line stands what each part took; the last line counts. The exit status is 0 if something passed and
 # nothing failed.
 set -euo pipefail
@@ -55,8 +55,12 @@ mingw_suite() {
 
 # The other processor's compiler and emulator are worth having, but nothing else needs them.
 golden() {
-  (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
-  if all; then tests/realtime/golden_everywhere.sh; else tests/realtime/golden_everywhere.sh shortly; fi
+  if all; then
+    (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
+    tests/realtime/golden_everywhere.sh
+  else
+    tests/realtime/golden_everywhere.sh shortly
+  fi
 }
 
 formatted() { git ls-files '*.cpp' '*.hpp' '*.c' | grep -v wrc_status.h | xargs clang-format --dry-run --Werror; }
@@ -80,7 +84,7 @@ part release suite release
 if [ "${1:-}" != quick ]; then
   part clang clang_suite
   part sanitize suite sanitize
-  part tsan suite tsan # threads that share a model
+  ! all || part tsan suite tsan # threads that share a model
   part mingw mingw_suite
   part golden count_check "golden hashes of other builds" golden
   part counts count_check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases

@@ -132,8 +132,8 @@ case $way in
     ;;
   fetchcontent)
     need cmake
-    consumer_project fetchcontent -DFETCHCONTENT_SOURCE_DIR_WRC="$source" -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=ON -DWRC_INSTALL=ON \
-      -DCMAKE_BUILD_TYPE=Debug
+    consumer_project fetchcontent -DFETCHCONTENT_SOURCE_DIR_WRC="$source" -DBUILD_SHARED_LIBS=OFF -DWRC_INSTALL=ON \
+      -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
     runs "$scratch/project/first_step"
     if ldd "$scratch/project/first_step" | grep libwrc; then echo "not the static library"; exit 1; fi
     ;;
