@@ -447,7 +447,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (placed.problem.law && placed.problem.law->fall == FrictionLaw::Fall::heat) {
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "input.friction.kind",
-            .value = static_cast<double>(placed.problem.law->fall),
+            .value = static_cast<double>(WRC_FRICTION_TEMPERATURE),
             .unit = "",
             .cause = "the exact solution has no temperatures: take another law"};
   }

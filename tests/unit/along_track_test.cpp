@@ -44,12 +44,12 @@ TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
     std::vector<double> baseline;
     for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
       if (set > best_instruction_set()) continue;
-      std::vector<double> placed(static_cast<std::size_t>(rail_strip_doubles(most)), 0.0);
+      std::vector<double> placed(static_cast<std::size_t>(rail_strip_doubles(most)) + 1, 0.0);
       RailStrips strips;
       SectionBlend blend[most_rail_faces];
       const double steepest =
           place_strips(kernels_for(set), arcs.rail, distance, placed.data(), most, strips, blend);
-      placed.push_back(steepest);
+      placed.back() = steepest;
       ASSERT_GT(strips.count, 20);
       if (baseline.empty()) baseline = placed;
       ASSERT_EQ(std::memcmp(baseline.data(), placed.data(), placed.size() * sizeof(double)), 0) << distance;
