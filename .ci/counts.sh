@@ -51,6 +51,36 @@ part() {
   parts+=("$(printf '%-12s %5d s, of processors %5d s' "$1" $((SECONDS - start)) $((processor - before)))")
 }
 
+# beside LOG COMMAND...: runs it while the script goes on; what it prints goes into a file.
+besides=()
+beside() {
+  local log=$1
+  (
+    passed=0 failed=0 skipped=0 parts=()
+    trap 'declare -p passed failed skipped parts >"$log.counts"' EXIT
+    "${@:2}"
+  ) >"$log" 2>&1 &
+  besides+=("$! $log")
+}
+
+# gather: waits for what runs beside, prints what it printed and adds what it counted. One that ended with an error is a
+# failure.
+gather() {
+  local each log status passed_before=$passed failed_before=$failed skipped_before=$skipped parts_before=("${parts[@]}")
+  for each in "${besides[@]}"; do
+    log=${each#* } status=0
+    wait "${each%% *}" || status=$?
+    cat "$log"
+    passed=0 failed=0 skipped=0 parts=()
+    [ ! -f "$log.counts" ] || . <(sed 's/^declare /declare -g /' "$log.counts")
+    [ "$status" -eq 0 ] || { echo "$log ended with status $status: counted as a failure"; failed=$((failed + 1)); }
+    passed=$((passed_before += passed)) failed=$((failed_before += failed)) skipped=$((skipped_before += skipped))
+    parts_before+=("${parts[@]}")
+    rm -f "$log.counts"
+  done
+  besides=() parts=("${parts_before[@]}")
+}
+
 # What each part took, the last line, and the exit status that goes with it.
 say_counts() {
   [ ${#parts[@]} -eq 0 ] || printf '%s\n' "${parts[@]}"
