@@ -2,6 +2,7 @@
 ///
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
+///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
 ///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels in a batch
 ///
 /// Poses: five pairs of new and worn profiles, both sides, lateral +-15 mm, roll and yaw +-40 mrad, heights
@@ -133,6 +134,92 @@ int poses(const Csv& file, long count, unsigned seed) {
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
 
+double microseconds_of(auto&& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Sweeps and times of a way to call.
+struct Taken {
+  std::vector<double> sweeps, time;
+  int32_t take(wrc_contact* contact, const wrc_wheel_input& input, wrc_wrench& wrench) {
+    int32_t status = 0;
+    const double took = microseconds_of([&] { status = wrc_contact_wrench(contact, &input, &wrench); });
+    time.push_back(took);
+    sweeps.push_back(wrench.iterations);
+    return status;
+  }
+};
+
+/// Random poses with a load given, 20 to 120 kN, and 1 ms later: y, yaw and load a little different. Beside
+/// them the same poses at the height found.
+int loads(const Csv& file, long count, unsigned seed) {
+  Pairs pairs(file);
+  Random random(seed);
+  enum { load_anew, height_anew, load_later, height_later, ways };
+  constexpr const char* names[ways] = {"load, anew", "height, anew", "load, 1 ms later",
+                                       "height, 1 ms later"};
+  Taken taken[ways];
+  std::map<std::string, long> statuses;
+  double off = 0.0;
+  for (long done = 0; done < count; ++done) {
+    PairOptions options;
+    const auto& profiles = pairs_of_profiles[random.below(std::size(pairs_of_profiles))];
+    options.wheel = profiles.wheel;
+    options.rail = profiles.rail;
+    wrc_contact* const contact = pairs.of(options).contact();
+    wrc_wheel_input input = wrc_wheel_input_default();
+    input.wheel.y = random.between(-8e-3, 8e-3);
+    input.wheel.roll = random.between(-10e-3, 10e-3);
+    input.wheel.yaw = random.between(-15e-3, 15e-3);
+    const double speed = random.between(5.0, 60.0), slip = std::pow(10.0, random.between(-4.0, -2.0));
+    input.wheel.velocity[0] = speed;
+    input.wheel.velocity[1] = random.between(-slip, slip) * speed;
+    input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
+    input.friction.coefficient = random.between(0.1, 0.5);
+    input.vertical_load = random.between(20e3, 120e3);
+    const auto call = [&](int way, int32_t prescribed, int32_t start, double height) {
+      wrc_wrench wrench = wrc_wrench_default();
+      const double load = input.vertical_load;
+      input.prescribed = prescribed;
+      input.start = start;
+      input.wheel.z = height;
+      if (prescribed == WRC_PRESCRIBE_HEIGHT) input.vertical_load = 0.0;
+      const int32_t status = taken[way].take(contact, input, wrench);
+      if (prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) ++statuses[wrc_status_name(status)];
+      if (prescribed == WRC_PRESCRIBE_VERTICAL_LOAD && status == WRC_OK)
+        off = std::max(off, std::fabs(-wrench.force[2] / load - 1.0));
+      input.vertical_load = load;
+      return wrench.z;
+    };
+    const wrc_wheel_input first = input;
+    const double height = call(load_anew, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_ANEW, 0.0);
+    call(height_anew, WRC_PRESCRIBE_HEIGHT, WRC_START_ANEW, height);
+    input.wheel.y += random.between(-20e-6, 20e-6);
+    input.wheel.yaw += random.between(-50e-6, 50e-6);
+    input.wheel.velocity[1] += random.between(-1e-2, 1e-2) * slip * speed;
+    input.vertical_load *= 1.0 + random.between(-0.02, 0.02);
+    const wrc_wheel_input second = input;
+    const double later = call(load_later, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_FROM_LAST, 0.0);
+    input = first;
+    wrc_wrench wrench = wrc_wrench_default();
+    input.vertical_load = 0.0;
+    input.wheel.z = height;
+    wrc_contact_wrench(contact, &input, &wrench);
+    input = second;
+    call(height_later, WRC_PRESCRIBE_HEIGHT, WRC_START_FROM_LAST, later);
+  }
+  for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
+  for (int way = 0; way < ways; ++way)
+    std::printf("%-20s sweeps 50 %% %g  99 %% %g  most %g   50 %% %.1f us  99 %% %.1f us\n", names[way],
+                at_share(taken[way].sweeps, 0.5), at_share(taken[way].sweeps, 0.99),
+                at_share(taken[way].sweeps, 1.0), at_share(taken[way].time, 0.5),
+                at_share(taken[way].time, 0.99));
+  std::printf("loads met to %.1e\n", off);
+  return statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
+}
+
 /// What a scan of poses saw.
 struct Line {
   long steps = 0, flagged = 0, falls = 0;
@@ -224,12 +311,6 @@ struct Weaving {
   double offset = 0.0;
 };
 
-double microseconds_of(auto&& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-}
-
 int times(const Csv& file, long steps) {
   Pairs pairs(file);
   PairOptions options;
@@ -297,11 +378,15 @@ int main(int argc, char** argv) {
       return poses(file, argc > 2 ? std::atol(argv[2]) : 20000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "lines") return lines(file);
+    if (what == "loads")
+      return loads(file, argc > 2 ? std::atol(argv[2]) : 2000,
+                   argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "times") return times(file, argc > 2 ? std::atol(argv[2]) : 4000);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
-  std::fprintf(stderr, "usage: wheel_report poses [COUNT [SEED]] | lines | times [STEPS]\n");
+  std::fprintf(stderr,
+               "usage: wheel_report poses [COUNT [SEED]] | lines | loads [COUNT [SEED]] | times [STEPS]\n");
   return 2;
 }

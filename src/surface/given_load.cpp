@@ -14,63 +14,140 @@ namespace {
 constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
 constexpr std::int32_t most_load_steps = 30;
 
-/// Search of the height for a load: between one that carries too little and one that carries too much, by
-/// secants of the load's power 2/3, which is nearly straight.
+/// In Hertz's contact in proportion to the approach.
+double straightened(double load) { return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0; }
+
+/// Search of the height for a load: by secants of the load's power 2/3, which is nearly straight, between a
+/// height that carries too little and one that carries too much where both are known.
 class HeightSearch {
  public:
-  explicit HeightSearch(double load) : target_(straightened(load)) {}
+  explicit HeightSearch(double load) : load_(load), target_(straightened(load)) {}
 
-  /// Notes that `height` carries `load`.
-  void take(double height, double load) {
-    const double value = straightened(load) - target_;
-    (value < 0.0 ? low_ : high_) = {height, value, true};
+  /// Notes that `height` carries `load`, which is known to the part `doubt` of the one asked for.
+  void take(double height, double load, double doubt) {
+    const Place earlier = last_;
+    last_ = {height, straightened(load) - target_, doubt};
+    if (magnitude(load - load_) > doubt * load_) (last_.value < 0.0 ? low_ : high_) = last_;
+    if (!earlier.known() || height == earlier.height) return;
+    const double risen = last_.value - earlier.value, known_to = (doubt + earlier.doubt) * target_;
+    const double secant = risen / (height - earlier.height);
+    if (magnitude(risen) > known_to && secant > 0.0) slope_ = secant;
+    slow_ = magnitude(last_.value) > 0.5 * magnitude(earlier.value) ? slow_ + 1 : 0;
   }
 
   /// Nothing is left between the heights.
-  bool exhausted() const { return low_.known && high_.known && std::abs(high_.height - low_.height) < 1e-16; }
+  bool exhausted() const {
+    return low_.known() && high_.known() && std::abs(high_.height - low_.height) < 1e-16;
+  }
 
-  /// Where to look after `height` in the search's step `step`, counted from 0.
-  double next(double height, std::int32_t step) const {
-    if (!(low_.known && high_.known)) {
-      // one side only: by the slope of a sphere, F ~ depth^(3/2), with twice the step
-      const double depth_step = 20e-6 * static_cast<double>(1 << std::min(step, 12));
-      return low_.known ? height + depth_step : height - depth_step;
-    }
-    const double low = low_.height, high = high_.height;
-    const double inside = 1e-3 * (high - low);
-    const double between =
-        step % 6 == 5 ? 0.5 * (low + high) : low - low_.value * (high - low) / (high_.value - low_.value);
-    return smaller(larger(between, smaller(low, high) + inside), larger(low, high) - inside);
+  /// Where to look after the last height, in the search's step `step`, counted from 0. `stiffness`: about how
+  /// fast the load grows with the height, read where that was not seen yet [N/m]; 0: not known.
+  double next(std::int32_t step, double stiffness) const {
+    const double slope = slope_ > 0.0 ? slope_ : stiffness / (1.5 * root(target_));
+    const double far = 60e-6 * static_cast<double>(1 << std::min(step, 10));
+    const double asked_for = slope > 0.0 ? -last_.value / slope : last_.value < 0.0 ? far : -far;
+    const double height = last_.height + smaller(larger(asked_for, -far), far);
+    if (!(low_.known() && high_.known())) return height;
+    const double low = smaller(low_.height, high_.height), high = larger(low_.height, high_.height);
+    const bool slow = slow_ > 1 && magnitude(last_.value) > worth_halving * target_;
+    return slow || !(height > low && height < high) ? 0.5 * (low + high) : height;
   }
 
  private:
-  struct End {
+  static constexpr double worth_halving = 1e-5;  ///< of the straightened load: slower than that is rounding
+
+  struct Place {
     double height = 0.0, value = 0.0;  ///< [m], of the straightened load less the target
-    bool known = false;
+    double doubt = -1.0;
+    bool known() const { return doubt >= 0.0; }
   };
 
-  static double straightened(double load) {
-    return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0;
-  }
-
-  double target_;
-  End low_, high_;
+  double load_, target_;
+  double slope_ = 0.0;  ///< of the straightened load
+  Place low_, high_;    ///< too little and too much beyond doubt
+  Place last_;
+  std::int32_t slow_ = 0;  ///< steps in a row that brought little
 };
 
+/// How far the wheel is below first touch, as the overlaps of the last solve have it [m].
+double approach_of(const WheelWork& w) {
+  const Overlaps& o = w.overlaps;
+  double most = 0.0;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const double down = w.seen.cosine * o.nz[i] + w.seen.sine * o.ny[i];
+    if (down > 0.1) most = larger(most, o.depth[i] / down);
+  }
+  return most;
+}
+
+/// The strips' squared lengths at a height. In Hertz's contact they grow in proportion to it, all alike.
+struct Lengths {
+  double height = 0.0;
+  std::int32_t count = 0;
+  std::int32_t strip[most_overlapping_strips];
+  double squared[most_overlapping_strips];
+};
+
+/// Moves the start of a solve at `height` to where the lengths of the last one, at `last`, lead: along the
+/// line through those of the one before, or as Hertz's do.
+void lead_on(const Lengths& before, double last, double height, const WheelWork& w, SurfaceStart& start) {
+  const Overlaps& o = w.overlaps;
+  const double* const squared = w.pressure.length_squared;
+  const bool on_line = before.count > 0 && before.height != last;
+  const double approach = approach_of(w);
+  if (!start.set || !(approach > 0.0)) return;
+  double longest = 0.0;
+  for (std::int32_t i = 0; i < o.count; ++i) longest = larger(longest, squared[i]);
+  const double share = on_line ? smaller(larger((height - last) / (last - before.height), -1.0), 1.0) : 0.0;
+  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
+    const std::int32_t j = o.strip[i];
+    while (b < before.count && before.strip[b] < j) ++b;
+    const bool both = on_line && b < before.count && before.strip[b] == j && before.squared[b] > 0.0;
+    if (!(squared[i] > 0.0) || (on_line && !both)) continue;
+    const double grown =
+        both ? share * (squared[i] - before.squared[b]) : (height - last) / approach * longest;
+    start.length_squared[j] = larger(squared[i] + grown, 0.5 * squared[i]);
+  }
+}
+
 /// The wrench at the height that carries the load given, searched from `height`, which becomes it. `search`:
-/// between what it knows.
-Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, WheelWork& w,
-                    SurfaceStart& start, double& height, Wrench& out) {
+/// between what it knows. `found`: it is that height already, as far as is known.
+///
+/// Heights on the way are solved only so far as their loads are of use: those are known about as well as the
+/// lengths of the strips are.
+Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, bool found,
+                    WheelWork& w, SurfaceStart& start, double& height, Wrench& out) {
+  constexpr double coarse = 2e-3;  // where nothing is known yet
   const double asked = in.vertical_load;
+  const SurfaceNormalOptions exact;
+  SurfaceNormalOptions options;
+  if (!found) options.tolerance = coarse;
+  Lengths before;
+  double miss_before = 0.5;
   Fault fault;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    const Fault here = solve_at(model, in, height, false, w, start, {}, out);
-    const double load = -out.force[2];
+    const Fault here = solve_at(model, in, height, false, w, start, options, out);
+    const double load = -out.force[2], miss = smaller(magnitude(load - asked) / asked, 1.0);
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
-    if (std::abs(load - asked) <= load_tolerance * asked) return fault;
-    search.take(height, load);
+    if (miss <= load_tolerance) {
+      if (options.tolerance <= exact.tolerance) return fault;
+      options = exact;
+      continue;
+    }
+    search.take(height, load, options.tolerance);
     if (search.exhausted()) break;
-    height = search.next(height, step);
+    const double last = height, approach = approach_of(w);
+    height = search.next(step, approach > 0.0 ? 1.5 * load / approach : 0.0);
+    lead_on(before, last, height, w, start);
+    before.height = last;
+    before.count = w.overlaps.count;
+    std::copy_n(w.overlaps.strip, before.count, before.strip);
+    std::copy_n(w.pressure.length_squared, before.count, before.squared);
+    // a secant leaves about this of the last two; and the one after that should be as good
+    const double expected = 0.2 * miss * miss_before;
+    options.tolerance = larger(smaller(0.2 * miss * expected, coarse), exact.tolerance);
+    if (expected < load_tolerance) options = exact;
+    miss_before = miss;
   }
   keep_worst(fault,
              {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = asked, .unit = "N"});
@@ -79,19 +156,28 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
 
 /// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
 /// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
-/// `w` but for overlaps and pressures stays, these are of `height` afterwards.
+/// `w` stays, but for where rays end, which is of this height, and the scratch of rolling.
 bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, double height, WheelWork& w) {
   constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of what holds the balance
   const Seen seen = see(model, in, height);
+  const Overlaps solved = w.overlaps;
   Overlaps& o = w.overlaps;
+  double* at = w.rolling;
+  for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz, &o.lean}) {
+    if (*a) *a = at;
+    at += o.capacity;
+  }
+  o.strip = reinterpret_cast<std::int32_t*>(at);
   find(model, in, seen, beyond, w);
-  for (std::int32_t i = 0; i < o.count; ++i) {
+  bool outweighs = false;
+  for (std::int32_t i = 0; i < o.count && !outweighs; ++i) {
     const double friction = in.law ? friction_at_rest(w.rail, *in.law, o.strip[i]) : in.friction;
     const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
     const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
-    if (friction * magnitude(aside) > safe * down) return true;
+    outweighs = friction * magnitude(aside) > safe * down;
   }
-  return false;
+  w.overlaps = solved;
+  return outweighs;
 }
 
 /// What the vertical force does as a wheel is lowered from first touch on.
@@ -157,16 +243,17 @@ Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double l
 
 }  // namespace
 
+double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }
+
 Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
                        double& height, Wrench& out) {
   const double asked = in.vertical_load;
-  const Fault found = search_height(model, in, HeightSearch(asked), w, start, height, out);
+  const Fault found = search_height(model, in, HeightSearch(asked), false, w, start, height, out);
   if (!(in.friction > 0.0)) return found;
   const bool capped = found.status == WRC_FLAG_ITERATION_CAP;
   const double searched = out.height;
   if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
-    // overlaps are those of the solution again: derivatives are made of them
-    find(model, in, w.seen, margin_of(model), w);
+    if (capped) find(model, in, w.seen, margin_of(model), w);  // derivatives are made of where rays end
     return found;
   }
 
@@ -182,10 +269,11 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWo
   };
   const auto between = [&](double low, double load_at_low, double high, double load_at_high) {
     HeightSearch search(asked);
-    search.take(low, load_at_low);
-    search.take(high, load_at_high);
-    height = !capped && searched > low && searched <= high ? searched : search.next(high, 0);
-    return search_height(model, in, search, w, start, height, out);
+    search.take(low, load_at_low, 0.0);
+    search.take(high, load_at_high, 0.0);
+    const bool known = !capped && searched > low && searched <= high;
+    height = known ? searched : search.next(0, 0.0);
+    return search_height(model, in, search, known, w, start, height, out);
   };
   if (way.summit > 0) {
     const std::int32_t k = way.summit;

@@ -5,6 +5,10 @@
 
 namespace wrc {
 
+/// How far below first touch a wheel carries a load [m], [N]: about the middle of what random poses of
+/// several pairs of profiles take.
+double usual_approach(double load);
+
 /// The wrench at the height that carries the load given, searched from `height`, which becomes it.
 ///
 /// Where friction on a steep face can outweigh its slope, the vertical force may fall as the wheel goes down,

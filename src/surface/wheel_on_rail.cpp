@@ -137,8 +137,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   out = {};
   Fault fault;
   if (in.load_prescribed) {
-    constexpr double pressed = 60e-6;  // [m]
-    if (!warm) state.height = first_touch(model, in, w) + pressed;
+    if (!warm) state.height = first_touch(model, in, w) + usual_approach(in.vertical_load);
     fault = solve_given_load(model, in, w, start, state.height, out);
   } else {
     fault = solve_given_height(model, in, w, start, out);

@@ -451,6 +451,34 @@ TEST_F(WheelOnRail, APrescribedLoadFindsItsHeight) {
   }
 }
 
+/// A load given costs at most three times the sweeps of the height given.
+TEST_F(WheelOnRail, APrescribedLoadTakesFewSweeps) {
+  int32_t of_loads = 0, of_heights = 0;
+  for (const int32_t start : {WRC_START_ANEW, WRC_START_FROM_LAST}) {
+    for (int step = 0; step < 12; ++step) {
+      wheel.y = 1e-3 + 0.4e-3 * step;
+      input.start = WRC_START_ANEW;
+      input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+      input.vertical_load = 40e3 + 5e3 * step;
+      expect_works();
+      input.start = start;
+      wheel.y += 10e-6;
+      input.vertical_load *= 1.01;
+      expect_works();
+      of_loads += wrench.iterations;
+      input.prescribed = WRC_PRESCRIBE_HEIGHT;
+      input.vertical_load = 0.0;
+      wheel.z = wrench.z;
+      wheel.y -= 10e-6;
+      expect_works();
+      wheel.y += 10e-6;
+      expect_works();
+      of_heights += wrench.iterations;
+    }
+  }
+  EXPECT_LT(of_loads, 3 * of_heights);
+}
+
 TEST_F(WheelOnRail, BesideTheRailNoHeightCarriesALoad) {
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3;
