@@ -24,6 +24,9 @@ constexpr double shift_step = 2.1, smooth_shift_part = 0.52, rough_shift_part = 
 /// grows, the residual has minima that are no solutions: there plain sweeps lead on, and the acceleration
 /// back.
 constexpr double settled = 0.05, farthest_step = 4.0;
+/// Power of its squared length that a strip's strength follows where errors of lengths are left, found on
+/// random poses: takes away half of what the last step does to strengths.
+constexpr double strength_follows = 0.3;
 constexpr std::int32_t fewest_pairs = 12;
 /// Part of the area that the first sweep from an earlier solution may move; beyond, a start from the overlaps
 /// is nearer.
@@ -46,7 +49,9 @@ struct Scratch {
   double *l, *wanted_level, *wanted_shift, *residual;           ///< residual: of L, then of the shifts
   double *shape, *leading, *smooth_length, *smooth_shift;       ///< of make_steps
   double *x[history + 1], *f[history + 1], *next;               ///< f: the step that a sweep asks for
+  double* strengths[history + 1];                               ///< q at x
   double products[history + 1][history + 1];                    ///< of the steps
+  double shares[history];                                       ///< of earlier sweeps in `next`
   std::int32_t *active, *outside;
   std::int32_t* in;
 };
@@ -93,6 +98,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (double*& a : w.x) a = take(2 * padded);
   for (double*& a : w.f) a = take(2 * padded);
   w.next = take(2 * padded);
+  for (double*& a : w.strengths) a = take(padded);
   w.active = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
   w.outside = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
   w.in = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
@@ -360,11 +366,14 @@ double product(std::int32_t n, const double* a, const double* b) {
   return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
 
+/// Where x, f and strengths stand that were found so many sweeps ago.
+std::int32_t slot_of(std::int32_t sweep, std::int32_t ago) { return (sweep - ago) % (history + 1); }
+
 /// Anderson's acceleration: x + f less what earlier sweeps say about how the step f changes with x, in
 /// w.next.
 void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int32_t sweep, std::int32_t used,
                 Scratch& w) {
-  const auto slot = [sweep](std::int32_t a) { return (sweep - a) % (history + 1); };
+  const auto slot = [sweep](std::int32_t a) { return slot_of(sweep, a); };
   const std::int32_t now = slot(0);
   const double *const x = w.x[now], *const f = w.f[now];
   for (std::int32_t i = 0; i < both; ++i) w.next[i] = x[i] + f[i];
@@ -384,9 +393,27 @@ void accelerate(std::int32_t n, std::int32_t both, double shift_weight, std::int
   }
   for (std::int32_t a = 0; a < used; ++a) G[a][a] = G[a][a] * (1.0 + 1e-10) + 1e-300;
   solve_small(used, G, g);
+  std::copy_n(g, used, w.shares);
   for (std::int32_t a = 0; a < used; ++a) {
     const double *const xa = w.x[slot(a + 1)], *const fa = w.f[slot(a + 1)];
     for (std::int32_t i = 0; i < both; ++i) w.next[i] -= g[a] * ((x[i] - xa[i]) + (f[i] - fa[i]));
+  }
+}
+
+/// Strengths at the end of the last step, which no sweep is spent on: those at the mean of earlier sweeps
+/// that the step begins at, and what strengths do along the rest of it.
+void follow_last_step(const StripSet& s, std::int32_t sweep, std::int32_t used, Scratch& w) {
+  const std::int32_t now = slot_of(sweep, 0);
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    if (!(s.L[i] > 0.0)) continue;
+    double q = s.q[i], step = w.f[now][i];
+    for (std::int32_t a = 0; a < used; ++a) {
+      const std::int32_t k = slot_of(sweep, a + 1);
+      q -= w.shares[a] * (s.q[i] - w.strengths[k][i]);
+      step -= w.shares[a] * (w.f[now][i] - w.f[k][i]);
+    }
+    const double part = smaller(larger(step / s.L[i], -settled), settled);
+    s.q[i] = larger(q * (1.0 + strength_follows * part), 0.0);
   }
 }
 
@@ -420,27 +447,22 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
       moved += s.width[i] * (magnitude(f[i]) + magnitude(shifted[i]) * w.l[i]);
       area += s.width[i] * (s.L[i] + f[i]);
     }
-    if (moved <= tolerance * area && !admit(problem, s, sources_of(kept, w), skewed, true, w)) {
-      for (std::int32_t i = 0; i < n; ++i) {
-        s.L[i] += f[i];
-        s.shift[i] += shifted[i];
-      }
-      result.converged = true;
-      break;
-    }
+    result.converged = moved <= tolerance * area && !admit(problem, s, sources_of(kept, w), skewed, true, w);
     if (sweep == 0 && moved > farthest * area) return result;
     // where acceleration does not pay, as while strips enter, it starts anew
     slow = moved > 0.7 * moved_before ? slow + 1 : 0;
     if (slow == 2) since = slow = 0;
     moved_before = moved;
-    const std::int32_t slot = sweep % (history + 1);
+    const std::int32_t slot = slot_of(sweep, 0), used = std::min(since, history);
     std::copy_n(s.L, n, w.x[slot]);
     std::copy_n(s.shift, n, w.x[slot] + n);
+    std::copy_n(s.q, n, w.strengths[slot]);
     std::copy_n(w.residual, 2 * n, w.f[slot]);
     make_steps(s, kept, skewed, w.f[slot], w);
     if (sweep == 0) shift_weight = area / (n * s.width[0]);
-    accelerate(n, both, shift_weight, sweep, std::min(since, history), w);
+    accelerate(n, both, shift_weight, sweep, used, w);
     ++since;
+    if (result.converged) follow_last_step(s, sweep, used, w);
     for (std::int32_t i = 0; i < n; ++i) {
       const double plain = s.L[i] + f[i], old = s.L[i];
       double next = plain > 0.0 ? smaller(larger(w.next[i], 0.5 * plain), 2.0 * plain) : 0.0;
@@ -453,9 +475,12 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
       s.L[i] = next;
       if (skewed) s.shift[i] = smaller(larger(w.next[n + i], -longest_shift), longest_shift);
     }
+    if (result.converged) break;
   }
-  for (std::int32_t i = 0; i < n; ++i)
+  for (std::int32_t i = 0; i < n; ++i) {
     if (!w.in[i] || !(s.L[i] > 0.0)) s.L[i] = s.q[i] = 0.0;
+    if (s.L[i] > 0.0) s.level[i] = s.q[i] / s.L[i];
+  }
   if (kept == 0) {
     std::fill_n(s.L, n, 0.0);
     std::fill_n(s.q, n, 0.0);

@@ -39,9 +39,9 @@ struct SurfaceStart {
 
 struct SurfaceNormalOptions {
   std::int32_t max_sweeps = 40;
-  /// Part of the area that a sweep still moves at which sweeps end. The forces are then nearer by far: they
-  /// change with the square of what the lengths are off.
-  double tolerance = 1e-8;
+  /// Part of the area that a sweep moves at which the step after it is the last. Lengths and strengths end
+  /// ten and more times nearer: the step is taken, and strengths follow it.
+  double tolerance = 1e-7;
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.
