@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
+#include "base/number.hpp"
+
 namespace wrc {
 namespace {
 
@@ -32,13 +35,30 @@ double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
   return widths.narrowest + t * (widths.widest - widths.narrowest);
 }
 
-std::int64_t rail_strip_doubles(std::int32_t strips) { return 6 * static_cast<std::int64_t>(strips); }
+double strip_angle(const RailStrips& strips, std::int32_t strip) {
+  if (strips.angle) return strips.angle[strip];
+  // the half angle's tangent: right for faces beyond the vertical too
+  const double ty = strips.ty[strip], tz = strips.tz[strip];
+  return 2.0 * arctangent(tz / (1.0 + ty + 1e-300));
+}
+
+StripRange range_of(const RailStrips& strips, std::int32_t first, std::int32_t count) {
+  StripRange range{first, count, strips.z[first], strips.y[first], strips.y[first]};
+  for (std::int32_t j = first + 1; j < first + count; ++j) {
+    range.top = smaller(range.top, strips.z[j]);
+    range.leftmost = smaller(range.leftmost, strips.y[j]);
+    range.rightmost = larger(range.rightmost, strips.y[j]);
+  }
+  return range;
+}
+
+std::int64_t rail_strip_doubles(std::int32_t strips) { return 7 * static_cast<std::int64_t>(strips); }
 
 Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
                RailStrips& strips) {
   strips = {};
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
-                *const ty = z + most, *const tz = ty + most;
+                *const ty = z + most, *const tz = ty + most, *const angle = tz + most;
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   const std::int32_t n = cut_length(
       begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, s, width);
@@ -49,7 +69,10 @@ Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, 
     z[j] = p.z;
     tangent_at(rail, s[j], ty[j], tz[j]);
   }
-  strips = {n, s, width, y, z, ty, tz, 1, {{0, n}}};
+  strips = {n, s, width, y, z, ty, tz, nullptr, 1, {}};
+  for (std::int32_t j = 0; j < n; ++j) angle[j] = strip_angle(strips, j);
+  strips.angle = angle;
+  strips.range[0] = range_of(strips, 0, n);
   return {};
 }
 

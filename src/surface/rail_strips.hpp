@@ -12,9 +12,10 @@ namespace wrc {
 /// its sections.
 inline constexpr std::int32_t most_rail_faces = 4, most_rail_marks = 64;
 
-/// Strips side by side.
+/// Strips side by side, and what their middles lie between.
 struct StripRange {
   std::int32_t first, count;
+  double top, leftmost, rightmost;  ///< smallest z, smallest and largest y [m]
 };
 
 /// Strips by increasing arc length, touching each other within a range; a strip of no range is not there.
@@ -25,8 +26,9 @@ struct RailStrips {
   const double* width = nullptr;            ///< along the arc [m]
   const double *y = nullptr, *z = nullptr;  ///< the middle [m]
   const double *ty = nullptr,
-               *tz = nullptr;  ///< unit tangent, by increasing arc length; the normal into the rail is
-                               ///< (-tz, ty)
+               *tz = nullptr;     ///< unit tangent, by increasing arc length; the normal into the rail is
+                                  ///< (-tz, ty)
+  const double* angle = nullptr;  ///< strip_angle(); nullptr: not kept [rad]
   std::int32_t ranges = 0;
   StripRange range[most_rail_faces];
 };
@@ -72,6 +74,12 @@ std::int32_t cut_length(double begin, double end, const Wanted& wanted, std::int
   }
   return n;
 }
+
+/// Angle of a strip about x, from z to its normal [rad].
+double strip_angle(const RailStrips& strips, std::int32_t strip);
+
+/// The range of `count` strips from `first` on.
+StripRange range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
 
 /// Doubles of memory for so many strips.
 std::int64_t rail_strip_doubles(std::int32_t strips);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <new>
 
-#include "base/elementary.hpp"
 #include "base/number.hpp"
 
 namespace wrc {
@@ -79,12 +78,6 @@ double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int
   if (law.zones.count == 0) return law.coefficient;
   const double half = 0.5 * rail.width[j] * magnitude(rail.ty[j]) + 1e-9;
   return mean_friction(law.zones, rail.y[j] - half, rail.y[j] + half);
-}
-
-double strip_angle(const RailStrips& rail, std::int32_t strip) {
-  // the half angle's tangent: right for faces beyond the vertical too
-  const double ty = rail.ty[strip], tz = rail.tz[strip];
-  return 2.0 * arctangent(tz / (1.0 + ty + 1e-300));
 }
 
 }  // namespace wrc

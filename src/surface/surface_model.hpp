@@ -156,7 +156,4 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
 /// The law's coefficient over a strip's width on the rail, at rest.
 double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int32_t strip);
 
-/// Angle of a strip about x, from track z to its normal, with the rail undisplaced [rad].
-double strip_angle(const RailStrips& rail, std::int32_t strip);
-
 }  // namespace wrc

@@ -320,7 +320,7 @@ double place_strips(const Kernels& kernels, const VaryingRail& rail, double dist
                     std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]) {
   double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
                 *const ty = z + most, *const tz = ty + most;
-  strips = {rail.strips, s, width, y, z, ty, tz, 0, {}};
+  strips = {rail.strips, s, width, y, z, ty, tz, nullptr, 0, {}};
   double steepest = 0.0;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
@@ -329,7 +329,6 @@ double place_strips(const Kernels& kernels, const VaryingRail& rail, double dist
     if (distance < rail.distance[face.first_section] ||
         distance > rail.distance[face.first_section + face.sections - 1])
       continue;
-    strips.range[strips.ranges++] = {first, face.strips};
     const auto lists = [&](std::int32_t section) {
       return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.room + first;
     };
@@ -343,6 +342,7 @@ double place_strips(const Kernels& kernels, const VaryingRail& rail, double dist
       s[j] = at + 0.5 * width[j];
       at += width[j];
     }
+    strips.range[strips.ranges++] = range_of(strips, first, face.strips);
   }
   return steepest;
 }

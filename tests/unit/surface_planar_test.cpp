@@ -113,7 +113,7 @@ struct FlatRail {
     rail.s = s.data();
     rail.width = width.data();
     rail.ranges = 1;
-    rail.range[0] = {0, rail.count};
+    rail.range[0] = {0, rail.count, 0.0, 0.0, 0.0};
   }
   PlanarResult press(const PlanarNormal& method, const std::vector<Wheel>& wheels) {
     strip.clear();
