@@ -3,14 +3,15 @@
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
-///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels in a batch
+///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels of one model in a batch
 ///
 /// Poses: five pairs of new and worn profiles, both sides, lateral +-15 mm, roll and yaw +-40 mrad, heights
 /// from lifted to 150 kN, ten to a pose; creepages up to full slip; half of them from the last solution,
 /// which is then that of another pose. The sum at the end is of all forces: equal on every machine.
 ///
-/// Times are of this machine in this minute: compare those of one run. S1002 on the benchmark UIC60, a
-/// wheelset that weaves by 6 mm at 40 m/s in steps of 1 ms.
+/// Times are of this machine in this minute: compare those of one run. S1002 on the benchmark UIC60 in steps
+/// of 1 ms: a wheelset that runs nearly straight (1 mm over 9 m, 20 m/s, 80 kN), and one that weaves by 6 mm
+/// at 40 m/s under a load that changes. Strips are those in contact: calls take by their square.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -293,78 +294,144 @@ int lines(const Csv& file) {
   return spoilt == 0 ? 0 : 1;
 }
 
-/// A wheelset that weaves; heights are those of its load.
-struct Weaving {
+/// How a wheelset runs; heights are those of its loads.
+struct Run {
+  const char* name;
+  double amplitude, wavelength, speed;  ///< [m], [m], [m/s]
+  double shaken;                        ///< share of load, creepages and roll that changes beside that
+  double middle = 0.0;                  ///< [m]
+
   wrc_wheel_input at(wrc_contact* contact, long step) const {
-    const double time = 1e-3 * static_cast<double>(step), speed = 40.0;
-    const double phase = 2.0 * std::numbers::pi * speed * time / 12.0;
+    const double time = 1e-3 * static_cast<double>(step);
+    const double phase = 2.0 * std::numbers::pi * speed * time / wavelength;
     wrc_wheel_input input = wrc_wheel_input_default();
-    input.wheel.y = offset + 5.8e-3 * std::sin(phase);
-    input.wheel.yaw = 3e-3 * std::cos(phase);
-    input.wheel.roll = 0.5e-3 * std::sin(3.1 * phase);
+    input.wheel.y = middle + amplitude * std::sin(phase);
+    input.wheel.yaw = 2.0 * std::numbers::pi * amplitude / wavelength * std::cos(phase);
+    input.wheel.roll = shaken * 0.5e-3 * std::sin(3.1 * phase);
     input.wheel.velocity[0] = speed;
-    input.wheel.velocity[1] = speed * input.wheel.yaw + 0.02 * std::sin(7.0 * phase);
-    input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + 1e-3 * std::sin(5.0 * phase));
-    input.wheel.z = height_for(contact, input, 80e3 * (1.0 + 0.3 * std::sin(11.0 * phase)));
+    input.wheel.velocity[1] = speed * input.wheel.yaw + shaken * 0.02 * std::sin(7.0 * phase);
+    input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + shaken * 1e-3 * std::sin(5.0 * phase));
+    input.wheel.z = height_for(contact, input, 80e3 * (1.0 + shaken * 0.3 * std::sin(11.0 * phase)));
     return input;
   }
-  double offset = 0.0;
 };
+
+/// Klingel's motion on the tread, and a wheelset that touches with its flange.
+constexpr Run straight{"straight", 1e-3, 9.0, 20.0, 0.0}, weaving{"weaving", 5.8e-3, 12.0, 40.0, 1.0};
+
+/// Strips in contact of the last solution.
+double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
+  double strips = 0.0;
+  for (int32_t i = 0; i < wrench.regions; ++i) {
+    wrc_region region = wrc_region_default();
+    wrc_contact_region(contact, i, &region);
+    strips += region.strips;
+  }
+  return strips;
+}
+
+/// Contacts of one model, as a vehicle has them.
+class Contacts {
+ public:
+  Contacts(const Solver& solver, std::size_t count) : all_(count) {
+    for (wrc_contact*& contact : all_) wrc_contact_create(solver.model(), WRC_SIDE_RIGHT, nullptr, &contact);
+  }
+  ~Contacts() {
+    for (wrc_contact* const contact : all_) wrc_contact_destroy(contact);
+  }
+  Contacts(const Contacts&) = delete;
+  Contacts& operator=(const Contacts&) = delete;
+  wrc_contact* const* data() const { return all_.data(); }
+  wrc_contact* operator[](std::size_t k) const { return all_[k]; }
+
+ private:
+  std::vector<wrc_contact*> all_;
+};
+
+void time_one(const Solver& solver, const Run& run, int32_t start, long steps) {
+  wrc_contact* const scout = solver.contact();
+  const Contacts one(solver, 1);
+  std::vector<double> time[2], strips[2], sweeps;
+  for (long step = 0; step < steps; ++step) {
+    wrc_wheel_input input = run.at(scout, step);
+    input.start = start;
+    wrc_wrench wrench = wrc_wrench_default();
+    const double took = microseconds_of([&] { wrc_contact_wrench(one[0], &input, &wrench); });
+    if (step < 10) continue;
+    const int two = wrench.regions > 1;
+    time[two].push_back(took);
+    strips[two].push_back(strips_in_contact(one[0], wrench));
+    sweeps.push_back(wrench.iterations);
+  }
+  const char* const from = start == WRC_START_ANEW ? "anew" : "from the last solution";
+  for (const int two : {0, 1})
+    if (!time[two].empty())
+      std::printf("%-9s %-22s %-11s %6zu calls, %2g strips, 50 %% %6.1f us  99 %% %6.1f us\n", run.name, from,
+                  two ? "two regions" : "one region", time[two].size(), at_share(strips[two], 0.5),
+                  at_share(time[two], 0.5), at_share(time[two], 0.99));
+  std::printf("%-9s %-22s sweeps 50 %% %g  99 %% %g\n", run.name, from, at_share(sweeps, 0.5),
+              at_share(sweeps, 0.99));
+}
+
+/// Eight wheels of one model in a batch; half of them near the flange, where there are two regions. Beside
+/// them the same calls one by one, each a second time at once: their memory is near then.
+void time_eight(const Solver& solver, long steps) {
+  constexpr std::size_t wheels = 8;
+  wrc_contact* const scout = solver.contact();
+  const Contacts contacts(solver, wheels);
+  std::vector<wrc_wheel_input> inputs(wheels);
+  std::vector<wrc_wrench> wrenches(wheels, wrc_wrench_default());
+  std::vector<double> from_last, anew, at_once;
+  double with_two = 0.0, strips = 0.0;
+  const auto batch = [&](int32_t start) {
+    for (wrc_wheel_input& input : inputs) input.start = start;
+    return microseconds_of([&] {
+      wrc_contact_wrench_batch(contacts.data(), wheels, inputs.data(), sizeof inputs[0], wrenches.data(),
+                               sizeof wrenches[0], nullptr);
+    });
+  };
+  for (long step = 0; step < steps; ++step) {
+    for (std::size_t k = 0; k < wheels; ++k) {
+      Run run = weaving;
+      run.amplitude *= 0.02;
+      run.middle = k % 2 == 0 ? 1e-3 : 5.2e-3;
+      inputs[k] = run.at(scout, step);
+    }
+    const double first = batch(WRC_START_FROM_LAST), second = batch(WRC_START_ANEW);
+    double third = 0.0;
+    for (std::size_t k = 0; k < wheels; ++k)
+      for (const bool measured : {false, true}) {
+        const double took =
+            microseconds_of([&] { wrc_contact_wrench(contacts[k], &inputs[k], &wrenches[k]); });
+        if (measured) third += took;
+      }
+    if (step < 10) continue;
+    from_last.push_back(first);
+    anew.push_back(second);
+    at_once.push_back(third);
+    for (std::size_t k = 0; k < wheels; ++k) {
+      with_two += wrenches[k].regions > 1 ? 1.0 : 0.0;
+      strips += strips_in_contact(contacts[k], wrenches[k]) / static_cast<double>(wheels);
+    }
+  }
+  const auto calls = static_cast<double>(anew.size());
+  std::printf(
+      "eight wheels, %.1f with two regions, %.0f strips each, 50 %%: from the last solutions %.1f us, anew "
+      "%.1f us, "
+      "anew one by one and each at once again %.1f us\n",
+      with_two / calls, strips / calls, at_share(from_last, 0.5), at_share(anew, 0.5),
+      at_share(at_once, 0.5));
+}
 
 int times(const Csv& file, long steps) {
   Pairs pairs(file);
   PairOptions options;
   options.wheel = pairs_of_profiles[0].wheel;
   options.rail = pairs_of_profiles[0].rail;
-  wrc_contact* const scout = pairs.of(options).contact();
-  for (const int32_t start : {WRC_START_FROM_LAST, WRC_START_ANEW}) {
-    Pairs own(file);
-    wrc_contact* const contact = own.of(options).contact();
-    std::vector<double> time[2], sweeps;
-    for (long step = 0; step < steps; ++step) {
-      wrc_wheel_input input = Weaving{}.at(scout, step);
-      input.start = start;
-      wrc_wrench wrench = wrc_wrench_default();
-      const double took = microseconds_of([&] { wrc_contact_wrench(contact, &input, &wrench); });
-      if (step < 10) continue;
-      time[wrench.regions > 1].push_back(took);
-      sweeps.push_back(wrench.iterations);
-    }
-    for (const int two : {0, 1})
-      std::printf("%-22s %-12s %6zu calls, 50 %% %6.1f us  99 %% %6.1f us\n",
-                  start == WRC_START_ANEW ? "anew" : "from the last solution",
-                  two ? "two regions" : "one region", time[two].size(), at_share(time[two], 0.5),
-                  at_share(time[two], 0.99));
-    std::printf("%-22s sweeps 50 %% %g  99 %% %g\n", "", at_share(sweeps, 0.5), at_share(sweeps, 0.99));
-  }
-
-  constexpr std::size_t wheels = 8;  ///< half of them near the flange, where there are two regions
-  std::vector<Pairs> bodies;
-  for (std::size_t k = 0; k < wheels; ++k) bodies.emplace_back(file);
-  std::vector<wrc_contact*> contacts;
-  for (std::size_t k = 0; k < wheels; ++k) {
-    contacts.push_back(bodies[k].of(options).contact());
-  }
-  std::vector<wrc_wheel_input> inputs(wheels);
-  std::vector<wrc_wrench> wrenches(wheels, wrc_wrench_default());
-  std::vector<double> time;
-  double with_two = 0.0;
-  for (long step = 0; step < steps / 4; ++step) {
-    for (std::size_t k = 0; k < wheels; ++k) {
-      inputs[k] = Weaving{}.at(scout, step);
-      inputs[k].wheel.y = (k % 2 == 0 ? 1e-3 : 5.2e-3) + 0.02 * inputs[k].wheel.y;
-      inputs[k].wheel.z = height_for(scout, inputs[k], 80e3);
-    }
-    const double took = microseconds_of([&] {
-      wrc_contact_wrench_batch(contacts.data(), wheels, inputs.data(), sizeof inputs[0], wrenches.data(),
-                               sizeof wrenches[0], nullptr);
-    });
-    if (step < 10) continue;
-    time.push_back(took);
-    for (const wrc_wrench& wrench : wrenches) with_two += wrench.regions > 1 ? 1.0 : 0.0;
-  }
-  std::printf("eight wheels, from the last solutions, %.1f with two regions: 50 %% %.1f us  99 %% %.1f us\n",
-              with_two / static_cast<double>(time.size()), at_share(time, 0.5), at_share(time, 0.99));
+  const Solver& solver = pairs.of(options);
+  for (const Run& run : {straight, weaving})
+    for (const int32_t start : {WRC_START_FROM_LAST, WRC_START_ANEW}) time_one(solver, run, start, steps);
+  time_eight(solver, steps / 4);
   return 0;
 }
 

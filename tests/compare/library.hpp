@@ -46,6 +46,7 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
 
   wrc_contact* contact() const { return contact_; }
+  const wrc_model* model() const { return model_; }
 
   /// Status name and sentence of the last call.
   std::string reason(int32_t status) const {
