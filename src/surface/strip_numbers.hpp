@@ -9,7 +9,6 @@
 #include "base/elementary.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
-#include "tangential/methods/strip_fastsim.hpp"
 
 namespace wrc::strip_numbers {
 
@@ -87,12 +86,13 @@ void take_means(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<N
   }
 }
 
-/// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion.
-/// For an ellipse under spin that gives C33 of linear theory: neutral_line() of strip_fastsim.hpp, and K13.
+/// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion:
+/// what gives an ellipse under spin C33 of linear theory, fitted to that for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
-  return creepage_area / (pi / 4.0) * (1.0 - 0.15 * u) /
-         (1.0 - 3.0 * pi / 8.0 * neutral_line(u, poisson, 0.0));
+  const Number u2 = u * u;
+  const double off = poisson - 0.25;
+  return (1.218 - 1.751 * off + 0.2043 * u - (0.696 + 0.760 * off) * u2) / (1.0 - 0.7343 * u2);
 }
 
 /// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
