@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "halfspace/influence.hpp"
+#include "tangential/exact/cell_influence.hpp"
 
 namespace wrc::halfspace {
 Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel, double coupling)
@@ -28,7 +28,7 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
     return differenced ? (at - upstream) / grid.dx : at;
   };
   for (int my = 1 - ny_; my < ny_; ++my) {
-    Influence here = influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+    CellInfluence here = cell_influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
     for (int mx = 1 - nx_; couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
       const CouplingInfluence at = coupling_influence(mx * grid.dx, my * grid.dy, grid.dx, grid.dy);
@@ -39,7 +39,8 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
     }
     for (int mx = 1 - nx_; !couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
-      const Influence upstream = influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      const CellInfluence upstream =
+          cell_influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
       kxx_[k] = shear ? coefficient(here.xx, upstream.xx) : coefficient(here.zz, upstream.zz);
       kyy_[k] = shear ? coefficient(here.yy, upstream.yy) : kxx_[k];
       kxy_[k] = shear ? coefficient(here.xy, upstream.xy) : 0.0;
@@ -47,7 +48,12 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
     }
   }
   const std::size_t padded = static_cast<std::size_t>(padded_x_) * static_cast<std::size_t>(padded_y_);
-  for (Field* field : {&re_, &im_, &work_re_, &work_im_}) field->assign(padded, 0.0);
+  // Neighbours in memory are to lie apart by other than whole pages, or reading one waits for writing
+  // another.
+  for (Field* field : {&re_, &im_, &work_re_, &work_im_}) {
+    field->reserve(padded + 96);
+    field->assign(padded, 0.0);
+  }
   transform_kernel(kxx_, xx_re_, xx_im_);
   transform_kernel(kyy_, yy_re_, yy_im_);
   transform_kernel(kxy_, xy_re_, xy_im_);

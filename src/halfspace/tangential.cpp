@@ -6,19 +6,12 @@
 #include <utility>
 
 #include "base/elementary.hpp"
-#include "halfspace/gmres.hpp"
 #include "halfspace/resample.hpp"
-#include "halfspace/row_preconditioner.hpp"
-#include "tangential/coarse_halfspace/rolling_newton.hpp"
 
 namespace wrc::halfspace {
 namespace {
 
 constexpr int products_of_a_step = 20;  // of projected gradients, for one of Newton's iterations
-
-double friction_of(const RollingProblem& problem, std::size_t at) {
-  return problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at];
-}
 
 Fault capped(double residual, double tolerance) {
   return {.status = WRC_FLAG_ITERATION_CAP,
@@ -30,177 +23,91 @@ Fault capped(double residual, double tolerance) {
           .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
 }
 
-// One grid's Newton iteration. Tractions in `solution` are the start and the result.
-class Newton {
- public:
-  Newton(const Grid& grid, TurnedConvolution& convolution, const RollingProblem& problem,
-         RollingSolution& solution);
-
-  // Iterates until the convergence test holds; false if cancelled. Its share of the whole work lies between
-  // `begun` and `done`.
-  bool run(double tolerance, double begun, double done);
-
- private:
-  bool full() const { return problem_.adhesion == Adhesion::full; }
-  void update_slip();
-  double linearise();
-  void step();
-  void convolve();
-  void clear_field();
-  void gather(Vector& out);
-  void apply_matrix(const Vector& in, Vector& out);
-
-  const RollingProblem& problem_;
-  RollingSolution& solution_;
-  TurnedConvolution& convolution_;
-  double rho_;
-  std::vector<NewtonCell> cells_;
-  Vector bound_;                          // of each of them, g [Pa]; infinite in full adhesion
-  std::vector<NewtonCell> frictionless_;  // in contact, but without traction whatever the slip
-  Vector rhs_;
-  Field field_x_, field_y_;
-  RowPreconditioner preconditioner_;
-};
-
-Newton::Newton(const Grid& grid, TurnedConvolution& convolution, const RollingProblem& problem,
-               RollingSolution& solution)
-    : problem_(problem),
-      solution_(solution),
-      convolution_(convolution),
-      rho_(1.0 / std::max(convolution.planar().xx(0, 0), convolution.planar().yy(0, 0))),
-      field_x_(grid.cells()),
-      field_y_(grid.cells()) {
+// Rigid slips of all cells where the collocation wants them.
+void find_rigid_slip(const Grid& grid, RollingProblem& problem) {
+  if (!problem.rigid_slip_x.empty()) return;
   const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
   const Creepage& c = problem.creepage;
-  const bool by_cell = !problem.rigid_slip_x.empty();
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
+      problem.rigid_slip_x.push_back(c.longitudinal - c.spin * grid.y(j));
+      problem.rigid_slip_y.push_back(c.lateral + c.spin * (grid.x(i) + ahead));
+    }
+  }
+}
+
+// Traction bound of a cell in contact [Pa].
+double bound_of(const RollingProblem& problem, std::size_t at) {
+  if (problem.adhesion == Adhesion::full) return std::numeric_limits<double>::infinity();
+  return (problem.friction.size() == 1 ? problem.friction[0] : problem.friction[at]) * problem.pressure[at];
+}
+
+// One grid's problem, whose rigid slips are given, for RollingNewton. Tractions in `solution` are the start
+// and the result.
+struct OnGrid {
+  static constexpr int max_products = 100;
+
+  const Grid& grid;
+  TurnedConvolution& convolution;
+  const RollingProblem& problem;
+  RollingSolution& solution;
+
+  int nx = grid.nx, ny = grid.ny;
+  const Field &rigid_x = problem.rigid_slip_x, &rigid_y = problem.rigid_slip_y;
+  Field &px = solution.traction_x, &py = solution.traction_y, &sx = solution.slip_x, &sy = solution.slip_y;
+  std::vector<CellState>& state = solution.state;
+  Field bound = Field(grid.cells(), 0.0), x = bound, y = bound;
+  std::vector<NewtonCell> cells = std::vector<NewtonCell>(grid.cells());
+  std::vector<NewtonRow> rows = std::vector<NewtonRow>(static_cast<std::size_t>(grid.ny));
+  std::unique_ptr<double[]> vectors = {};
+  std::unique_ptr<float[]> factors = {};
+
+  double xx(int m) const { return convolution.planar().xx(m, 0); }  // within a row nothing is turned
+  double yy(int m) const { return convolution.planar().yy(m, 0); }
+  double own(int) const { return 0.0; }
+  void slip() {
+    convolution.tangential(x, y);
+    ++solution.products;
+  }
+
+  // False if cancelled. Its share of the whole work lies between `begun` and `done`.
+  bool solve(double tolerance, double begun, double done);
+};
+
+bool OnGrid::solve(double tolerance, double begun, double done) {
+  std::size_t with_traction = 0, of_factors = 0;
+  for (int j = 0; j < ny; ++j) {
+    std::size_t of_row = 0;
+    for (int i = 0; i < nx; ++i) {
       const std::size_t at = grid.index(i, j);
-      if (problem.pressure[at] <= 0.0) continue;
-      const double bound =
-          full() ? std::numeric_limits<double>::infinity() : friction_of(problem, at) * problem.pressure[at];
-      const NewtonCell cell{
-          .at = static_cast<int>(at),
-          .i = i,
-          .wx = by_cell ? problem.rigid_slip_x[at] : c.longitudinal - c.spin * grid.y(j),
-          .wy = by_cell ? problem.rigid_slip_y[at] : c.lateral + c.spin * (grid.x(i) + ahead)};
-      if (bound <= 0.0) {
-        frictionless_.push_back(cell);
-        continue;
-      }
-      cells_.push_back(cell);
-      bound_.push_back(bound);
+      if (problem.pressure[at] > 0.0) bound[at] = bound_of(problem, at);
+      if (bound[at] > 0.0) ++of_row;
     }
+    with_traction += of_row;
+    of_factors += newton_factors(of_row);
   }
-}
-
-void Newton::convolve() {
-  convolution_.tangential(field_x_, field_y_);
-  ++solution_.products;
-}
-
-void Newton::update_slip() {
-  RollingSolution& s = solution_;
-  field_x_ = s.traction_x;
-  field_y_ = s.traction_y;
-  convolve();
-  for (const std::vector<NewtonCell>* cells : {&cells_, &frictionless_}) {
-    for (const NewtonCell& c : *cells) {
-      const auto at = static_cast<std::size_t>(c.at);
-      s.slip_x[at] = c.wx + field_x_[at];
-      s.slip_y[at] = c.wy + field_y_[at];
-    }
-  }
-  for (const NewtonCell& c : frictionless_) s.state[static_cast<std::size_t>(c.at)] = CellState::slip;
-}
-
-// Sets up the Newton system at the present tractions and slips; returns the residual of the convergence test.
-double Newton::linearise() {
-  RollingSolution& s = solution_;
-  rhs_.clear();
-  NewtonResidual sums;
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    NewtonCell& c = cells_[k];
-    const auto at = static_cast<std::size_t>(c.at);
-    const double px = s.traction_x[at], py = s.traction_y[at];
-    double rhs[2];
-    const bool slides = wrc::linearise(bound_[k], rho_, px, py, s.slip_x[at], s.slip_y[at],
-                                       static_cast<int>(rhs_.size()), c, rhs, sums);
-    s.state[at] = slides ? CellState::slip : CellState::adhesion;
-    rhs_.insert(rhs_.end(), rhs, rhs + c.count);
-    sums.norm_squared += full() ? px * px + py * py : asked_squared(bound_[k], rho_, px, py, c);
-  }
-  return sums.value();
-}
-
-void Newton::clear_field() {
-  std::fill(field_x_.begin(), field_x_.end(), 0.0);
-  std::fill(field_y_.begin(), field_y_.end(), 0.0);
-}
-
-// Slip that the tractions in the field cause, as left-hand sides of the equations.
-void Newton::gather(Vector& out) {
-  convolve();
-  for (const NewtonCell& c : cells_) {
-    const auto at = static_cast<std::size_t>(c.at);
-    equations_of(c, field_x_[at], field_y_[at], out.data());
-  }
-}
-
-void Newton::apply_matrix(const Vector& in, Vector& out) {
-  clear_field();
-  for (const NewtonCell& c : cells_) {
-    const auto at = static_cast<std::size_t>(c.at);
-    traction_of(c, in.data(), field_x_[at], field_y_[at]);
-  }
-  gather(out);
-  for (const NewtonCell& c : cells_) {
-    const auto first = static_cast<std::size_t>(c.first);
-    if (c.count == 1) out[first] += c.stiffening * in[first];
-  }
-}
-
-void Newton::step() {
-  RollingSolution& s = solution_;
-  Vector change(rhs_.size());
-  if (!full()) {  // the slip caused by the radial changes goes to the right-hand side
-    clear_field();
-    for (const NewtonCell& c : cells_) {
-      field_x_[static_cast<std::size_t>(c.at)] = c.radial_x;
-      field_y_[static_cast<std::size_t>(c.at)] = c.radial_y;
-    }
-    gather(change);
-    for (std::size_t k = 0; k < rhs_.size(); ++k) rhs_[k] -= change[k];
-  }
-  preconditioner_.factor(cells_, convolution_.planar());  // within a row nothing is turned
+  // Not cleared: what is not written takes no memory.
+  vectors = std::make_unique_for_overwrite<double[]>(newton_vectors(with_traction, max_products));
+  factors = std::make_unique_for_overwrite<float[]>(of_factors);
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
-  const double accuracy = full() ? 0.1 * problem_.tolerance : 1e-2;
-  constexpr int max_products = 100;
-  gmres([this](const Vector& in, Vector& out) { apply_matrix(in, out); },
-        [this](const Vector& in, Vector& out) { preconditioner_.apply(in, out); }, rhs_, accuracy,
-        max_products, change);
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    const auto at = static_cast<std::size_t>(cells_[k].at);
-    advance(cells_[k], bound_[k], change.data(), share_of_step(s.iterations), s.traction_x[at],
-            s.traction_y[at]);
+  const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
+  RollingNewton newton(*this, {tolerance, accuracy, problem.max_iterations, max_products});
+  const NewtonEnd end = newton.solve([&](double residual) {
+    const double decades = natural_log(std::max(residual, tolerance)) / natural_log(tolerance);
+    return problem.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0));
+  });
+  solution.iterations = newton.iterations();
+  solution.residual = newton.residual();
+  if (end == NewtonEnd::capped) solution.fault = capped(solution.residual, tolerance);
+  for (std::size_t at = 0; at < bound.size(); ++at) {
+    if (problem.pressure[at] <= 0.0) {
+      sx[at] = sy[at] = 0.0;
+    } else if (bound[at] <= 0.0) {
+      state[at] = CellState::slip;
+    }
   }
-}
-
-bool Newton::run(double tolerance, double begun, double done) {
-  RollingSolution& s = solution_;
-  update_slip();
-  for (s.iterations = 0;; ++s.iterations) {
-    s.residual = linearise();
-    if (s.residual <= tolerance) return true;
-    if (s.iterations == problem_.max_iterations) break;
-    const double decades = natural_log(std::max(s.residual, tolerance)) / natural_log(tolerance);
-    if (!problem_.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0))) return false;
-    step();
-    update_slip();
-  }
-  s.fault = capped(s.residual, tolerance);
-  return true;
+  return end != NewtonEnd::cancelled;
 }
 
 // One step of rolling that is not steady. Its slips are the gradient of
@@ -212,8 +119,9 @@ bool Newton::run(double tolerance, double begun, double done) {
 // cells act on their neighbours with one sign.
 class TransientStep {
  public:
+  // The problem's rigid slips hold what earlier displacements add.
   TransientStep(const Grid& grid, TurnedConvolution& displacement, const RollingProblem& problem,
-                const Field& earlier_x, const Field& earlier_y, RollingSolution& solution);
+                RollingSolution& solution);
 
   // Iterates until the convergence test holds; false if cancelled.
   bool run();
@@ -244,7 +152,7 @@ void into_disk(double radius, double& x, double& y) {
 }
 
 TransientStep::TransientStep(const Grid& grid, TurnedConvolution& displacement, const RollingProblem& problem,
-                             const Field& earlier_x, const Field& earlier_y, RollingSolution& solution)
+                             RollingSolution& solution)
     : problem_(problem),
       solution_(solution),
       displacement_(displacement),
@@ -253,19 +161,10 @@ TransientStep::TransientStep(const Grid& grid, TurnedConvolution& displacement, 
       change_y_(grid.cells(), 0.0),
       slip_x_(grid.cells(), 0.0),
       slip_y_(grid.cells(), 0.0) {
-  const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
-  const Creepage& c = problem.creepage;
-  for (int j = 0; j < grid.ny; ++j) {
-    for (int i = 0; i < grid.nx; ++i) {
-      const std::size_t at = grid.index(i, j);
-      if (problem.pressure[at] <= 0.0) continue;
-      const double bound = problem.adhesion == Adhesion::full
-                               ? std::numeric_limits<double>::infinity()
-                               : friction_of(problem, at) * problem.pressure[at];
-      cells_.push_back({at, c.longitudinal - c.spin * grid.y(j) + earlier_x[at],
-                        c.lateral + c.spin * (grid.x(i) + ahead) + earlier_y[at], bound});
-      into_disk(bound, solution.traction_x[at], solution.traction_y[at]);
-    }
+  for (std::size_t at = 0; at < grid.cells(); ++at) {
+    if (problem.pressure[at] <= 0.0) continue;
+    cells_.push_back({at, problem.rigid_slip_x[at], problem.rigid_slip_y[at], bound_of(problem, at)});
+    into_disk(cells_.back().bound, solution.traction_x[at], solution.traction_y[at]);
   }
 }
 
@@ -280,17 +179,16 @@ void TransientStep::displace(const Field& x, const Field& y) {
 // |p - P(p - rho s)| over |min(g, max(|p|, rho |w'|))|, and which cells slide.
 double TransientStep::residual() {
   RollingSolution& s = solution_;
-  NewtonResidual sums;
+  double error = 0.0, norm = 0.0;
   for (const Cell& c : cells_) {
     const double px = s.traction_x[c.at], py = s.traction_y[c.at];
     double x = px - rho_ * s.slip_x[c.at], y = py - rho_ * s.slip_y[c.at];
     s.state[c.at] = x * x + y * y > c.bound * c.bound ? CellState::slip : CellState::adhesion;
     into_disk(c.bound, x, y);
-    sums.error_squared += (px - x) * (px - x) + (py - y) * (py - y);
-    const double asked = std::max(px * px + py * py, rho_ * rho_ * (c.wx * c.wx + c.wy * c.wy));
-    sums.norm_squared += std::min(c.bound * c.bound, asked);
+    error += (px - x) * (px - x) + (py - y) * (py - y);
+    norm += asked_squared(c.bound, px, py, rho_ * c.wx, rho_ * c.wy);
   }
-  return sums.value();
+  return relative_residual(error, norm);
 }
 
 bool TransientStep::run() {
@@ -489,16 +387,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   RollingProblem with = problem;
   Field x(grid.cells(), 0.0), y = compressive(problem.pressure);
   pressed_->tangential(x, y);
-  if (with.rigid_slip_x.empty()) {
-    const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
-    const Creepage& c = problem.creepage;
-    for (int j = 0; j < grid.ny; ++j) {
-      for (int i = 0; i < grid.nx; ++i) {
-        with.rigid_slip_x.push_back(c.longitudinal - c.spin * grid.y(j));
-        with.rigid_slip_y.push_back(c.lateral + c.spin * (grid.x(i) + ahead));
-      }
-    }
-  }
+  find_rigid_slip(grid, with);
   for (std::size_t k = 0; k < x.size(); ++k) {
     with.rigid_slip_x[k] -= x[k];
     with.rigid_slip_y[k] -= y[k];
@@ -525,13 +414,13 @@ RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
       solution.traction_y = problem.start->traction_y;
     }
     constexpr double coarse_tolerance = 1e-2;
-    Newton newton(level.grid, level.convolution, problems[l], solution);
+    find_rigid_slip(level.grid, problems[l]);
     // Work goes with the cells: a quarter of it on each coarser grid.
     const bool coarsest = l + 1 == problems.size();
     const double done = std::ldexp(1.0, -2 * static_cast<int>(l));
     const double begun = coarsest ? 0.0 : done / 4.0;
-    if (!newton.run(l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance), begun,
-                    done)) {
+    if (!OnGrid{level.grid, level.convolution, problems[l], solution}.solve(
+            l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance), begun, done)) {
       clear(level.grid, solution);
       solution.fault = {.status = WRC_ERROR_CANCELLED};
       return solution;
@@ -562,12 +451,14 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
   solution.fault = check(grid_, problem);
   if (solution.fault.failed()) return solution;
   // -u_before(x + dx) / dx is what the steady slip has beside u(x) / dx, of the tractions before.
+  RollingProblem with = problem;
+  find_rigid_slip(grid_, with);
   Field earlier_x = traction_x_, earlier_y = traction_y_, own_x = traction_x_, own_y = traction_y_;
   steady_.tangential(earlier_x, earlier_y);
   displacement_.tangential(own_x, own_y);
   for (std::size_t k = 0; k < earlier_x.size(); ++k) {
-    earlier_x[k] -= own_x[k];
-    earlier_y[k] -= own_y[k];
+    with.rigid_slip_x[k] += earlier_x[k] - own_x[k];
+    with.rigid_slip_y[k] += earlier_y[k] - own_y[k];
     if (problem.pressure[k] <= 0.0) continue;
     solution.traction_x[k] = traction_x_[k];
     solution.traction_y[k] = traction_y_[k];
@@ -580,11 +471,11 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
     pressed_->tangential(x, y);
     pressed_steady_->tangential(before_x, before_y);
     for (std::size_t k = 0; k < n; ++k) {
-      earlier_x[k] -= x[k] + before_x[k];
-      earlier_y[k] -= y[k] + before_y[k];
+      with.rigid_slip_x[k] -= x[k] + before_x[k];
+      with.rigid_slip_y[k] -= y[k] + before_y[k];
     }
   }
-  if (!TransientStep(grid_, displacement_, problem, earlier_x, earlier_y, solution).run()) {
+  if (!TransientStep(grid_, displacement_, with, solution).run()) {
     clear(grid_, solution);
     solution.fault = {.status = WRC_ERROR_CANCELLED};
     return solution;

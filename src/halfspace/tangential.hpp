@@ -2,20 +2,19 @@
 ///
 /// Slip of the wheel over the rail per unit rolled length, particles travelling towards -x:
 ///     s(x, y) = w(x, y) - du/dx,    w = (nu_x - phi y, nu_y + phi x),
-/// u the displacement difference wheel minus rail from tractions p on the wheel (influence.hpp). Where |p| <
-/// g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g s / |s|. That is solved by Newton's method with a
-/// moving adhesion area (a primal-dual active set; tangential/coarse_halfspace/rolling_newton.hpp), its
-/// linear systems by GMRES with the rows along x inverted as preconditioner and FFT convolutions as products,
-/// started from the solution on a grid of half as many cells each way.
+/// u the displacement difference wheel minus rail from tractions p on the wheel
+/// (tangential/exact/cell_influence.hpp). Where |p| < g, g = mu p_n, the cell sticks, s = 0; elsewhere p = -g
+/// s / |s|. That is solved by Newton's method with a moving adhesion area
+/// (tangential/exact/rolling_newton.hpp) with FFT convolutions as products, started from the solution on a
+/// grid of half as many cells each way.
 ///
 /// Of unlike bodies the pressure moves the surfaces along each other, too: what that adds to w is taken with
-/// it (influence.hpp, Kalker's K), and the energy balance is that of all of w.
+/// it (tangential/exact/cell_influence.hpp, Kalker's K), and the energy balance is that of all of w.
 ///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include "halfspace/grid.hpp"
 #include "halfspace/progress.hpp"
 #include "halfspace/turned_convolution.hpp"
+#include "tangential/exact/rolling_newton.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc::halfspace {
@@ -66,16 +66,14 @@ struct RollingProblem {
   Field rigid_slip_x, rigid_slip_y;
   Adhesion adhesion = Adhesion::coulomb;
   Collocation collocation = Collocation::quarter_point;
-  /// |p - P(p - rho s)| <= tolerance |min(g, max(|p|, rho |w|))| (2-norms over the cells; |p| in full
-  /// adhesion), rho = 1 / largest coefficient, about 1.3 G.
+  /// |p - P(p - rho s)| <= tolerance |min(g, max(|p|, rho |w|))| (2-norms over the cells; g is
+  /// infinite in full adhesion), rho = 1 / largest coefficient, about 1.3 G.
   double tolerance = 1e-4;
   int max_iterations = 60;  ///< Newton iterations on one grid
   /// Solution of a problem near this one to start from; without it the start is made on coarser grids.
   const RollingSolution* start = nullptr;
   ProgressCallback progress;
 };
-
-enum class CellState : std::uint8_t { exterior, adhesion, slip };
 
 struct RollingSolution {
   Field traction_x, traction_y;  ///< on the wheel [Pa]

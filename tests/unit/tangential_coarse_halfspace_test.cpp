@@ -93,7 +93,7 @@ TEST(CoarseHalfspace, OneGridSolvesTheSameEquationsAsTheOfflineSolver) {
     rolling->grid.dy = grid.dy;
     rolling->grid.first_x = grid.x0;
     rolling->grid.first_y = grid.y0;
-    fill_coefficients(c.shear_modulus, c.poisson, rolling->grid);
+    fill_coefficients({c.shear_modulus, c.poisson}, rolling->grid);
     std::fill_n(rolling->border_compliance, n * n, 0.0);
     for (std::size_t at = 0; at < n * n; ++at) rolling->bound[at] = c.friction * pressure[at];
     std::fill_n(rolling->px, n * n, 0.0);

@@ -124,7 +124,7 @@ void find_shares(const CoarseRolling<n>& rolling, Shares<n>& shares) {
     const double sx = rolling.sx[at], sy = rolling.sy[at];
     shares.weight[at] = 1.0;
     shares.cell[at] = {rolling.px[at] / rolling.bound[at], rolling.py[at] / rolling.bound[at],
-                       rolling.slides[at] ? std::sqrt(sx * sx + sy * sy) : 0.0};
+                       rolling.state[at] == CellState::slip ? std::sqrt(sx * sx + sy * sy) : 0.0};
   }
 }
 
@@ -206,15 +206,17 @@ TangentialForces coarse_halfspace(const RollingContact& contact, void* workspace
   const Box box = box_around(strips);
   lay_over(box, coarse.grid);
   lay_over(box, fine.grid);
-  fill_coefficients(contact.shear_modulus, contact.linear_theory->poisson(), coarse.grid);
-  fill_coefficients(contact.shear_modulus, contact.linear_theory->poisson(), fine.grid);
+  const Material material{.shear_modulus = contact.shear_modulus,
+                          .poisson = contact.linear_theory->poisson()};
+  fill_coefficients(material, coarse.grid);
+  fill_coefficients(material, fine.grid);
   deal_out(contact, coarse);
   deal_out(contact, fine);
 
   constexpr double tolerance = 1e-3;
   constexpr int max_iterations = 30;
-  std::fill_n(coarse.px, coarse.cells, 0.0);
-  std::fill_n(coarse.py, coarse.cells, 0.0);
+  std::fill_n(coarse.px, coarse.cell_count, 0.0);
+  std::fill_n(coarse.py, coarse.cell_count, 0.0);
   bool solved = coarse.solve(contact.creepage, tolerance, max_iterations);
   Shares<coarse_cells> coarse_shares;
   find_shares(coarse, coarse_shares);

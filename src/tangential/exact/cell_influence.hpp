@@ -14,10 +14,10 @@
 
 #include "patch/material.hpp"
 
-namespace wrc::halfspace {
+namespace wrc {
 
 /// Displacements per unit traction over the cell [m/Pa].
-struct Influence {
+struct CellInfluence {
   double zz = 0.0;  ///< u_z from p_z
   double xx = 0.0;  ///< u_x from p_x
   double xy = 0.0;  ///< u_x from p_y, equal to u_y from p_x
@@ -33,6 +33,6 @@ CouplingInfluence coupling_influence(double x, double y, double dx, double dy);
 
 /// Influence of a cell of size dx x dy [m] at the point (x, y) [m] from its centre; any point, the cell's own
 /// included.
-Influence influence(const Material& material, double x, double y, double dx, double dy);
+CellInfluence cell_influence(const Material& material, double x, double y, double dx, double dy);
 
-}  // namespace wrc::halfspace
+}  // namespace wrc

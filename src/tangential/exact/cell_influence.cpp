@@ -1,15 +1,17 @@
-#include "halfspace/influence.hpp"
+#include "tangential/exact/cell_influence.hpp"
 
 #include <cmath>
 #include <initializer_list>
 
 #include "base/elementary.hpp"
 
-namespace wrc::halfspace {
+namespace wrc {
 namespace {
 
 // x asinh(y / |x|), the corner function of IInt y^2/r^3; its limit at x = 0 is 0.
-double corner(double x, double y) { return x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x)); }
+double corner(double x, double y, double r) {
+  return x == 0.0 ? 0.0 : std::copysign(x, x * y) * natural_log((std::abs(y) + r) / std::abs(x));
+}
 
 // Integral of x/r^2 from a corner at the distances x, y, but for what drops out between the corners.
 double coupling_corner(double x, double y) {
@@ -23,16 +25,17 @@ double coupling_corner(double x, double y) {
 //     IInt y^2/r^3 = [[ X ln(Y + r) ]],  IInt x^2/r^3 = [[ Y ln(X + r) ]],  IInt x y/r^3 = [[ -r ]],
 // double differences over the corners; 1/r is the sum of the first two. asinh(Y/|X|) replaces ln(Y + r): the
 // difference ln|X| does not depend on Y and drops out, and nothing cancels for negative Y.
-Influence influence(const Material& material, double x, double y, double dx, double dy) {
+CellInfluence cell_influence(const Material& material, double x, double y, double dx, double dy) {
   const double xs[2] = {x - 0.5 * dx, x + 0.5 * dx};
   const double ys[2] = {y - 0.5 * dy, y + 0.5 * dy};
   double yy_over_r3 = 0.0, xx_over_r3 = 0.0, xy_over_r3 = 0.0;
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const double sign = i == j ? 1.0 : -1.0;
-      yy_over_r3 += sign * corner(xs[i], ys[j]);
-      xx_over_r3 += sign * corner(ys[j], xs[i]);
-      xy_over_r3 -= sign * std::sqrt(xs[i] * xs[i] + ys[j] * ys[j]);
+      const double r = std::sqrt(xs[i] * xs[i] + ys[j] * ys[j]);
+      yy_over_r3 += sign * corner(xs[i], ys[j], r);
+      xx_over_r3 += sign * corner(ys[j], xs[i], r);
+      xy_over_r3 -= sign * r;
     }
   }
   const double scale = 1.0 / (pi * material.shear_modulus);
@@ -55,4 +58,4 @@ CouplingInfluence coupling_influence(double x, double y, double dx, double dy) {
   return sum;
 }
 
-}  // namespace wrc::halfspace
+}  // namespace wrc
