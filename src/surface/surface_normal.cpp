@@ -420,7 +420,7 @@ void follow_last_step(const StripSet& s, std::int32_t sweep, std::int32_t used, 
 /// Sweeps from the lengths and shifts that stand in `s` to the tolerance. Ends after the first sweep where
 /// that moves more than the part `farthest` of the area.
 SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double tolerance, double farthest,
-                             std::int32_t max_sweeps, Scratch& w) {
+                             const SurfaceNormalOptions& options, Scratch& w) {
   SurfaceNormalResult result;
   const std::int32_t n = s.count;
   bool skewed = false;
@@ -430,7 +430,11 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
   for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300, area = 1.0, shift_weight = 0.0;
-  for (std::int32_t sweep = 0; sweep < max_sweeps; ++sweep) {
+  const auto affordable = [&options](std::int32_t sweep, double work) {
+    return sweep < options.assured_sweeps || (sweep < options.max_sweeps && work < options.max_work);
+  };
+  double work = 0.0;
+  for (std::int32_t sweep = 0; affordable(sweep, work); ++sweep) {
     ++result.sweeps;
     for (std::int32_t i = 0; i < n; ++i) {
       const double least = least_half_length * s.width[i];
@@ -439,6 +443,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
     // far strips are looked at when sweeps begin, and where they would end
     kept = solve_contact(problem, s, skewed, sweep == 0, w);
     if (kept == 0) break;
+    work += 1.0 * kept * kept;
     look_at_edges(problem, s, kept, skewed, w);
     double moved = 0.0;
     area = 0.0;
@@ -514,7 +519,7 @@ void pair_up(const StripSet& s, std::int32_t* pair_of, const std::int32_t* numbe
 
 /// Lengths and shifts to start from where there is no earlier solution: those of the overlaps, or of a
 /// solution on pairs of strips. Its sweeps are added to `result`.
-void start_from_overlaps(const Problem& problem, const Overlaps& o, std::int32_t max_sweeps,
+void start_from_overlaps(const Problem& problem, const Overlaps& o, const SurfaceNormalOptions& options,
                          std::int32_t* pair_of, SurfaceNormalResult& result, Scratch& w) {
   const StripSet& s = w.fine;
   for (std::int32_t i = 0; i < s.count; ++i) {
@@ -524,7 +529,7 @@ void start_from_overlaps(const Problem& problem, const Overlaps& o, std::int32_t
   if (s.count >= 2 * fewest_pairs) {
     StripSet& c = w.coarse;
     pair_up(s, pair_of, o.strip, c);
-    result.sweeps += sweep_to(problem, c, coarse_tolerance, anywhere, max_sweeps, w).sweeps;
+    result.sweeps += sweep_to(problem, c, coarse_tolerance, anywhere, options, w).sweeps;
     for (std::int32_t i = 0; i < s.count; ++i) {
       // along the line through this pair and the next one on the strip's side, where both are in contact
       const std::int32_t k = pair_of[i];
@@ -579,13 +584,13 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
     result.converged = true;
   } else {
     if (started) {
-      result = sweep_to(problem, s, options.tolerance, farthest_start, options.max_sweeps, w);
+      result = sweep_to(problem, s, options.tolerance, farthest_start, options, w);
       started = result.converged;
     }
     if (!started) {
-      start_from_overlaps(problem, o, options.max_sweeps, pair_of, result, w);
+      start_from_overlaps(problem, o, options, pair_of, result, w);
       const std::int32_t earlier = result.sweeps;
-      result = sweep_to(problem, s, options.tolerance, anywhere, options.max_sweeps, w);
+      result = sweep_to(problem, s, options.tolerance, anywhere, options, w);
       result.sweeps += earlier;
     }
   }

@@ -38,7 +38,10 @@ struct SurfaceStart {
 };
 
 struct SurfaceNormalOptions {
-  std::int32_t max_sweeps = 40;
+  /// Sweeps end without a solution after `assured_sweeps`, when the squares of the strips in contact add up
+  /// to `max_work`, which 40 of them reach by then; narrow patches take more sweeps, up to `max_sweeps`.
+  std::int32_t assured_sweeps = 40, max_sweeps = 160;
+  double max_work = 64000.0;
   /// Part of the area that a sweep moves at which the step after it is the last. Lengths and strengths end
   /// ten and more times nearer: the step is taken, and strengths follow it.
   double tolerance = 1e-7;
