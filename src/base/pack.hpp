@@ -46,10 +46,12 @@ inline void store_first(std::int32_t count, double* to, Native a) {
 }
 inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
   const auto four = [&](std::int32_t k) {  // elements k, k + 2, k + 4, k + 6, each with the one behind it
-    const Native first = _mm512_castpd128_pd512(_mm_loadu_pd(from + i[k]));
-    const Native second = _mm512_insertf64x2(first, _mm_loadu_pd(from + i[k + 2]), 1);
-    const Native third = _mm512_insertf64x2(second, _mm_loadu_pd(from + i[k + 4]), 2);
-    return _mm512_insertf64x2(third, _mm_loadu_pd(from + i[k + 6]), 3);
+    const Native first = _mm512_castpd128_pd512(_mm_loadu_pd(from + static_cast<std::uint32_t>(i[k])));
+    const Native second =
+        _mm512_insertf64x2(first, _mm_loadu_pd(from + static_cast<std::uint32_t>(i[k + 2])), 1);
+    const Native third =
+        _mm512_insertf64x2(second, _mm_loadu_pd(from + static_cast<std::uint32_t>(i[k + 4])), 2);
+    return _mm512_insertf64x2(third, _mm_loadu_pd(from + static_cast<std::uint32_t>(i[k + 6])), 3);
   };
   const Native even = four(0), odd = four(1);
   at = _mm512_maskz_unpacklo_pd(0xff, even, odd);
@@ -89,8 +91,8 @@ inline void store_first(std::int32_t count, double* to, Native a) {
 }
 inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
   const auto two = [&](std::int32_t k) {  // elements k and k + 2, each with the one behind it
-    const Native first = _mm256_castpd128_pd256(_mm_loadu_pd(from + i[k]));
-    return _mm256_insertf128_pd(first, _mm_loadu_pd(from + i[k + 2]), 1);
+    const Native first = _mm256_castpd128_pd256(_mm_loadu_pd(from + static_cast<std::uint32_t>(i[k])));
+    return _mm256_insertf128_pd(first, _mm_loadu_pd(from + static_cast<std::uint32_t>(i[k + 2])), 1);
   };
   const Native even = two(0), odd = two(1);
   at = _mm256_unpacklo_pd(even, odd);
@@ -123,7 +125,8 @@ inline void store_first(std::int32_t count, double* to, Native a) {
   if (count == 1) _mm_storel_pd(to, a);
 }
 inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
-  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  const Native even = load_lanes(from + static_cast<std::uint32_t>(i[0])),
+               odd = load_lanes(from + static_cast<std::uint32_t>(i[1]));
   at = _mm_unpacklo_pd(even, odd);
   behind = _mm_unpackhi_pd(even, odd);
 }
@@ -155,7 +158,8 @@ inline void store_first(std::int32_t count, double* to, Native a) {
   if (count == 1) vst1q_lane_f64(to, a, 0);
 }
 inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
-  const Native even = load_lanes(from + i[0]), odd = load_lanes(from + i[1]);
+  const Native even = load_lanes(from + static_cast<std::uint32_t>(i[0])),
+               odd = load_lanes(from + static_cast<std::uint32_t>(i[1]));
   at = vtrn1q_f64(even, odd);
   behind = vtrn2q_f64(even, odd);
 }
@@ -184,8 +188,8 @@ inline void store_first(std::int32_t count, double* to, Native a) {
   if (count >= 1) *to = a[0];
 }
 inline void pick_lanes(const double* from, const std::int64_t* i, Native& at, Native& behind) {
-  at = Native{from[i[0]]};
-  behind = Native{from[i[0] + 1]};
+  at = Native{from[static_cast<std::uint32_t>(i[0])]};
+  behind = Native{from[static_cast<std::uint32_t>(i[0]) + 1]};
 }
 inline Native root_of(Native a) { return Native{__builtin_sqrt(a[0])}; }
 inline NativeMask less(Native a, Native b) { return a[0] < b[0]; }
@@ -254,7 +258,6 @@ inline Pack select(Mask m, Pack yes, Pack no) { return {choose(m.a, yes.a, no.a)
 inline Pack root(Pack x) { return {root_of(x.a), root_of(x.b)}; }
 inline Pack larger(Pack x, Pack y) { return {larger_of(x.a, y.a), larger_of(x.b, y.b)}; }
 inline Pack smaller(Pack x, Pack y) { return {smaller_of(x.a, y.a), smaller_of(x.b, y.b)}; }
-inline Pack magnitude(Pack x) { return larger(x, -x); }
 inline Pack load_pack(const double* from) { return {load_lanes(from), load_lanes(from + native_lanes)}; }
 inline void store_pack(double* to, Pack x) {
   store_lanes(to, x.a);
@@ -285,24 +288,35 @@ struct Bits {
   friend Bits operator>>(Bits x, int by) { return {x.a >> by, x.b >> by}; }
   friend Bits operator<<(Bits x, int by) { return {x.a << by, x.b << by}; }
   friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
+  friend Bits operator|(Bits x, Bits y) { return {x.a | y.a, x.b | y.b}; }
   friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
 };
 inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
 inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
 
-/// Whole numbers 0 <= x < 2^51, one for each lane, as indices.
+/// Without its sign.
+inline Pack magnitude(Pack x) { return pack_of(bits_of(x) & ~(std::uint64_t{1} << 63)); }
+
+/// A number >= 0 with the sign of another.
+inline Pack with_sign(Pack size, Pack of) {
+  return pack_of(bits_of(size) | (bits_of(of) & (std::uint64_t{1} << 63)));
+}
+
+/// Whole numbers 0 <= x < 2^32, one for each lane, as indices.
 struct Indices {
-  std::int64_t at[lanes];
+  std::int64_t at[lanes];  ///< in the lower halves
 };
-inline Indices indices(Pack x) {
-  constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
-  const Bits whole = bits_of(x + 4503599627370496.0) & mantissa;  // 2^52: the mantissa counts ones
+/// Of x + index_origin, which counts ones in its mantissa.
+constexpr double index_origin = 4503599627370496.0;  // 2^52
+inline Indices indices_behind_origin(Pack x) {
+  const Bits whole = bits_of(x);
   Indices i;
   __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
   __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
   __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
   return i;
 }
+inline Indices indices(Pack x) { return indices_behind_origin(x + index_origin); }
 
 /// Elements i.at[0], i.at[1], .. of an array, and those behind them.
 struct Neighbours {

@@ -17,13 +17,54 @@ double area_sinh(double x) {
 }
 
 /// Mean of J(s, 1) over |s| < tau.
-double mean_at_edge(const InfluenceTables& influence, double tau) {
+double mean_at_edge(double tau) {
   // J(s, 1) bends like sqrt(s): Gauss's three points in u, s = tau u^2.
   constexpr double u[] = {0.11270166537925831, 0.5, 0.88729833462074169};
   constexpr double weight[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   double mean = 0.0;
-  for (int n = 0; n < 3; ++n) mean += weight[n] * 2.0 * u[n] * influence.at(tau * u[n] * u[n], 1.0);
+  for (int n = 0; n < 3; ++n) mean += weight[n] * 2.0 * u[n] * line_potential(tau * u[n] * u[n], 1.0);
   return mean;
+}
+
+/// A row of J's table: two nodes more than its columns, one before and one behind them.
+struct LineRow {
+  double at[InfluenceTables::columns + 2];
+};
+
+void find_row(int row, LineRow& found) {
+  constexpr EvenAxis axis = InfluenceTables::from_end;
+  const double tau = InfluenceTables::line_rows.node(row);
+  for (int k = 0; k < InfluenceTables::columns + 2; ++k) {
+    const int from_end = k - 1 - InfluenceTables::to_middle;
+    const double distance = axis.node(std::abs(from_end)) - axis.low();
+    found.at[k] = line_potential(tau, std::abs(from_end < 0 ? 1.0 - distance : 1.0 + distance));
+  }
+}
+
+/// The nodes of a row between two others: each lowered by a twelfth of the second differences in both
+/// directions, which takes away the mean of what straight lines between the nodes are too high.
+void level_row(const LineRow& before, const LineRow& row, const LineRow& behind, double* levelled) {
+  for (int k = 0; k < InfluenceTables::columns; ++k) {
+    const double here = row.at[k + 1];
+    const double bend = row.at[k] + row.at[k + 2] + before.at[k + 1] + behind.at[k + 1] - 4.0 * here;
+    levelled[k] = here - bend / 12.0;
+  }
+}
+
+void tabulate_anywhere(InfluenceTables& influence) {
+  constexpr int columns = InfluenceTables::columns;
+  LineRow rows[3];
+  double levelled[2][columns];
+  find_row(-1, rows[0]);
+  find_row(0, rows[1]);
+  for (int row = 0; row <= InfluenceTables::line_rows.intervals(); ++row) {
+    LineRow& behind = rows[(row + 2) % 3];
+    find_row(row + 1, behind);
+    level_row(rows[row % 3], rows[(row + 1) % 3], behind, levelled[row % 2]);
+    if (row == 0) continue;
+    double* const cells = influence.anywhere.data() + (row - 1) * columns;
+    for (int k = 0; k < columns; ++k) cells[k] = twin(levelled[(row - 1) % 2][k], levelled[row % 2][k]);
+  }
 }
 
 }  // namespace
@@ -35,26 +76,30 @@ double line_potential(double tau, double xi) noexcept {
   const double v_leading = area_sinh((1.0 - xi) / tau);
   const double middle = 0.5 * (v_trailing + v_leading);
   const double half = 0.5 * (v_leading - v_trailing);
-  const int halvings = tau < 0.05 ? 5 : (tau < 1.0 ? 4 : 3);
-  const int points = 2 << halvings;
-  // sin and cos of the step pi / points by halving the angle pi / 2.
+  const int halvings = tau < 0.3 ? 3 : 2;  // to 1e-9; nearer than 1e-4 to 2e-7
+  const int pairs = 1 << halvings;         // of points at sin(phi) and -sin(phi)
+  // sin and cos of the step pi / (2 pairs) by halving the angle pi / 2.
   double cosine_step = 0.0, sine_step = 1.0;
   for (int n = 0; n < halvings; ++n) {
     sine_step = std::sqrt(0.5 * (1.0 - cosine_step));
     cosine_step = std::sqrt(0.5 * (1.0 + cosine_step));
   }
-  const double first = std::sqrt(0.5 * (1.0 - cosine_step));  // sin of half a step
-  double cosine = first, sine = -std::sqrt(0.5 * (1.0 + cosine_step));
+  double sine = std::sqrt(0.5 * (1.0 - cosine_step)), cosine = std::sqrt(0.5 * (1.0 + cosine_step));
+  const double e_middle = natural_exp(middle);
+  const double up = 0.5 * tau * e_middle, down = 0.5 * tau / e_middle;
+  const auto pressure = [xi](double from_xi) {
+    const double t = xi + from_xi;
+    return std::sqrt(std::max(0.0, 1.0 - t * t));
+  };
   double sum = 0.0;
-  for (int n = 0; n < points; ++n) {
-    const double e = natural_exp(middle + half * sine);
-    const double t = xi + 0.5 * tau * (e - 1.0 / e);
-    sum += std::sqrt(std::max(0.0, 1.0 - t * t)) * cosine;
+  for (int n = 0; n < pairs; ++n) {
+    const double e = natural_exp(half * sine), inverse = 1.0 / e;
+    sum += (pressure(up * e - down * inverse) + pressure(up * inverse - down * e)) * cosine;
     const double next = cosine * cosine_step - sine * sine_step;
     sine = sine * cosine_step + cosine * sine_step;
     cosine = next;
   }
-  return sum * half * pi / points;
+  return 0.5 * sum * half * pi / pairs;
 }
 
 void tabulate(InfluenceTables& influence) noexcept {
@@ -65,24 +110,15 @@ void tabulate(InfluenceTables& influence) noexcept {
   for (int i = 0; i <= InfluenceTables::distance_axis.intervals(); ++i) {
     const double next = InfluenceTables::distance_axis.node(i + 1);
     const double here = line_displacement(1.0, node);
-    influence.on_middle_plane[static_cast<std::size_t>(i)] = here;
+    influence.on_middle_plane[static_cast<std::size_t>(i)] = twin(here, 1.0 / std::sqrt(1.0 + node * node));
     influence.mean_under[static_cast<std::size_t>(i)] = integral / node;
     integral += (next - node) / 6.0 *
                 (here + 4.0 * line_displacement(1.0, 0.5 * (node + next)) + line_displacement(1.0, next));
     node = next;
   }
-  for (int i = 0; i <= InfluenceTables::chi_axis.intervals(); ++i)
-    for (int j = 0; j <= InfluenceTables::eta_intervals; ++j) {
-      const double x = InfluenceTables::chi_axis.node(i);
-      const double v = static_cast<double>(j) / InfluenceTables::eta_intervals;
-      const double eta = 1.0 - v * v;
-      const double tau = std::sqrt(x * (x + 2.0) * v * v * (1.0 + eta));
-      influence.anywhere[i * (InfluenceTables::eta_intervals + 1) + j] =
-          line_potential(std::max(tau, 1e-6), (1.0 + x) * eta);
-    }
   for (int i = 0; i <= InfluenceTables::distance_axis.intervals(); ++i)
-    influence.edge_under[static_cast<std::size_t>(i)] =
-        mean_at_edge(influence, InfluenceTables::distance_axis.node(i));
+    influence.edge_under[static_cast<std::size_t>(i)] = mean_at_edge(InfluenceTables::distance_axis.node(i));
+  tabulate_anywhere(influence);
 }
 
 }  // namespace wrc

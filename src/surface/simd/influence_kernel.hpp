@@ -29,8 +29,7 @@ inline Pack cosine_to(const SurfaceSources& sources, std::int32_t first, const T
   return points.ny * for_both(sources.ny, first) + points.nz * for_both(sources.nz, first);
 }
 
-/// What the sources from `first` on do to points that are the middles of strips. The formulas are those of
-/// normal/simd/influence_kernel.hpp.
+/// What the sources from `first` on do to points that are the middles of strips.
 template <bool skewed>
 WRC_IN_LOOP Pack influence_on(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t first,
                               const TwoPoints& points) {
@@ -41,31 +40,14 @@ WRC_IN_LOOP Pack influence_on(const SurfaceTables& tables, const SurfaceSources&
   const Pack distance = magnitude(for_both(sources.place, first) - points.place) * inverse;
   const Mask apart = distance > 0.0;
   const Pack tau = select(apart, distance, 1.0);
-  const Pack tau2 = tau * tau;
-  Pack seen = read(tables.line.on_middle_plane, tau);
-  const Pack to_end = root(1.0 + tau2);
-  const Pack inverse_cube = 1.0 / (tau2 * to_end);
-  if constexpr (skewed) {
-    const Pack xi = magnitude(for_both(sources.centre, first) - points.x) * inverse;
-    const Pack xi2 = xi * xi;
-    const Pack inverse_to_end = inverse_cube * tau2;
-    const Pack border = 0.06 + 0.02 * tau2;
-    const Pack close = seen * (1.0 - 0.5 * xi2 * (inverse_to_end * inverse_to_end));
-    if (any(xi2 > border)) {
-      // Both forms hold where one goes over into the other: they are blended there.
-      const Pack beyond = smaller(larger((xi2 - border) / border, 0.0), 1.0);
-      const Pack far = line_potential_at(tables.line, tau, xi);
-      seen = close + beyond * (far - close);
-    } else {
-      seen = close;
-    }
-  }
+  const MiddlePlane<Pack> middle = read_middle_plane(tables.line, tau);
+  Pack seen = middle.potential;
+  if constexpr (skewed)
+    seen = line_potential_near(tables.line, middle, tau,
+                               magnitude(for_both(sources.centre, first) - points.x) * inverse);
   const Mask is_near = distance < near * half_width;
   if (any(is_near)) {
-    const Pack square = half_width * half_width;
-    const Pack t2 = square * (inverse_cube * to_end);
-    const Pack correction = 2.0 * square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + t2 * (1.0 / 42.0)));
-    seen += select(is_near & apart, correction, 0.0);
+    seen += select(is_near & apart, width_correction(half_width / tau, middle.inverse_to_end), 0.0);
     if (any(!apart)) seen = select(apart, seen, read(tables.own_middle, half_width));
   }
   return for_both(sources.factor, first) * seen * cosine_to(sources, first, points);
@@ -92,29 +74,18 @@ inline void surface_influence(const SurfaceTables& tables, const SurfaceSources&
   (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, points, rows, stride);
 }
 
-/// What all sources do to two edges of strips. The sums run in sixteen parts, whatever the width of a vector.
-WRC_IN_LOOP void displace_edges(const SurfaceTables& tables, const SurfaceSources& sources,
-                                const TwoPoints& edges, double& on_a, double& on_b) {
-  constexpr std::int32_t vectors = most_lanes / native_lanes;
-  Pack sum[vectors];
-  for (std::int32_t k = 0; k < vectors; ++k) sum[k] = 0.0;
-  for (std::int32_t base = 0; base < sources.count; base += most_lanes)
-    for (std::int32_t k = 0; k < vectors; ++k) {
-      const std::int32_t first = base + k * native_lanes;
-      if (first >= sources.count) break;
-      const Pack inverse = for_both(sources.inverse_length, first);
-      const Pack tau = magnitude(for_both(sources.place, first) - edges.place) * inverse;
-      const Pack xi = magnitude(edges.x - for_both(sources.centre, first)) * inverse;
-      Pack seen = line_potential_at(tables.line, tau, xi);
-      const Mask own = tau <= 0.0;
-      if (any(own))
-        seen = select(own, read(tables.line.edge_under, for_both(sources.half_width, first)), seen);
-      sum[k] += for_both(sources.factor, first) * seen * cosine_to(sources, first, edges);
-    }
+/// What the sources do to two points, in most_lanes parts whatever the width of a vector.
+struct Parts {
+  static constexpr std::int32_t vectors = most_lanes / native_lanes;
+  Pack of[vectors];
+};
+
+/// Adds up the parts.
+inline void sum_up(const Parts& sum, double& on_a, double& on_b) {
   double part_a[most_lanes], part_b[most_lanes];
-  for (std::int32_t k = 0; k < vectors; ++k) {
-    store_lanes(part_a + k * native_lanes, sum[k].a);
-    store_lanes(part_b + k * native_lanes, sum[k].b);
+  for (std::int32_t k = 0; k < Parts::vectors; ++k) {
+    store_lanes(part_a + k * native_lanes, sum.of[k].a);
+    store_lanes(part_b + k * native_lanes, sum.of[k].b);
   }
   for (std::int32_t half = most_lanes / 2; half > 0; half /= 2)
     for (std::int32_t k = 0; k < half; ++k) {
@@ -125,25 +96,62 @@ WRC_IN_LOOP void displace_edges(const SurfaceTables& tables, const SurfaceSource
   on_b = part_b[0];
 }
 
+/// What the other sources do to the edges of two strips. Both ends of a strip are equally far from a source
+/// but along x.
+template <bool both_ends>
+WRC_IN_LOOP void displace_edges(const SurfaceTables& tables, const SurfaceSources& sources,
+                                const TwoPoints& middles, const Pack& half_length, Parts& leading,
+                                Parts& trailing) {
+  for (std::int32_t k = 0; k < Parts::vectors; ++k) leading.of[k] = trailing.of[k] = 0.0;
+  for (std::int32_t base = 0; base < sources.count; base += most_lanes)
+    for (std::int32_t k = 0; k < Parts::vectors; ++k) {
+      const std::int32_t first = base + k * native_lanes;
+      if (first >= sources.count) break;
+      const Pack inverse = for_both(sources.inverse_length, first);
+      const Pack tau = magnitude(for_both(sources.place, first) - middles.place) * inverse;
+      const LineRows rows = line_rows(tau);
+      const Pack by_unit = for_both(sources.factor, first) * cosine_to(sources, first, middles);
+      const Pack factor = select(tau > 0.0, by_unit, 0.0);
+      const Pack offset = middles.x - for_both(sources.centre, first);
+      const auto by = [&](const Pack& x) {
+        return factor * line_potential_at(tables.line, rows, magnitude(x) * inverse);
+      };
+      leading.of[k] += by(offset + half_length);
+      if constexpr (both_ends) trailing.of[k] += by(offset - half_length);
+    }
+}
+
+template <bool both_ends>
+void displace_all_edges(const SurfaceTables& tables, const SurfaceSources& sources,
+                        const SurfaceEdges& edges) {
+  // What a strip does to its own edges first.
+  for (std::int32_t a = 0; a < sources.count; a += lanes) {
+    const Pack own =
+        load_pack(sources.factor + a) * read(tables.line.edge_under, load_pack(sources.half_width + a));
+    store_pack(edges.leading + a, own);
+    if constexpr (both_ends) store_pack(edges.trailing + a, own);
+  }
+  const SurfacePoints middles{sources.count, sources.place, sources.centre, sources.ny, sources.nz};
+  for (std::int32_t a = 0; a < sources.count; a += 2) {
+    const std::int32_t b = a + 1 < sources.count ? a + 1 : a;  // an odd one is seen twice
+    const Pack half_length(broadcast(edges.half_length[a]), broadcast(edges.half_length[b]));
+    Parts leading, trailing;
+    displace_edges<both_ends>(tables, sources, two_points(middles, a, b), half_length, leading, trailing);
+    const auto add = [a, b](const Parts& parts, double* to) {
+      double on_a, on_b;
+      sum_up(parts, on_a, on_b);
+      to[a] += on_a;
+      if (b != a) to[b] += on_b;
+    };
+    add(leading, edges.leading);
+    if constexpr (both_ends) add(trailing, edges.trailing);
+  }
+}
+
 /// Kernels::surface_edges.
 inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sources,
                           const SurfaceEdges& edges) {
-  const SurfacePoints middles{sources.count, sources.place, sources.centre, sources.ny, sources.nz};
-  const double* const l = edges.half_length;
-  if (edges.trailing) {
-    for (std::int32_t a = 0; a < sources.count; ++a) {
-      TwoPoints ends = two_points(middles, a, a);
-      ends.x = Pack(broadcast(middles.x[a] + l[a]), broadcast(middles.x[a] - l[a]));
-      displace_edges(tables, sources, ends, edges.leading[a], edges.trailing[a]);
-    }
-    return;
-  }
-  for (std::int32_t a = 0; a < sources.count; a += 2) {
-    const std::int32_t b = a + 1 < sources.count ? a + 1 : a;
-    TwoPoints ends = two_points(middles, a, b);
-    ends.x = ends.x + Pack(broadcast(l[a]), broadcast(l[b]));
-    displace_edges(tables, sources, ends, edges.leading[a], edges.leading[b]);
-  }
+  (edges.trailing ? displace_all_edges<true> : displace_all_edges<false>)(tables, sources, edges);
 }
 
 }  // namespace

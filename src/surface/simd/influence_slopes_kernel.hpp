@@ -66,27 +66,47 @@ inline Sloped read_sloped(const double* table, const Sloped& tau) {
                  rise * fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v));
 }
 
-/// line_potential_at() of the same.
+/// read_middle_plane() of the same.
+inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sloped& tau) {
+  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
+  const Neighbours twins = pick(tables.on_middle_plane, indices(place.interval));
+  const Pack slope = fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
+  const auto between = [&](Pack at, Pack behind) {
+    const Pack rise = behind - at;
+    return chained(tau, at + place.fraction * rise, rise * slope);
+  };
+  return {between(first_of(twins.at), first_of(twins.behind)),
+          between(second_of(twins.at), second_of(twins.behind))};
+}
+
+/// even_places() of the same.
+template <int lowest_exponent, int octaves, bool cubic>
+Sloped even_place(const Sloped& x) {
+  constexpr EvenAxis axis{lowest_exponent, octaves, cubic};
+  constexpr double low = axis.low(), high = axis.high();
+  constexpr double first = axis.first(), second = 2.0 * axis.second(), third = 3.0 * axis.third();
+  constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
+  const EvenPlaces at = even_places<lowest_exponent, octaves, cubic>(x.v);
+  const Mask inside = (x.v >= low) & (x.v < high);
+  const Pack octave = pack_of(bits_of(select(inside, x.v, low)) & exponent);
+  const Pack slope = first + at.within * (second + third * at.within);
+  return chained(x, at.place, select(inside, slope / octave, 0.0));
+}
+
+/// line_potential_at() of the same, xi >= 0.
 inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& tau, const Sloped& xi) {
-  const Sloped tau2 = tau * tau;
-  const Sloped to_trailing = root((xi + 1.0) * (xi + 1.0) + tau2);
-  const Sloped to_leading = root((xi - 1.0) * (xi - 1.0) + tau2);
-  const Sloped one_minus_eta = 1.0 - 0.5 * (to_trailing - to_leading);  // xi >= 0
-  const Sloped chi = 0.5 * (to_trailing + to_leading) - 1.0;
-  constexpr OctaveAxis axis = InfluenceTables::chi_axis;
-  const Places row = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(chi.v);
-  const Sloped f = chained(chi, row.fraction,
-                           fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(chi.v));
-  constexpr std::int32_t columns = InfluenceTables::eta_intervals;
-  const Sloped v = static_cast<double>(columns) * root(larger(one_minus_eta, 0.0));
-  const Pack column = smaller(whole_part(v.v), columns - 1.0);
-  const Sloped g{v.v - column, v.l, v.x};
-  const Indices i = indices(row.interval * (columns + 1.0) + column);
-  const Neighbours low = pick(tables.anywhere, i), high = pick(tables.anywhere + columns + 1, i);
-  const Pack low_rise = low.behind - low.at, high_rise = high.behind - high.at;
-  const Pack at_low = low.at + g.v * low_rise, at_high = high.at + g.v * high_rise;
-  const Pack by_f = at_high - at_low, by_g = low_rise + row.fraction * (high_rise - low_rise);
-  return {at_low + row.fraction * by_f, by_f * f.l + by_g * g.l, by_f * f.x + by_g * g.x};
+  constexpr EvenAxis rows_axis = InfluenceTables::line_rows, axis = InfluenceTables::from_end;
+  const Sloped row = even_place<rows_axis.lowest_exponent, rows_axis.octaves, rows_axis.cubic>(tau);
+  const LineRows rows = line_rows_of(row.v);
+  constexpr double least = axis.low();
+  const Pack from_end = xi.v - 1.0, sign = with_sign(1.0, from_end);
+  const Sloped distance{magnitude(from_end) + least, sign * xi.l, sign * xi.x};
+  const Sloped column = even_place<axis.lowest_exponent, axis.octaves, axis.cubic>(distance);
+  const BetweenColumns j = between_columns(tables, rows, from_end, column.v);
+  const Pack by_row = j.here_rise + j.fraction * (j.next_rise - j.here_rise), by_column = sign * j.rise;
+  return {j.here + j.fraction * j.rise, by_row * row.l + by_column * column.l,
+          by_row * row.x + by_column * column.x};
 }
 
 /// A pack of sources as a point sees them.
@@ -123,23 +143,17 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
   constexpr double near = 17.0;  // as in surface_influence
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
-    const Sloped tau = select(s.own, 1.0, s.tau), tau2 = tau * tau;
-    const Sloped middle = read_sloped(tables.line.on_middle_plane, tau);
-    const Sloped to_end = root(1.0 + tau2);
-    const Sloped inverse_cube = 1.0 / (tau2 * to_end);
-    const Sloped xi2 = s.xi * s.xi;
-    const Sloped inverse_to_end = inverse_cube * tau2;
-    const Sloped border = 0.06 + 0.02 * tau2;
-    const Sloped beyond = smaller(larger((xi2 - border) / border, 0.0), 1.0);
-    const Sloped close = middle * (1.0 - 0.5 * (xi2 * (inverse_to_end * inverse_to_end)));
+    const Sloped tau = select(s.own, 1.0, s.tau);
+    const MiddlePlane<Sloped> middle = read_middle_plane(tables.line, tau);
+    const Sloped towards_line = middle.inverse_to_end * middle.inverse_to_end;
+    const Sloped y = s.xi * s.xi * towards_line;
+    const Sloped close = near_middle_plane(middle.potential, towards_line, y);
     Sloped seen = close;
-    if (any(beyond.v > 0.0)) seen = close + beyond * (line_potential_sloped(tables.line, tau, s.xi) - close);
+    if (any(y.v > beside_middle_plane))
+      seen = close + part_off_middle_plane(y) * (line_potential_sloped(tables.line, tau, s.xi) - close);
     const Mask is_near = s.tau.v < near * s.half_width.v;
     if (any(is_near)) {
-      const Sloped square = s.half_width * s.half_width;
-      const Sloped t2 = square * (inverse_cube * to_end);
-      const Sloped correction =
-          2.0 * (square * inverse_cube * (1.0 / 6.0 + t2 * (1.0 / 20.0 + (1.0 / 42.0) * t2)));
+      const Sloped correction = width_correction(s.half_width / tau, middle.inverse_to_end);
       seen = select(is_near & !s.own, seen + correction, seen);
       if (any(s.own)) seen = select(s.own, read_sloped(tables.own_middle, s.half_width), seen);
     }

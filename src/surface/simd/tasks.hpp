@@ -39,7 +39,7 @@ struct SurfacePoints {
   const double *place, *x, *ny, *nz;
 };
 
-/// Edges of the sources themselves: x = centre +- half length, and what is found there.
+/// Edges of the sources themselves: x = centre +- half length, and what is found there. Whole packs.
 struct SurfaceEdges {
   const double* half_length;   ///< [m]
   double *leading, *trailing;  ///< displacements; trailing nullptr: as the leading ones, not asked for
