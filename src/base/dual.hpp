@@ -9,6 +9,37 @@
 
 namespace wrc {
 
+/// Calculations on lists of numbers, two at a time: element by element, so that the bits are those of one at
+/// a time. `f` takes as many numbers, or pairs of them, as there are lists.
+namespace pairwise {
+
+typedef double Two __attribute__((vector_size(16)));
+
+inline Two load(const double* a) {
+  Two two;
+  __builtin_memcpy(&two, a, sizeof two);
+  return two;
+}
+
+template <std::size_t n, class F, class... Lists>
+void each(double* result, const F& f, const Lists*... lists) {
+  std::size_t k = 0;
+  for (; k + 2 <= n; k += 2) {
+    const Two two = f(load(lists + k)...);
+    __builtin_memcpy(result + k, &two, sizeof two);
+  }
+  if constexpr (n % 2 == 1) result[k] = f(lists[k]...);
+}
+
+/// sum += factor * a.
+template <std::size_t n>
+void add(double factor, const double* a, double* sum) {
+  each<n>(
+      sum, [factor](auto x, auto y) { return x + factor * y; }, sum, a);
+}
+
+}  // namespace pairwise
+
 template <std::size_t n>
 struct Dual {
   double value = 0.0;
@@ -26,31 +57,26 @@ struct Dual {
 
   /// f(x) from its value and f'(x).
   Dual chain(double f, double slope) const {
-    Dual r(f);
-    for (std::size_t k = 0; k < n; ++k) r.d[k] = slope * d[k];
-    return r;
+    return made(
+        f, [slope](auto x) { return slope * x; }, *this);
   }
 
   friend Dual operator+(const Dual& a, const Dual& b) {
-    Dual r(a.value + b.value);
-    for (std::size_t k = 0; k < n; ++k) r.d[k] = a.d[k] + b.d[k];
-    return r;
+    return made(
+        a.value + b.value, [](auto x, auto y) { return x + y; }, a, b);
   }
   friend Dual operator-(const Dual& a, const Dual& b) {
-    Dual r(a.value - b.value);
-    for (std::size_t k = 0; k < n; ++k) r.d[k] = a.d[k] - b.d[k];
-    return r;
+    return made(
+        a.value - b.value, [](auto x, auto y) { return x - y; }, a, b);
   }
   friend Dual operator*(const Dual& a, const Dual& b) {
-    Dual r(a.value * b.value);
-    for (std::size_t k = 0; k < n; ++k) r.d[k] = a.d[k] * b.value + a.value * b.d[k];
-    return r;
+    return made(
+        a.value * b.value, [v = a.value, w = b.value](auto x, auto y) { return x * w + v * y; }, a, b);
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const double inverse = 1.0 / b.value, q = a.value / b.value;
-    Dual r(q);
-    for (std::size_t k = 0; k < n; ++k) r.d[k] = (a.d[k] - q * b.d[k]) * inverse;
-    return r;
+    return made(
+        q, [q, inverse](auto x, auto y) { return (x - q * y) * inverse; }, a, b);
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
 
@@ -63,6 +89,14 @@ struct Dual {
   friend Dual operator*(const Dual& a, double b) { return a.chain(a.value * b, b); }
   friend Dual operator/(const Dual& a, double b) { return a.chain(a.value / b, 1.0 / b); }
   friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
+
+ private:
+  template <class F, class... Duals>
+  static Dual made(double value, const F& f, const Duals&... of) {
+    Dual r(value);
+    pairwise::each<n>(r.d.data(), f, of.d.data()...);
+    return r;
+  }
 };
 
 /// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero

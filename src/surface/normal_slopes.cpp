@@ -11,6 +11,7 @@ namespace wrc {
 namespace {
 
 constexpr std::int32_t inputs = place_inputs;
+constexpr std::int32_t directions = 2 + 2 * inputs;
 /// No strip has more others within its reach on one side.
 constexpr std::int32_t most_within_reach = 16;
 
@@ -28,6 +29,8 @@ struct Scratch {
   double *matrix, *r, *s, *x;
   double *earlier_level, *earlier_shift;  ///< rows before they were smoothed
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;
+  double* growing;    ///< growth times strength
+  double* direction;  ///< of each strip: ny, nz, and how they change with the inputs
   double *l, *growth, *level, *wanted_level, *wanted_shift, *shift;  ///< growth: of l with L
   simd::SurfaceSlopes seen;
 };
@@ -42,45 +45,49 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   w.x = take(static_cast<std::int64_t>(size.rows) * inputs);
   w.earlier_level = take(most_within_reach * size.stride);
   w.earlier_shift = take(most_within_reach * size.stride);
-  for (double** a :
-       {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l, &w.growth,
-        &w.level, &w.wanted_level, &w.wanted_shift, &w.shift, &w.seen.value, &w.seen.by_length, &w.seen.by_x})
+  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l,
+                     &w.growth, &w.growing, &w.level, &w.wanted_level, &w.wanted_shift, &w.shift,
+                     &w.seen.value, &w.seen.by_length, &w.seen.by_x})
     *a = take(padded);
+  w.direction = take(padded * directions);
   return take.at - memory;
 }
 
-/// A point's displacement: its row over the unknowns, added with a factor, and what turning adds to it.
+/// A point's displacement, and what turning adds to it.
 struct Displacement {
   double value = 0.0;
   double by_x = 0.0;           ///< by the point's own x
   double turned[inputs] = {};  ///< by the directions
 };
 
-Displacement add_row(const PressedStrips& s, const Scratch& w, std::int32_t a, double part, double* row) {
+/// Fills the row of the displacement in strip a's direction, of what is seen, over the unknowns.
+Displacement fill_row(const PressedStrips& s, const Scratch& w, std::int32_t a, double* row) {
   Displacement u;
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
-  double sum_y = 0.0, sum_z = 0.0;
   double *const by_q = row, *const by_L = row + n, *const by_c = row + 2 * n;
+  const auto& seen = w.seen;
   for (std::int32_t b = 0; b < n; ++b) {
-    const double q = s.strength[b], cosine = ny * w.ny[b] + nz * w.nz[b];
-    const double g = w.seen.value[b], qg = q * g, by_x = q * cosine * w.seen.by_x[b];
-    by_q[b] += part * (g * cosine);
-    by_L[b] += part * (q * cosine * w.seen.by_length[b] * w.growth[b]);
-    by_c[b] -= part * by_x;
-    u.value += qg * cosine;
-    u.by_x += by_x;
-    sum_y += qg * w.ny[b];
-    sum_z += qg * w.nz[b];
-    const OverlapSlopes& o = s.overlap[b];
-    for (std::int32_t k = 0; k < inputs; ++k)
-      u.turned[k] +=
-          qg * (ny * o.ny.d[static_cast<std::size_t>(k)] + nz * o.nz.d[static_cast<std::size_t>(k)]);
+    const double cosine = ny * w.ny[b] + nz * w.nz[b];
+    by_q[b] = seen.value[b] * cosine;
+    by_L[b] = seen.by_length[b] * cosine * w.growing[b];
+    by_c[b] = -(seen.by_x[b] * cosine * s.strength[b]);
   }
-  const OverlapSlopes& o = s.overlap[a];
+  for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
+  pairwise::Two pairs[directions / 2] = {};
+  for (std::int32_t b = 0; b < n; ++b) {
+    const double qg = s.strength[b] * seen.value[b];
+    const double* const direction = w.direction + b * directions;
+    for (std::int32_t k = 0; k < directions / 2; ++k) pairs[k] += qg * pairwise::load(direction + 2 * k);
+  }
+  double sum[directions];
+  for (std::int32_t k = 0; k < directions; ++k) sum[k] = pairs[k / 2][k % 2];
+  const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
+  const double *const own_y = w.direction + a * directions + 2, *const own_z = own_y + inputs;
+  u.value = ny * sum[0] + nz * sum[1];
   for (std::int32_t k = 0; k < inputs; ++k)
-    u.turned[k] += sum_y * o.ny.d[static_cast<std::size_t>(k)] + sum_z * o.nz.d[static_cast<std::size_t>(k)];
-  by_c[a] += part * u.by_x;
+    u.turned[k] = ny * turned_y[k] + nz * turned_z[k] + (sum[0] * own_y[k] + sum[1] * own_z[k]);
+  by_c[a] += u.by_x;
   return u;
 }
 
@@ -95,7 +102,7 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     double* const contact = w.matrix + a * size.stride;
     double* const level = w.matrix + (n + a) * size.stride;
     double* const shift = w.matrix + (2 * n + a) * size.stride;
-    for (double* row : {contact, level, shift}) std::fill_n(row, size.stride, 0.0);
+    for (double* row : {contact, level, shift}) std::fill_n(row + 3 * n, size.stride - 3 * n, 0.0);
     const OverlapSlopes& o = s.overlap[a];
     const double q = s.strength[a], l = w.l[a], kappa = o.curvature.value;
     const double aside = s.centre[a] - o.centre.value;
@@ -104,15 +111,15 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x, w.ny[a], w.nz[a]}; };
 
     kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
-    const Displacement middle = add_row(s, w, a, 1.0, contact);
+    const Displacement middle = fill_row(s, w, a, contact);
     contact[2 * n + a] -= by_centre;
 
     // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
     kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
-    const Displacement leading = add_row(s, w, a, 1.0, level);
+    const Displacement leading = fill_row(s, w, a, level);
     level[n + a] += leading.by_x * w.growth[a];
     kernels.surface_edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
-    const Displacement trailing = add_row(s, w, a, 1.0, shift);
+    const Displacement trailing = fill_row(s, w, a, shift);
     shift[n + a] -= trailing.by_x * w.growth[a];
 
     const double drop = depth - 0.5 * (leading.value + trailing.value);
@@ -209,7 +216,7 @@ void substitute(const Size& size, Scratch& w) {
     for (std::int32_t k = 0; k < inputs; ++k) sum[k] = row[size.rows + k];
     for (std::int32_t c = i + 1; c < size.rows; ++c) {
       const double* const x = w.x + static_cast<std::int64_t>(c) * inputs;
-      for (std::int32_t k = 0; k < inputs; ++k) sum[k] -= row[c] * x[k];
+      pairwise::add<inputs>(-row[c], x, sum);
     }
     double* const x = w.x + static_cast<std::int64_t>(i) * inputs;
     for (std::int32_t k = 0; k < inputs; ++k) x[k] = sum[k] * row[i];
@@ -246,6 +253,15 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     w.factor[a] = compliance * width * inverse;
     w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
     w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
+  }
+  for (std::int32_t a = 0; a < n; ++a) {
+    w.growing[a] = w.growth[a] * s.strength[a];
+    const OverlapSlopes& o = s.overlap[a];
+    double* const direction = w.direction + a * directions;
+    direction[0] = w.ny[a];
+    direction[1] = w.nz[a];
+    std::copy_n(o.ny.d.begin(), inputs, direction + 2);
+    std::copy_n(o.nz.d.begin(), inputs, direction + 2 + inputs);
   }
   fill(influence, kernels, s, size, w);
   smooth(s, size, w);

@@ -59,6 +59,14 @@ class StripCoefficientTable {
     return {product[0] * inverse, product[1] * inverse, product[2] * inverse,
             smaller(larger(product[3], Number(-1.0)), Number(1.0))};
   }
+  /// By m alone first.
+  template <std::size_t n>
+  requires(n > 1) StripCoefficientsOf<Dual<n>> at(const Dual<n>& m)
+  const {
+    const StripCoefficientsOf<Dual<1>> c = at(Dual<1>::input(m.value, 0));
+    const auto by_inputs = [&](const Dual<1>& a) { return m.chain(a.value, a.d[0]); };
+    return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
+  }
   double poisson() const { return poisson_; }
 
  private:

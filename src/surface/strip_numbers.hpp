@@ -9,7 +9,6 @@
 #include "base/elementary.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
-#include "tangential/methods/strip_fastsim.hpp"
 
 namespace wrc::strip_numbers {
 
@@ -87,12 +86,20 @@ void take_means(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<N
   }
 }
 
-/// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion.
-/// For an ellipse under spin that gives C33 of linear theory: neutral_line() of strip_fastsim.hpp, and K13.
+/// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion:
+/// what gives an ellipse under spin C33 of linear theory, fitted to that for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
-  return creepage_area / (pi / 4.0) * (1.0 - 0.15 * u) /
-         (1.0 - 3.0 * pi / 8.0 * neutral_line(u, poisson, 0.0));
+  const Number u2 = u * u;
+  const double off = poisson - 0.25;
+  return (1.218 - 1.751 * off + 0.2043 * u - (0.696 + 0.760 * off) * u2) / (1.0 - 0.7343 * u2);
+}
+
+/// By u alone first.
+template <std::size_t n>
+requires(n > 1) Dual<n> gain(const Dual<n>& u, double poisson) {
+  const Dual<1> g = gain(Dual<1>::input(u.value, 0), poisson);
+  return u.chain(g.value, g.d[0]);
 }
 
 /// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
@@ -162,6 +169,58 @@ Terms<Number> calibration_terms(const Number& u, const Number& x, const Number& 
           u * ss,      u * pull, u * pull2, unison, u * unison, ss * ss, ee * ss, xx * ss};
 }
 
+/// What the calibration says of a strip: its quantities, flexibilities and turning as the factors they stand
+/// for.
+template <class Number>
+struct Fitted {
+  std::array<Number, SurfaceCalibration::quantities> of;
+  Number per_size;  ///< one over the root of Q
+};
+
+template <class Number>
+Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const Number& x, const Number& e,
+                   const Number& s, const Number& limit2) {
+  const Number Q = limit2 + x * x + e * e + s * s;
+  const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
+  Fitted<Number> fitted;
+  fitted.per_size = Number(1.0) / root(Q);
+  for (std::size_t quantity = 0; quantity < fitted.of.size(); ++quantity) {
+    Number sum = 0.0;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      if constexpr (!std::is_same_v<Number, double>)
+        if (calibration.constants[quantity][i] == 0.0) continue;
+      sum += calibration.constants[quantity][i] * terms[i];
+    }
+    fitted.of[quantity] = sum;
+  }
+  for (const auto quantity : {SurfaceCalibration::flexibility_x, SurfaceCalibration::flexibility_y,
+                              SurfaceCalibration::flexibility_spin_x})
+    fitted.of[quantity] = creepage_area * factor(fitted.of[quantity]);
+  fitted.of[SurfaceCalibration::flexibility_spin_y] =
+      factor(fitted.of[SurfaceCalibration::flexibility_spin_y]);
+  fitted.of[SurfaceCalibration::turning] = 1.4 * factor(fitted.of[SurfaceCalibration::turning]);
+  return fitted;
+}
+
+/// By the five numbers it depends on first: there are more inputs than these.
+template <std::size_t n>
+requires(n > 5) Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
+                                    const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
+  using Few = Dual<5>;
+  const Fitted<Few> few = fit(calibration, Few::input(u.value, 0), Few::input(x.value, 1),
+                              Few::input(e.value, 2), Few::input(s.value, 3), Few::input(limit2.value, 4));
+  const auto by_inputs = [&](const Few& a) {
+    Dual<n> all(a.value);
+    const Dual<n>* const of[] = {&u, &x, &e, &s, &limit2};
+    for (std::size_t i = 0; i < 5; ++i) pairwise::add<n>(a.d[i], of[i]->d.data(), all.d.data());
+    return all;
+  };
+  Fitted<Dual<n>> fitted;
+  fitted.per_size = by_inputs(few.per_size);
+  for (std::size_t q = 0; q < fitted.of.size(); ++q) fitted.of[q] = by_inputs(few.of[q]);
+  return fitted;
+}
+
 /// Fills the arrays that the kernel reads of every strip.
 template <class Number>
 void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<Number>& a) {
@@ -171,22 +230,12 @@ void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<
     const Number u = held_slenderness(a.mean[slender][j]);
     const Number x = a.mean[longitudinal][j], e = a.mean[lateral][j], s = a.mean[spin][j];
     const Number limit2 = a.mean[friction][j] * a.mean[friction][j] + least_force2;
-    const Number Q = limit2 + x * x + e * e + s * s, per_size = Number(1.0) / root(Q);
-    const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
-    const auto fitted = [&](SurfaceCalibration::Quantity quantity) {
-      Number sum = 0.0;
-      for (std::size_t i = 0; i < terms.size(); ++i) {
-        if constexpr (!std::is_same_v<Number, double>)
-          if (calibration.constants[quantity][i] == 0.0) continue;
-        sum += calibration.constants[quantity][i] * terms[i];
-      }
-      return sum;
-    };
-    const Number by_x = creepage_area * factor(fitted(SurfaceCalibration::flexibility_x));
-    const Number by_y = creepage_area * factor(fitted(SurfaceCalibration::flexibility_y));
-    const Number by_spin_x = creepage_area * factor(fitted(SurfaceCalibration::flexibility_spin_x));
-    const Number by_spin_y = factor(fitted(SurfaceCalibration::flexibility_spin_y));
-    const Number turning = 1.4 * factor(fitted(SurfaceCalibration::turning));
+    const Fitted<Number> fitted = fit(calibration, u, x, e, s, limit2);
+    const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
+                 &by_y = fitted.of[SurfaceCalibration::flexibility_y],
+                 &by_spin_x = fitted.of[SurfaceCalibration::flexibility_spin_x],
+                 &by_spin_y = fitted.of[SurfaceCalibration::flexibility_spin_y],
+                 &turning = fitted.of[SurfaceCalibration::turning];
 
     // Elastic slip at the edge of a strip that slips as a whole, and one over it, without the coefficients.
     const Number soft = edge_slip * strip_level(in, j) * mu * l / in.shear_modulus;
@@ -204,10 +253,10 @@ void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<
 
     const Number across =
         (in.place[j] - a.mean[location][j]) / root(5.0 * larger(a.mean[variance][j], Number(least_variance)));
-    const Number elastic = a.mean[edge][j] * per_size;
-    a.slip_x[j] = in.slip_x[j] + elastic * (e + s) * across * fitted(SurfaceCalibration::twist_x);
-    a.slip_y[j] = in.slip_y[j] + elastic * (s * fitted(SurfaceCalibration::torsion) +
-                                            x * across * fitted(SurfaceCalibration::twist_y));
+    const Number elastic = a.mean[edge][j] * fitted.per_size;
+    a.slip_x[j] = in.slip_x[j] + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x];
+    a.slip_y[j] = in.slip_y[j] + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
+                                            x * across * fitted.of[SurfaceCalibration::twist_y]);
   }
 }
 

@@ -155,7 +155,7 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
       Number& f = *forces[r];
       f = found[r];
       const auto add = [&](double slope, const Number& x) {
-        for (std::size_t d = 0; d < seen_inputs; ++d) f.d[d] += slope * x.d[d];
+        pairwise::add<seen_inputs>(slope, x.d.data(), f.d.data());
       };
       add(found[r] * per_bound, a.bound[k]);
       add((r == 2 ? 2.0 : 1.0) * found[r] * per_length, s.half_length[k]);
