@@ -21,13 +21,12 @@ inline Two load(const double* a) {
   return two;
 }
 
+inline void store(Two two, double* a) { __builtin_memcpy(a, &two, sizeof two); }
+
 template <std::size_t n, class F, class... Lists>
 void each(double* result, const F& f, const Lists*... lists) {
   std::size_t k = 0;
-  for (; k + 2 <= n; k += 2) {
-    const Two two = f(load(lists + k)...);
-    __builtin_memcpy(result + k, &two, sizeof two);
-  }
+  for (; k + 2 <= n; k += 2) store(f(load(lists + k)...), result + k);
   if constexpr (n % 2 == 1) result[k] = f(lists[k]...);
 }
 

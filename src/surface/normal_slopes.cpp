@@ -166,11 +166,9 @@ void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
     const std::int64_t slot = a % most_within_reach * stride;
     std::copy_n(level_row, stride, w.earlier_level + slot);
     std::copy_n(shift_row, stride, w.earlier_shift + slot);
-    std::fill_n(level_row, stride, 0.0);
-    std::fill_n(shift_row, stride, 0.0);
     double weights = 0.0, level = 0.0, shift = 0.0;
     std::int32_t end = from;
-    for (; end < n; ++end) {
+    for (; end < n && end - from < 2 * most_within_reach; ++end) {
       const double near = smoothing_weight((w.place[end] - w.place[a]) / reach);
       if (w.place[end] - w.place[a] >= reach) break;
       const double weight = near * s.width[end] * s.strength[end];
@@ -184,22 +182,40 @@ void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
     shift = lone ? w.wanted_shift[a] : shift * per;
     const double L = w.l[a] * w.l[a];
     const bool follows = magnitude(shift) < longest_shift;
-    for (std::int32_t b = from; b < end; ++b) {
+    if (!follows) std::fill_n(shift_row, stride, 0.0);
+    const double per_level = L / level;  // L level - q = 0, over the level
+    const double* of_level[2 * most_within_reach];
+    const double* of_shift[2 * most_within_reach];
+    double share[2 * most_within_reach];
+    const std::int32_t several = end - from;
+    for (std::int32_t i = 0; i < several; ++i) {
+      const std::int32_t b = from + i;
       const double near = smoothing_weight((w.place[b] - w.place[a]) / reach) * s.width[b];
-      const double share = lone ? (a == b ? 1.0 : 0.0) : near * s.strength[b] * per;
-      const double* const of_level =
-          b <= a ? w.earlier_level + b % most_within_reach * stride : w.matrix + (n + b) * stride;
-      const double* const of_shift =
-          b <= a ? w.earlier_shift + b % most_within_reach * stride : w.matrix + (2 * n + b) * stride;
-      for (std::int64_t c = 0; c < stride; ++c) level_row[c] += share * of_level[c];
-      level_row[b] += near * per * (w.wanted_level[b] - level);
-      if (!follows) continue;
-      for (std::int64_t c = 0; c < stride; ++c) shift_row[c] -= share * of_shift[c];
-      shift_row[b] -= near * per * (w.wanted_shift[b] - shift);
+      share[i] = lone ? (a == b ? 1.0 : 0.0) : near * s.strength[b] * per;
+      const std::int64_t earlier = b % most_within_reach * stride;
+      of_level[i] = b <= a ? w.earlier_level + earlier : w.matrix + (n + b) * stride;
+      of_shift[i] = b <= a ? w.earlier_shift + earlier : w.matrix + (2 * n + b) * stride;
     }
-    // L level - q = 0, over the level
-    const double per_level = L / level;
-    for (std::int64_t c = 0; c < stride; ++c) level_row[c] *= per_level;
+    constexpr int pairs = 4;  // of columns at a time
+    for (std::int64_t c = 0; c < stride; c += 2 * pairs) {
+      pairwise::Two levels[pairs] = {}, shifts[pairs] = {};
+      for (std::int32_t i = 0; i < several; ++i)
+        for (int k = 0; k < pairs; ++k) {
+          levels[k] += share[i] * pairwise::load(of_level[i] + c + 2 * k);
+          shifts[k] -= share[i] * pairwise::load(of_shift[i] + c + 2 * k);
+        }
+      for (int k = 0; k < pairs; ++k) {
+        levels[k] *= per_level;
+        pairwise::store(levels[k], level_row + c + 2 * k);
+        if (follows) pairwise::store(shifts[k], shift_row + c + 2 * k);
+      }
+    }
+    for (std::int32_t i = 0; i < several; ++i) {
+      const std::int32_t b = from + i;
+      const double near = smoothing_weight((w.place[b] - w.place[a]) / reach) * s.width[b];
+      level_row[b] += per_level * (near * per * (w.wanted_level[b] - level));
+      if (follows) shift_row[b] -= near * per * (w.wanted_shift[b] - shift);
+    }
     level_row[n + a] += 1.0;
     level_row[a] -= 1.0 / level;
     shift_row[2 * n + a] += 1.0;
