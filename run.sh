@@ -33,14 +33,14 @@ if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
 
     Example:  ./run.sh --wheel S1002 --rail 60E1 --inclination 0.025 --lateral 0.003 --load 90000
 
-Needs Debian's g++, gcc, cmake, ninja-build, libeigen3-dev and, for the pictures, python3-matplotlib. As root or with
+Needs Debian's g++, gcc, cmake, ninja-build and, for the pictures, python3-matplotlib. As root or with
 sudo the script names and installs those that are missing; with WRC_NO_INSTALL=1 it names them and goes on.
 HELP
   exit 0
 fi
 
 . .ci/setup.sh
-need_packages g++ gcc cmake ninja-build libeigen3-dev
+need_packages g++ gcc cmake ninja-build
 mkdir -p build
 build=${WRC_BUILD:-build/run} # one that is there is taken as it was configured
 [ -n "${WRC_BUILD:-}" ] ||

@@ -9,6 +9,6 @@ set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH) # Eigen has headers only: this machine's will do
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH) # Eigen, of tools and tests, has headers only: this machine's will do
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)    # the tests' programs need no DLL of the compiler
 set(CMAKE_CROSSCOMPILING_EMULATOR wine)

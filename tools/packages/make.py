@@ -30,7 +30,6 @@ SERIES = VERSION.rpartition(".")[0]  # of the SONAME
 SUPPLIER = "NOASSERTION"
 SUMMARY = "wheel/rail contact for real-time multibody simulation"
 # What a library holds of others: name, licence, where its source is; docs/third_party.md is for people.
-EIGEN = ("Eigen", "MPL-2.0", "https://gitlab.com/libeigen/eigen")
 RUN_TIME = ("libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org")
 
 
@@ -47,17 +46,12 @@ def epoch():
         sys.exit("These sources have no history: set SOURCE_DATE_EPOCH to the time the packages are to bear")
 
 
-def versions(build):
-    """Of Eigen and of the compiler, as the build found them."""
-    def find(pattern, files):
-        for file in files:
-            found = re.search(pattern, file.read_text())
-            if found:
-                return found[1]
-        return "NOASSERTION"
-    folder = pathlib.Path(find(r"Eigen3_DIR:PATH=(.*)", [build / "CMakeCache.txt"]))
-    return (find(r'set\(PACKAGE_VERSION "([\d.]+)"', [f for f in [folder / "Eigen3ConfigVersion.cmake"] if f.exists()]),
-            find(r'set\(CMAKE_CXX_COMPILER_VERSION "([\d.]+)"', build.glob("CMakeFiles/*/CMakeCXXCompiler.cmake")))
+def compiler_version(build):
+    for file in build.glob("CMakeFiles/*/CMakeCXXCompiler.cmake"):
+        found = re.search(r'set\(CMAKE_CXX_COMPILER_VERSION "([\d.]+)"', file.read_text())
+        if found:
+            return found[1]
+    return "NOASSERTION"
 
 
 def files_of(folder):
@@ -211,7 +205,7 @@ def copyright():
     return ("Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\nUpstream-Name: wrc\n\n"
             "Files: *\nCopyright: the authors of wrc\nLicense: Apache-2.0\n"
             " On Debian systems the text is in /usr/share/common-licenses/Apache-2.0.\n"
-            "Comment: code of others in the library, Eigen under the MPL-2.0 among it: third_party.md.\n")
+            "Comment: code of others in the library: third_party.md.\n")
 
 
 def control(root, name, package, library):
@@ -265,8 +259,7 @@ def main():
     asked = arguments.parse_args()
     build, out, when = asked.build.resolve(), asked.out.resolve(), epoch()
     out.mkdir(parents=True, exist_ok=True)
-    eigen, compiler = versions(build)
-    holds = [(EIGEN[0], eigen, *EIGEN[1:]), (RUN_TIME[0], compiler, *RUN_TIME[1:])]
+    holds = [(RUN_TIME[0], compiler_version(build), *RUN_TIME[1:])]
     system = "windows-x86_64" if asked.windows else f"linux-{os.uname().machine}"
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
