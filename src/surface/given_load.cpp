@@ -191,6 +191,9 @@ struct WayDown {
   bool falls_again = false;                   ///< below the load, after it was reached
 };
 
+/// Loads on the way down tell falls of 1e-3 of the load asked for.
+constexpr double way_tolerance = 1e-4;
+
 /// Looks at heights each twice as far below first touch as the one before, down to the deepest overlap that
 /// is solved, or until many times the load presses.
 WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
@@ -209,7 +212,9 @@ WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w
   for (std::int32_t k = 1; k < WayDown::most && !way.falls_again; ++k) {
     const double height = smaller(touch + first_step * static_cast<double>(1 << (k - 1)), border);
     if (!(height > way.height[k - 1]) || pressed > enough * asked) break;
-    solve_at(model, in, height, false, w, start, {}, out);
+    SurfaceNormalOptions options;
+    options.tolerance = way_tolerance;
+    solve_at(model, in, height, false, w, start, options, out);
     const double load = -out.force[2];
     pressed = out.normal_force;
     way.height[k] = height;
@@ -269,8 +274,8 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWo
   };
   const auto between = [&](double low, double load_at_low, double high, double load_at_high) {
     HeightSearch search(asked);
-    search.take(low, load_at_low, 0.0);
-    search.take(high, load_at_high, 0.0);
+    search.take(low, load_at_low, way_tolerance);
+    search.take(high, load_at_high, way_tolerance);
     const bool known = !capped && searched > low && searched <= high;
     height = known ? searched : search.next(0, 0.0);
     return search_height(model, in, search, known, w, start, height, out);
