@@ -268,8 +268,8 @@ int lines(const Csv& file) {
     input.wheel.yaw = pose.yaw;
     const double touch = height_for(contact, input, 100.0), deepest = height_for(contact, input, 150e3);
     Line line;
-    for (double z = touch - 5e-6; z < deepest; z += 10e-9) {
-      input.wheel.z = z;
+    for (long n = 0; n < std::lround((deepest - touch + 5e-6) / 10e-9); ++n) {
+      input.wheel.z = touch - 5e-6 + 10e-9 * static_cast<double>(n);
       line.take(wrc_contact_wrench(contact, &input, &wrench), wrench);
     }
     std::printf(
@@ -283,8 +283,8 @@ int lines(const Csv& file) {
   for (const double load : {20e3, 80e3}) {
     input.wheel.z = height_for(contact, input, load);
     Line line;
-    for (double yaw = 15e-3; yaw < 19e-3; yaw += 1e-6) {
-      input.wheel.yaw = yaw;
+    for (int n = 0; n < 4000; ++n) {
+      input.wheel.yaw = 15e-3 + 1e-6 * n;
       line.take(wrc_contact_wrench(contact, &input, &wrench), wrench);
     }
     std::printf("y 6.60 mm, yaw 15 .. 19 mrad at the height of %.0f kN: %ld yaws, jump %.1e, %ld flagged\n",
