@@ -18,7 +18,7 @@ CASES = [
       "approach": (40, 0.0008, 0.0013)}),
     ("wheelset", "wheelset_cases.csv", None,
      {"force": (80, 0.0046, 0.0346), "moment": (80, 0.0038, 0.0278), "normal_force": (80, 0.0019, 0.0189),
-      "peak_pressure": (80, 0.0015, 0.03), "point": (90, 0.075, 0.23)}),
+      "peak_pressure": (80, 0.0016, 0.03), "point": (90, 0.075, 0.23)}),
     ("wheelset", "worn_cases.csv", None,
      {"force": (40, 0.0044, 0.036), "moment": (40, 0.0045, 0.0235), "normal_force": (40, 0.0033, 0.0121),
       "force_noisy": (4, 0.005, 0.0065)}),
