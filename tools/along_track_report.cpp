@@ -508,7 +508,10 @@ void against_exact() {
       {"profiles and gauge that change", [&](wrc_config& config) { give(changing, config); }, anywhere},
       {"a polygon of 18 corners, 0.1 mm", rounded(polygon), about},
       {"a worn flat of 0.5 mm", rounded(worn), about},
-      {"a fresh flat of 0.5 mm", rounded(chord), about}};
+      {"a fresh flat of 0.5 mm", rounded(chord), about},
+      {"the same rail, yaw 15 to 40 mrad", nothing, [&](Input& input) {
+         input.wheel.yaw = std::copysign(between(random, 15e-3, 40e-3), input.wheel.yaw);
+       }}};
   for (const auto& [name, change, pose] : each) {
     wrc_config config = bodies();
     change(config);

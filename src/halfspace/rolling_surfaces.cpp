@@ -276,6 +276,16 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   double on_rail = rail_angle(row, s, 0.0);
   row.angle = on_rail;
   SurfacePoint at = point(row, 0.0);
+  // A steep face under yaw is met ahead of the axle or behind it, where above it the wheel's profile may have
+  // ended.
+  constexpr int starts = 6;
+  constexpr double apart = 20e-3;  // [m]
+  for (int k = -starts; k <= starts && (!at.found || row.middle != 0.0); ++k) {
+    const SurfacePoint start = point(row, k * apart);
+    if (!start.found || (at.found && start.gap >= at.gap)) continue;
+    row.middle = k * apart;
+    at = start;
+  }
   constexpr int rounds = 4;
   for (int round = 0; round < rounds && at.found; ++round) {
     if (deviation_) {

@@ -31,9 +31,9 @@ class CheckRail : public testing::Test, protected PlacedWheel {
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     return shown;
   }
-  /// The lateral place at which the check rail carries about 30 kN.
-  void lean_on_check_rail(double outward) {
-    double low = -12e-3, high = 0.0;
+  /// The lateral place at which the check rail carries about 30 kN, at most `deepest` from the middle.
+  void lean_on_check_rail(double outward, double deepest = 12e-3) {
+    double low = -deepest, high = 0.0;
     for (int n = 0; n < 30; ++n) {
       const double y = 0.5 * (low + high);
       wheel.y = outward * y;
@@ -175,31 +175,42 @@ TEST_F(CheckRail, ExactlyTheFlangesBackIsPressedAsInRealTime) {
   config.wheel.y = y.data();
   config.wheel.z = z.data();
   const wrc_config both = config;
-  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+  // At 24 mrad the face is met 0.1 m behind the axle or ahead of it, where strips are 2.5 mm apart along the
+  // track; above the axle the profile has ended.
+  const struct {
+    int32_t which;
+    double yaw, deepest, within;
+  } poses[] = {{WRC_SIDE_RIGHT, 5e-3, 12e-3, 0.01},
+               {WRC_SIDE_LEFT, 5e-3, 12e-3, 0.01},
+               {WRC_SIDE_RIGHT, -24e-3, 4e-3, 0.015},
+               {WRC_SIDE_LEFT, 24e-3, 4e-3, 0.015}};
+  for (const auto& [which, yaw, deepest, within] : poses) {
+    SCOPED_TRACE(yaw);
     const double outward = which == WRC_SIDE_LEFT ? -1.0 : 1.0;
     wheel.velocity[1] = -0.05 * outward;
-    wheel.yaw = 5e-3 * outward;
+    wheel.yaw = yaw * outward;
     config = both;
     create(which);
-    lean_on_check_rail(outward);
+    lean_on_check_rail(outward, deepest);
     ASSERT_EQ(step(), WRC_OK) << error();
     ASSERT_EQ(wrc_exact_wrench(contact, &input, &options, &exact), WRC_OK) << error();
     EXPECT_EQ(exact.regions, 2);
-    const double size = 0.01 * wrench.normal_force;
+    const double size = within * wrench.normal_force;
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(exact.force[k], wrench.force[k], size) << k;
       EXPECT_NEAR(exact.moment[k], wrench.moment[k], 0.75 * size) << k;
       EXPECT_NEAR(exact.rail_moment[k], wrench.rail_moment[k], 0.75 * size) << k;
     }
     EXPECT_NEAR(exact.normal_force, wrench.normal_force, size);
-    EXPECT_NEAR(exact.power, wrench.power, 0.03 * wrench.power);
+    EXPECT_NEAR(exact.power, wrench.power, 3.0 * within * wrench.power);
     // without it: the rest is what its region has
     const wrc_region check = region(0);
     config.check_rail = wrc_config_default().check_rail;
     create(which);
     ASSERT_EQ(wrc_exact_wrench(contact, &input, &options, &rail_alone), WRC_OK) << error();
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(exact.force[k] - rail_alone.force[k], check.force[k], 0.03 * check.normal_force) << k;
+      EXPECT_NEAR(exact.force[k] - rail_alone.force[k], check.force[k], 3.0 * within * check.normal_force)
+          << k;
   }
 }
 
