@@ -431,8 +431,11 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
 
 double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w) {
   constexpr double margin = 50e-3;  // [m]
+  constexpr double deep =
+      0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
   double height = in.wheel.position[2];
-  for (int n = 0; n < 12; ++n) {
+  bool above = false;
+  for (int n = 0; n < 16; ++n) {
     const Seen seen = see(model, in, height);
     const Overlaps& o = w.overlaps;
     find(model, in, seen, margin, w);
@@ -440,6 +443,14 @@ double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& 
     for (std::int32_t i = 0; i < o.count; ++i) {
       const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
       if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
+    }
+    if (!above && fall < -deep) {  // to above all of the rail, once
+      above = true;
+      double lowest = -1e300, top = 1e300;
+      for (std::int32_t k = 0; k < model.wheel.knots; ++k)
+        if (w.scratch.seen[k] > 0.0) lowest = larger(lowest, w.scratch.z[k]);
+      for (std::int32_t r = 0; r < w.rail.ranges; ++r) top = smaller(top, w.rail.range[r].top);
+      fall = smaller(fall, (top - lowest) / seen.cosine);
     }
     height += fall;
     if (std::abs(fall) < 1e-7) break;

@@ -46,7 +46,8 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
 Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
                          Wrench& out);
 
-/// The height [m] at which the wheel first touches: lowered, or raised, from the one given until it does.
+/// The height [m] at which the wheel first touches: lowered from the one given, or from above the rail where
+/// a face is overlapped there already, until it does.
 double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w);
 
 }  // namespace wrc

@@ -479,6 +479,39 @@ TEST_F(WheelOnRail, APrescribedLoadTakesFewSweeps) {
   EXPECT_LT(of_loads, 3 * of_heights);
 }
 
+/// Also where the wheelset's middle at its usual height puts the flange into the side of the rail's head.
+TEST_F(WheelOnRail, ALoadIsCarriedByTheFaceThatIsMetFromAbove) {
+  struct {
+    double y, roll, yaw;
+  } const poses[] = {{5.835700e-3, 27.642650e-3, -1.655667e-3},
+                     {4.328913e-3, 25.617994e-3, -27.038351e-3},
+                     {6.189595e-3, 27.884485e-3, -38.813144e-3},
+                     {1e-3, 5e-3, 2e-3}};
+  config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  create();
+  friction.coefficient = 0.0;
+  rail = wrc_wheel_input_default().rail;
+  for (const auto& pose : poses) {
+    wheel.y = pose.y;
+    wheel.roll = pose.roll;
+    wheel.yaw = pose.yaw;
+    wheel.z = 0.0;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_NEAR(-wrench.force[2], 80e3, 1e-3);
+    const double carries = wrench.z;
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    for (double above = 0.5e-3; above < 40e-3; above *= 2.0) {
+      wheel.z = carries - above;
+      EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT) << carries << " " << above;
+    }
+  }
+}
+
 TEST_F(WheelOnRail, BesideTheRailNoHeightCarriesALoad) {
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3;
