@@ -102,6 +102,8 @@ TEST_F(PortableState, AnotherProcessGoesOnWithTheSameBits) {
   const double y = wheel.y;
   go_on(4, &results);
   ASSERT_EQ(set_environment(files, name.c_str()), 0);
+  ASSERT_EQ(set_environment("GTEST_TOTAL_SHARDS", "1"), 0);  // this process may run a part of the tests
+  ASSERT_EQ(set_environment("GTEST_SHARD_INDEX", "0"), 0);
   const std::string command =
       testing::internal::GetArgvs()[0] +
       " --gtest_filter=PortableState.DISABLED_TheOtherProcess --gtest_also_run_disabled_tests > " + name +
