@@ -45,10 +45,11 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   w.x = take(static_cast<std::int64_t>(size.rows) * inputs);
   w.earlier_level = take(most_within_reach * size.stride);
   w.earlier_shift = take(most_within_reach * size.stride);
-  for (double** a : {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l,
-                     &w.growth, &w.growing, &w.level, &w.wanted_level, &w.wanted_shift, &w.shift,
-                     &w.seen.value, &w.seen.by_length, &w.seen.by_x})
-    *a = take(padded);
+  double** const of_strips[] = {
+      &w.place,        &w.centre, &w.inverse_length, &w.half_width,     &w.factor,   &w.ny,
+      &w.nz,           &w.l,      &w.growth,         &w.growing,        &w.level,    &w.wanted_level,
+      &w.wanted_shift, &w.shift,  &w.seen.value,     &w.seen.by_length, &w.seen.by_x};
+  for (double** a : of_strips) *a = take(padded);
   w.direction = take(padded * directions);
   return take.at - memory;
 }
