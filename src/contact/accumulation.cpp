@@ -36,7 +36,7 @@ class Adder {
     const Contribution c = contribution_of(strip, patch_, laws_);
     for (const int body : {on_wheel, on_rail})
       if (wanted_[body]) bins_[body].take(c, strip.place[body], strip.width);
-    for (int i = 0; i < damage_sums; ++i) totals_.sum[i] += c.sum[i];
+    add_share(1.0, c, totals_.sum);
     totals_.largest_pressure = std::max(totals_.largest_pressure, c.pressure);
     totals_.largest_traction = std::max(totals_.largest_traction, c.traction);
   }
@@ -107,8 +107,8 @@ class PlaneOver {
   std::int32_t piece_;
 };
 
-/// Resultants of the tractions of up to `chunk` strips over the area of a cell [Pa]; element (cell i, strip
-/// j) at i * strips + j.
+/// Resultants of the tractions of `count` strips, up to `chunk` of them, over the area of a cell [Pa];
+/// element (cell i, strip j) at i * strips + j.
 constexpr std::int32_t chunk = 8;  ///< whose sums stay in registers
 void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips,
                std::int32_t count, double (&sum)[chunk]) {
@@ -167,8 +167,13 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
     for (std::int32_t j = 0; j < count; ++j) whole_power += power[j] * width[j];
     adder.begin_patch(contact.rolling.speed, whole_power);
     double traction[chunk];
+    std::int32_t summed =
+        0;  // the first of the strips that `traction` is of: whole chunks, where there is one
     for (std::int32_t j = 0; j < count; ++j) {
-      if (j % chunk == 0) sum_cells(tx + j, ty + j, cells, count, std::min(chunk, count - j), traction);
+      if (j % chunk == 0) {
+        summed = std::max(std::min(j, count - chunk), 0);
+        sum_cells(tx + summed, ty + summed, cells, count, std::min(chunk, count), traction);
+      }
       const double sx = creepage.longitudinal - creepage.spin * y[j];
       const double sy = creepage.lateral + creepage.spin * centre[j], turning = creepage.spin * half[j];
       adder.take({.place = {plane[on_wheel].arc(outward * y[j]), plane[on_rail].arc(outward * y[j])},
@@ -177,7 +182,7 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
                   .peak = peak[j],
                   .friction = friction[j],
                   .sliding = contact.rolling.speed * std::sqrt(sx * sx + sy * sy + turning * turning / 3.0),
-                  .traction = traction[j % chunk] * (2.0 * half[j] / cells * width[j]),
+                  .traction = traction[j - summed] * (2.0 * half[j] / cells * width[j]),
                   .power = power[j] * width[j]});
     }
   }

@@ -100,7 +100,7 @@ void BinAdder::take(const Contribution& contribution, double place, double width
   for (Share share{}; places.next(share);) {
     if (share.index != at_) flush();
     at_ = share.index;
-    for (int i = 0; i < damage_sums; ++i) open_.sum[i] += share.part * contribution.sum[i];
+    add_share(share.part, contribution, open_.sum);
     open_.pressure = std::max(open_.pressure, contribution.pressure);
     open_.traction = std::max(open_.traction, contribution.traction);
   }

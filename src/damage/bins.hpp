@@ -82,6 +82,12 @@ struct Contribution {
   double pressure = 0.0, traction = 0.0;  ///< largest [Pa]
 };
 
+/// Adds a part of a contribution to sums beside it.
+inline void add_share(double part, const Contribution& contribution, double* __restrict sum) {
+  const double* __restrict const more = contribution.sum;
+  for (int i = 0; i < damage_sums; ++i) sum[i] += part * more[i];
+}
+
 Contribution contribution_of(const DamagingStrip& strip, const DamagingPatch& patch, const DamageLaws& laws);
 
 /// Adds contributions of one step to the bins of one body, spread evenly over a width of the profile and over

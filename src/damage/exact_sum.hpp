@@ -24,10 +24,11 @@ inline WholeNumber minus(const WholeNumber& a, const WholeNumber& b) {
 
 /// x to the unit below its amount, |x| < largest_summand.
 inline WholeNumber whole(double x) {
-  const double size = std::abs(x), units = std::floor(size);
-  const double rest = (size - units) * 0x1p62;  // exact, below 2^62
+  const double size = std::abs(x);
+  const auto units = static_cast<std::int64_t>(size);
+  const double rest = (size - static_cast<double>(units)) * 0x1p62;  // exact, below 2^62
   const WholeNumber amount{static_cast<std::uint64_t>(static_cast<std::int64_t>(rest)) << 2,
-                           static_cast<std::uint64_t>(static_cast<std::int64_t>(units))};
+                           static_cast<std::uint64_t>(units)};
   return x < 0.0 ? minus({}, amount) : amount;
 }
 
