@@ -122,5 +122,9 @@ template <std::size_t n>
 Dual<n> smaller(const Dual<n>& a, const Dual<n>& b) {
   return a.value < b.value ? a : b;
 }
+template <std::size_t n>
+Dual<n> select(bool which, const Dual<n>& yes, const Dual<n>& no) {
+  return which ? yes : no;
+}
 
 }  // namespace wrc

@@ -35,6 +35,7 @@ struct SurfaceEdges;
 struct SurfaceSlopes;
 struct SectionStripsTask;
 struct OutlineTask;
+struct StripNumbersTask;
 struct CellTask;
 struct CellExtremes;
 struct PointLoads;
@@ -77,6 +78,8 @@ struct Kernels {
   void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 
   // contact on the rail's surface
+  /// Fills the arrays from loads and means on.
+  void (*strip_numbers)(const simd::StripNumbersTask& task);
   /// Sums hold power and areas only: forces of strips with axes of their own do not add.
   void (*surface_march)(const simd::SurfaceMarchTask& task, simd::Sums& sums);
   void (*surface_march_fields)(const simd::SurfaceMarchTask& task, simd::Sums& sums);

@@ -14,6 +14,7 @@
 #include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
+#include "surface/simd/strip_numbers_kernel.hpp"
 #include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
@@ -38,6 +39,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .strip_fastsim_fields = strip_fastsim_kernel<Output::fields, StripFastsimTask>,
       .strip_fastsim_sensitivities = strip_fastsim_kernel<Output::sensitivities, StripFastsimTask>,
       .place_cells = place_cells_kernel,
+      .strip_numbers = strip_numbers_kernel,
       .surface_march = march_kernel<Output::forces, SurfaceMarchTask>,
       .surface_march_fields = march_kernel<Output::fields, SurfaceMarchTask>,
       .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,

@@ -1,8 +1,7 @@
 /// What the methods of surface_rolling.hpp share: numbers of every strip on their way.
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 
 #include "surface/surface_rolling.hpp"
 #include "tangential/simd/tasks.hpp"
@@ -19,7 +18,7 @@ template <class Number>
 struct RollingArraysOf : RollingMeans {
   Number* load;          ///< [N]
   Number *link, *pivot;  ///< of the means' equations [N], [1/N]
-  std::array<Number*, means> mean;
+  Number* mean[means];
   Number *c11, *c22, *c23;  ///< as StripCoefficients
   Number* own;              ///< slip along x less what neighbours share (mean[slip]), by its gain [-]
   // for the kernels' tasks

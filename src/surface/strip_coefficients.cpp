@@ -29,25 +29,25 @@ double hertz_level(double ratio) {
 }
 
 StripCoefficientTable::StripCoefficientTable(const KalkerTable& ellipse) : poisson_(ellipse.poisson()) {
-  low_ = hertz_level(widest);
-  step_ = (hertz_level(narrowest) - low_) / steps;
+  constexpr int steps = StripCoefficientNodes::steps, quantities = StripCoefficientNodes::quantities;
+  nodes_.low = hertz_level(widest);
+  nodes_.step = (hertz_level(narrowest) - nodes_.low) / steps;
   for (int i = 0; i <= steps; ++i) {
-    const double m = low_ + i * step_, ratio = ratio_of(m);
+    const double m = nodes_.low + i * nodes_.step, ratio = ratio_of(m);
     Fault beyond_the_tables;
     const KalkerCoefficients c = ellipse.at(ratio, beyond_the_tables);
-    auto& node = nodes_[static_cast<std::size_t>(i)];
-    node[0].value = m * c.c11;
-    node[1].value = m * c.c22;
-    node[2].value = m * c.c23 / std::sqrt(ratio);
-    node[3].value = ::wrc::slenderness(ratio);
+    auto& node = nodes_.node[i];
+    node[0][0] = m * c.c11;
+    node[1][0] = m * c.c22;
+    node[2][0] = m * c.c23 / std::sqrt(ratio);
+    node[3][0] = ::wrc::slenderness(ratio);
   }
-  for (std::size_t i = 0; i <= steps; ++i) {
-    const std::size_t m = std::clamp<std::size_t>(i, 1, steps - 1);  // at an end: the last three nodes
-    for (std::size_t k = 0; k < quantities; ++k) {
-      const double before = nodes_[m - 1][k].value, here = nodes_[m][k].value,
-                   behind = nodes_[m + 1][k].value;
-      nodes_[i][k].slope = 0.5 * (behind - before) +
-                           (behind - 2.0 * here + before) * (static_cast<double>(i) - static_cast<double>(m));
+  for (int i = 0; i <= steps; ++i) {
+    const int m = std::clamp(i, 1, steps - 1);  // at an end: the last three nodes
+    for (int k = 0; k < quantities; ++k) {
+      const double before = nodes_.node[m - 1][k][0], here = nodes_.node[m][k][0],
+                   behind = nodes_.node[m + 1][k][0];
+      nodes_.node[i][k][1] = 0.5 * (behind - before) + (behind - 2.0 * here + before) * (i - m);
     }
   }
 }

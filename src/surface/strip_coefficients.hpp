@@ -11,7 +11,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "base/dual.hpp"
 #include "theory/kalker.hpp"
@@ -30,6 +29,45 @@ struct StripCoefficientsOf {
 };
 using StripCoefficients = StripCoefficientsOf<double>;
 
+/// Nodes of a table of products of the coefficients with m, and of the slenderness, on equal steps.
+struct StripCoefficientNodes {
+  static constexpr int steps = 128, quantities = 4;
+  double low, step;                       ///< m of the first node, and from one to the next
+  double node[steps + 1][quantities][2];  ///< value, slope per step
+};
+
+/// A quantity `t` of a step behind its first node; `beyond` the table's end, negative before its begin.
+template <class Number, class Plain>
+Number between_nodes(const Plain& first, const Plain& first_slope, const Plain& second,
+                     const Plain& second_slope, const Number& t, const Number& beyond) {
+  const Plain rise = second - first;
+  const Plain c2 = 3.0 * rise - 2.0 * first_slope - second_slope;
+  const Plain c3 = first_slope + second_slope - 2.0 * rise;
+  return first + t * (first_slope + t * (c2 + t * c3)) +
+         beyond * select(value_of(beyond) < 0.0, first_slope, second_slope);
+}
+
+/// Where m lies in the table: its place in steps, within it, and how far beyond, which fades out.
+template <class Number>
+struct PlaceInTable {
+  Number inside, beyond;
+
+  PlaceInTable(const StripCoefficientNodes& table, const Number& m) {
+    const Number place = (m - table.low) / table.step;
+    inside = smaller(larger(place, Number(0.0)), Number(static_cast<double>(StripCoefficientNodes::steps)));
+    beyond = (place - inside) / (1.0 + magnitude(place - inside));
+  }
+};
+
+/// The coefficients from the four quantities of the table.
+template <class Number>
+StripCoefficientsOf<Number> coefficients_of(const Number (&product)[StripCoefficientNodes::quantities],
+                                            const Number& m) {
+  const Number inverse = Number(1.0) / m;
+  return {product[0] * inverse, product[1] * inverse, product[2] * inverse,
+          smaller(larger(product[3], Number(-1.0)), Number(1.0))};
+}
+
 /// The coefficients over m for one Poisson ratio, C1 in m.
 ///
 /// Tabulated over m of a/b = 0.05 to 60 (beyond 20 Kalker's asymptotes): products with m, on equal steps. For
@@ -39,43 +77,34 @@ class StripCoefficientTable {
   StripCoefficientTable() = default;
   explicit StripCoefficientTable(const KalkerTable& ellipse);
 
-  template <class Number>
-  StripCoefficientsOf<Number> at(const Number& m) const {
-    const Number place = (m - low_) / step_;
-    const Number inside = smaller(larger(place, Number(0.0)), Number(static_cast<double>(steps)));
-    const Number beyond = (place - inside) / (1.0 + magnitude(place - inside));
-    const int i = std::min(static_cast<int>(value_of(inside)), steps - 1);
-    const Number t = inside - static_cast<double>(i);
-    const auto& first = nodes_[static_cast<std::size_t>(i)];
-    const auto& second = nodes_[static_cast<std::size_t>(i) + 1];
-    std::array<Number, quantities> product{};
-    for (std::size_t k = 0; k < quantities; ++k) {
-      const double rise = second[k].value - first[k].value, m0 = first[k].slope, m1 = second[k].slope;
-      const double c2 = 3.0 * rise - 2.0 * m0 - m1, c3 = m0 + m1 - 2.0 * rise;
-      product[k] =
-          first[k].value + t * (m0 + t * (c2 + t * c3)) + beyond * (value_of(beyond) < 0.0 ? m0 : m1);
-    }
-    const Number inverse = Number(1.0) / m;
-    return {product[0] * inverse, product[1] * inverse, product[2] * inverse,
-            smaller(larger(product[3], Number(-1.0)), Number(1.0))};
-  }
-  /// By m alone first.
-  template <std::size_t n>
-  requires(n > 1) StripCoefficientsOf<Dual<n>> at(const Dual<n>& m)
-  const {
-    const StripCoefficientsOf<Dual<1>> c = at(Dual<1>::input(m.value, 0));
-    const auto by_inputs = [&](const Dual<1>& a) { return m.chain(a.value, a.d[0]); };
-    return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
-  }
   double poisson() const { return poisson_; }
+  const StripCoefficientNodes& nodes() const { return nodes_; }
 
  private:
-  static constexpr int steps = 128, quantities = 4;
-  struct Node {
-    double value, slope;  ///< slope per step
-  };
-  double poisson_ = 0.0, low_ = 0.0, step_ = 1.0;
-  std::array<std::array<Node, quantities>, steps + 1> nodes_{};
+  double poisson_ = 0.0;
+  StripCoefficientNodes nodes_{.low = 0.0, .step = 1.0, .node = {}};
 };
+
+/// The coefficients of a strip; of packs of them in simd/strip_numbers_kernel.hpp.
+template <class Number>
+StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, const Number& m) {
+  constexpr int quantities = StripCoefficientNodes::quantities;
+  const PlaceInTable<Number> place(table, m);
+  const int i = std::min(static_cast<int>(value_of(place.inside)), StripCoefficientNodes::steps - 1);
+  const Number t = place.inside - static_cast<double>(i);
+  const auto &first = table.node[i], &second = table.node[i + 1];
+  Number product[quantities];
+  for (int k = 0; k < quantities; ++k)
+    product[k] = between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
+  return coefficients_of(product, m);
+}
+/// By m alone first.
+template <std::size_t n>
+requires(n > 1) StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoefficientNodes& table,
+                                                             const Dual<n>& m) {
+  const StripCoefficientsOf<Dual<1>> c = coefficients_at(table, Dual<1>::input(m.value, 0));
+  const auto by_inputs = [&](const Dual<1>& a) { return m.chain(a.value, a.d[0]); };
+  return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
+}
 
 }  // namespace wrc

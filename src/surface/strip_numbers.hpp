@@ -1,9 +1,7 @@
 /// The numbers strip FASTSIM on the surface has of every strip (surface_rolling.hpp), from loads, slips and
-/// coefficients: for plain numbers, and for numbers that carry derivatives.
+/// coefficients: for packs of strips (simd/strip_numbers_kernel.hpp, whose units may not share functions of
+/// plain numbers with others), and for numbers that carry derivatives.
 #pragma once
-
-#include <array>
-#include <type_traits>
 
 #include "base/dual.hpp"
 #include "base/elementary.hpp"
@@ -44,46 +42,85 @@ RollingArraysOf<Number> arrays(Number* workspace, std::int32_t count) {
   return a;
 }
 
+/// Where the functions below read and write the strips' numbers: at one strip, or
+/// (simd/strip_numbers_kernel.hpp) at as many as a pack has lanes.
+template <class Any>
+struct OneStrip {
+  using Number = Any;
+  std::int32_t strip;
+
+  template <class Each>
+  const Each& get(const Each* of) const {
+    return of[strip];
+  }
+  void put(Number* of, const Number& x) const { of[strip] = x; }
+  template <class F>
+  static void each(std::int32_t count, const F& f) {
+    for (std::int32_t j = 0; j < count; ++j) f(OneStrip{j});
+  }
+  static bool positive(const Number& x) { return value_of(x) > 0.0; }
+};
+
+/// What all strips share.
+struct Shared {
+  double shear_modulus, normal_shear_modulus, poisson;
+  const StripCoefficientNodes* coefficients;
+  const SurfaceCalibration* calibration;
+};
+
+template <class Number>
+Shared shared(const SurfaceRollingInputOf<Number>& in) {
+  return {in.shear_modulus, in.normal_shear_modulus, in.coefficients->poisson(), &in.coefficients->nodes(),
+          in.calibration};
+}
+
 /// Loads of the strips, how strongly neighbours share their means, and the pivots of that: (N + K) A = N a
 /// with K the diffusion between strips side by side, eliminated from the first strip to the last.
-template <class Number>
-void link(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<Number>& a) {
+template <class At, class Element>
+void link(const SurfaceRollingInputOf<Element>& in, const RollingArraysOf<Element>& a) {
+  using Number = typename At::Number;
   const std::int32_t n = in.count;
-  const auto flow = [&](std::int32_t j) {
-    return a.load[j] / in.width[j] * (in.half_length[j] * in.half_length[j]);
-  };
+  Element* const flow = a.pivot;  // of each strip, until its pivot is known
+  At::each(n, [&](const At& at) {
+    const auto& l = at.get(in.half_length);
+    const auto& width = at.get(in.width);
+    const Number load =
+        select(value_of(l) > least_strip_length, 0.5 * pi * width * at.get(in.peak) * l, Number(0.0));
+    at.put(a.load, load);
+    at.put(flow, load / width * (l * l));
+  });
+  At::each(n - 1, [&](const At& at) {
+    const auto apart = at.get(in.place + 1) - at.get(in.place);
+    const auto touching = 0.5 * (at.get(in.width) + at.get(in.width + 1));
+    const auto &here = at.get(flow), &there = at.get(flow + 1);
+    const Number sum = here + there, none = 0.0;
+    const Number shared = here * there / select(value_of(sum) > 0.0, sum, Number(1.0));
+    at.put(a.link, select(apart < 1.5 * touching, reach2 * 2.0 * shared / apart, none));
+  });
+  Element before = 0.0;  // what is left of the link to the strips before
   for (std::int32_t j = 0; j < n; ++j) {
-    const Number l = in.half_length[j];
-    a.load[j] = value_of(l) > least_strip_length ? 0.5 * pi * in.width[j] * in.peak[j] * l : Number(0.0);
-  }
-  Number before = 0.0;  // what is left of the link to the strips before
-  for (std::int32_t j = 0; j < n; ++j) {
-    a.link[j] = 0.0;
-    if (j + 1 < n) {
-      const double apart = in.place[j + 1] - in.place[j], touching = 0.5 * (in.width[j] + in.width[j + 1]);
-      const Number here = flow(j), there = flow(j + 1), sum = here + there;
-      if (value_of(sum) > 0.0 && apart < 1.5 * touching)
-        a.link[j] = reach2 * 2.0 * (here * there / sum) / apart;
-    }
-    const Number held = a.load[j] + before, pivot = held + a.link[j];
-    a.pivot[j] = value_of(pivot) > 0.0 ? Number(1.0) / pivot : Number(0.0);
+    if (j + 1 == n) a.link[j] = 0.0;
+    const Element held = a.load[j] + before, pivot = held + a.link[j];
+    a.pivot[j] = At::positive(pivot) ? Element(1.0) / pivot : Element(0.0);
     before = a.link[j] * (held * a.pivot[j]);
   }
 }
 
 /// Replaces quantities times load by their means.
-template <class Number>
-void take_means(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<Number>& a, Mean first,
-                Mean end) {
-  for (int k = first; k < end; ++k) {
-    Number* const m = a.mean[static_cast<std::size_t>(k)];
-    Number flow = 0.0;
-    for (std::int32_t j = 0; j < in.count; ++j) {
-      m[j] = (m[j] + flow) * a.pivot[j];
-      flow = a.link[j] * m[j];
+template <class At, int first, int end, class Element>
+void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
+  Element flow[end - first] = {};
+  for (std::int32_t j = 0; j < count; ++j)
+    for (int k = first; k < end; ++k) {
+      Element* const m = a.mean[k];
+      m[j] = (m[j] + flow[k - first]) * a.pivot[j];
+      flow[k - first] = a.link[j] * m[j];
     }
-    for (std::int32_t j = in.count - 1; j-- > 0;) m[j] += a.pivot[j] * (a.link[j] * m[j + 1]);
-  }
+  for (std::int32_t j = count - 1; j-- > 0;)
+    for (int k = first; k < end; ++k) {
+      Element* const m = a.mean[k];
+      m[j] += a.pivot[j] * (a.link[j] * m[j + 1]);
+    }
 }
 
 /// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion:
@@ -110,9 +147,9 @@ Number factor(const Number& q) {
 
 /// Peak pressure over half length [Pa/m].
 template <class Number>
-Number strip_level(const SurfaceRollingInputOf<Number>& in, std::int32_t j) {
+Number strip_level(const Number& peak, const Number& half_length) {
   constexpr double least_pressure = 1.0;  // [Pa]
-  return larger(in.peak[j], Number(least_pressure)) / larger(in.half_length[j], Number(least_strip_length));
+  return larger(peak, Number(least_pressure)) / larger(half_length, Number(least_strip_length));
 }
 
 /// Slenderness within what the calibration holds for.
@@ -122,41 +159,56 @@ Number held_slenderness(const Number& u) {
 }
 
 /// Coefficients, forces of linear theory and their means.
+template <class At, class Element>
+void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
+                   const RollingArraysOf<Element>& a) {
+  using Number = typename At::Number;
+  const double G = shared.shear_modulus, poisson = shared.poisson;
+  const double per_level = shared.normal_shear_modulus / (1.0 - poisson);  // 1 / (pi C)
+  const auto area_of = [&](const At& at, const Number& load) {
+    return select(value_of(load) > 0.0, at.get(in.half_length) * at.get(in.width), Number(0.0));
+  };
+  At::each(in.count, [&](const At& at) {
+    const auto &l = at.get(in.half_length), &N = at.get(a.load);
+    const Number area = area_of(at, N), lambda = strip_level<Number>(at.get(in.peak), l);
+    const Number m = at.get(in.curvature) * per_level / lambda;
+    const StripCoefficientsOf<Number> c = coefficients_at(*shared.coefficients, m);
+    at.put(a.c11, c.c11);
+    at.put(a.c22, c.c22);
+    at.put(a.c23, c.c23);
+    at.put(a.mean[slip], at.get(in.slip_x) * N);
+    at.put(a.mean[slender], c.slenderness * N);
+    at.put(a.mean[edge],  // 0.884: of an ellipse
+           edge_slip / 0.884 * at.get(in.friction) * lambda * l / (G * c.c22) * N);
+    at.put(a.mean[lateral], 2.0 / pi * G * c.c22 * at.get(in.slip_y) * area);
+    at.put(a.mean[spin], 0.75 * G * c.c23 * at.get(in.spin) * l * area);
+    at.put(a.mean[friction], at.get(in.friction) * N);
+    at.put(a.mean[location], at.get(in.place) * N);
+  });
+  take_means<At, slip, longitudinal>(in.count, a);
+  At::each(in.count, [&](const At& at) {
+    const auto &N = at.get(a.load), &shared_slip = at.get(a.mean[slip]);
+    const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
+    const Number own = gain(u, poisson) * (at.get(in.slip_x) - shared_slip);
+    at.put(a.own, own);
+    at.put(a.mean[longitudinal], 2.0 / pi * G * at.get(a.c11) * (shared_slip + own) * area_of(at, N));
+    const Number from_middle = at.get(in.place) - at.get(a.mean[location]);
+    at.put(a.mean[variance], from_middle * from_middle * N);
+  });
+  take_means<At, longitudinal, means>(in.count, a);
+}
+
+/// One over a number, 0 for 0.
 template <class Number>
-void linear_theory(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<Number>& a) {
-  const double G = in.shear_modulus, poisson = in.coefficients->poisson();
-  const double per_level = in.normal_shear_modulus / (1.0 - poisson);  // 1 / (pi C)
-  for (std::int32_t j = 0; j < in.count; ++j) {
-    const Number l = in.half_length[j], N = a.load[j];
-    const Number area = value_of(N) > 0.0 ? l * in.width[j] : Number(0.0);
-    const Number lambda = strip_level(in, j);
-    const StripCoefficientsOf<Number> c = in.coefficients->at(in.curvature[j] * per_level / lambda);
-    a.c11[j] = c.c11;
-    a.c22[j] = c.c22;
-    a.c23[j] = c.c23;
-    a.mean[slip][j] = in.slip_x[j] * N;
-    a.mean[slender][j] = c.slenderness * N;
-    a.mean[edge][j] =
-        edge_slip / 0.884 * in.friction[j] * lambda * l / (G * c.c22) * N;  // 0.884: of an ellipse
-    a.mean[lateral][j] = 2.0 / pi * G * c.c22 * in.slip_y[j] * area;
-    a.mean[spin][j] = 0.75 * G * c.c23 * in.spin[j] * l * area;
-    a.mean[friction][j] = in.friction[j] * N;
-    a.mean[location][j] = in.place[j] * N;
-  }
-  take_means(in, a, slip, longitudinal);
-  for (std::int32_t j = 0; j < in.count; ++j) {
-    const Number u = held_slenderness(a.mean[slender][j]);
-    const Number area = value_of(a.load[j]) > 0.0 ? in.half_length[j] * in.width[j] : Number(0.0);
-    a.own[j] = gain(u, poisson) * (in.slip_x[j] - a.mean[slip][j]);
-    a.mean[longitudinal][j] = 2.0 / pi * G * a.c11[j] * (a.mean[slip][j] + a.own[j]) * area;
-    const Number from_middle = in.place[j] - a.mean[location][j];
-    a.mean[variance][j] = from_middle * from_middle * a.load[j];
-  }
-  take_means(in, a, longitudinal, means);
+Number inverse_or_none(const Number& x) {
+  const auto any = value_of(x) > 0.0;
+  return select(any, Number(1.0) / select(any, x, Number(1.0)), Number(0.0));
 }
 
 template <class Number>
-using Terms = std::array<Number, SurfaceCalibration::terms>;
+struct Terms {
+  Number of[SurfaceCalibration::terms];
+};
 
 /// The terms of the calibration; x, e, s and the friction limit as forces, Q the sum of their squares.
 template <class Number>
@@ -165,15 +217,15 @@ Terms<Number> calibration_terms(const Number& u, const Number& x, const Number& 
   const Number xx = x * x / Q, ee = e * e / Q, ss = s * s / Q, pull = e * s / Q, pull2 = pull * pull;
   const Number ratio = s * s / (limit2 + s * s), even = 4.0 * ratio * (1.0 - ratio), even2 = even * even;
   const Number unison = even2 * even2 * (limit2 / (limit2 + x * x + e * e));
-  return {Number(1.0), u,        xx,        ee,     ss,         pull,    pull2,   u * xx, u * ee,
-          u * ss,      u * pull, u * pull2, unison, u * unison, ss * ss, ee * ss, xx * ss};
+  return {{Number(1.0), u, xx, ee, ss, pull, pull2, u * xx, u * ee, u * ss, u * pull, u * pull2, unison,
+           u * unison, ss * ss, ee * ss, xx * ss}};
 }
 
 /// What the calibration says of a strip: its quantities, flexibilities and turning as the factors they stand
 /// for.
 template <class Number>
 struct Fitted {
-  std::array<Number, SurfaceCalibration::quantities> of;
+  Number of[SurfaceCalibration::quantities];
   Number per_size;  ///< one over the root of Q
 };
 
@@ -184,18 +236,17 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
   Fitted<Number> fitted;
   fitted.per_size = Number(1.0) / root(Q);
-  for (std::size_t quantity = 0; quantity < fitted.of.size(); ++quantity) {
+  for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
     Number sum = 0.0;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      if constexpr (!std::is_same_v<Number, double>)
-        if (calibration.constants[quantity][i] == 0.0) continue;
-      sum += calibration.constants[quantity][i] * terms[i];
+    for (int i = 0; i < SurfaceCalibration::terms; ++i) {
+      const double constant = calibration.constants[quantity][i];
+      if (constant != 0.0) sum += constant * terms.of[i];
     }
     fitted.of[quantity] = sum;
   }
-  for (const auto quantity : {SurfaceCalibration::flexibility_x, SurfaceCalibration::flexibility_y,
-                              SurfaceCalibration::flexibility_spin_x})
-    fitted.of[quantity] = creepage_area * factor(fitted.of[quantity]);
+  constexpr int creepages[] = {SurfaceCalibration::flexibility_x, SurfaceCalibration::flexibility_y,
+                               SurfaceCalibration::flexibility_spin_x};
+  for (const int quantity : creepages) fitted.of[quantity] = creepage_area * factor(fitted.of[quantity]);
   fitted.of[SurfaceCalibration::flexibility_spin_y] =
       factor(fitted.of[SurfaceCalibration::flexibility_spin_y]);
   fitted.of[SurfaceCalibration::turning] = 1.4 * factor(fitted.of[SurfaceCalibration::turning]);
@@ -217,20 +268,23 @@ requires(n > 5) Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const
   };
   Fitted<Dual<n>> fitted;
   fitted.per_size = by_inputs(few.per_size);
-  for (std::size_t q = 0; q < fitted.of.size(); ++q) fitted.of[q] = by_inputs(few.of[q]);
+  for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
   return fitted;
 }
 
 /// Fills the arrays that the kernel reads of every strip.
-template <class Number>
-void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<Number>& a) {
-  const SurfaceCalibration& calibration = *in.calibration;
-  for (std::int32_t j = 0; j < in.count; ++j) {
-    const Number l = larger(in.half_length[j], Number(least_strip_length)), mu = in.friction[j];
-    const Number u = held_slenderness(a.mean[slender][j]);
-    const Number x = a.mean[longitudinal][j], e = a.mean[lateral][j], s = a.mean[spin][j];
-    const Number limit2 = a.mean[friction][j] * a.mean[friction][j] + least_force2;
-    const Fitted<Number> fitted = fit(calibration, u, x, e, s, limit2);
+template <class At, class Element>
+void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
+                 const RollingArraysOf<Element>& a) {
+  using Number = typename At::Number;
+  At::each(in.count, [&](const At& at) {
+    const Number l = larger(at.get(in.half_length), Number(least_strip_length));
+    const auto &mu = at.get(in.friction), &peak = at.get(in.peak);
+    const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
+    const auto &x = at.get(a.mean[longitudinal]), &e = at.get(a.mean[lateral]), &s = at.get(a.mean[spin]);
+    const auto& held = at.get(a.mean[friction]);
+    const Number limit2 = held * held + least_force2;
+    const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],
                  &by_spin_x = fitted.of[SurfaceCalibration::flexibility_spin_x],
@@ -238,26 +292,28 @@ void fill_arrays(const SurfaceRollingInputOf<Number>& in, const RollingArraysOf<
                  &turning = fitted.of[SurfaceCalibration::turning];
 
     // Elastic slip at the edge of a strip that slips as a whole, and one over it, without the coefficients.
-    const Number soft = edge_slip * strip_level(in, j) * mu * l / in.shear_modulus;
-    const Number stiff = value_of(soft) > 0.0 ? Number(1.0) / soft : Number(0.0);
-    const Number soft_x = soft / a.c11[j], soft_y = soft / a.c22[j];
-    a.bound[j] = value_of(a.load[j]) > 0.0 ? mu * in.peak[j] : Number(0.0);
-    a.growth_x[j] = stiff * a.c11[j] * (a.mean[slip][j] / by_x + a.own[j] / by_spin_x);
-    a.growth_y[j] = stiff * a.c22[j] * in.slip_y[j] / by_y;
-    a.curvature[j] = 16.0 / (3.0 * pi) * stiff * a.c23[j] * in.spin[j] * l / by_spin_y;
-    a.elastic[j] = creepage_area * (soft_x - soft_y);
-    a.turn_x[j] = turning * soft_x;
-    a.turn_y[j] = turning * soft_y;
-    a.edge_x[j] = 2.0 * by_x * soft_x;
-    a.edge_y[j] = 2.0 * by_y * soft_y;
+    const auto &c11 = at.get(a.c11), &c22 = at.get(a.c22), &slip_y = at.get(in.slip_y);
+    const Number soft =
+        edge_slip * strip_level<Number>(peak, at.get(in.half_length)) * mu * l / shared.shear_modulus;
+    const Number none = 0.0, stiff = inverse_or_none(soft);
+    const Number soft_x = soft / c11, soft_y = soft / c22;
+    at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
+    at.put(a.growth_x, stiff * c11 * (at.get(a.mean[slip]) / by_x + at.get(a.own) / by_spin_x));
+    at.put(a.growth_y, stiff * c22 * slip_y / by_y);
+    at.put(a.curvature, 16.0 / (3.0 * pi) * stiff * at.get(a.c23) * at.get(in.spin) * l / by_spin_y);
+    at.put(a.elastic, creepage_area * (soft_x - soft_y));
+    at.put(a.turn_x, turning * soft_x);
+    at.put(a.turn_y, turning * soft_y);
+    at.put(a.edge_x, 2.0 * by_x * soft_x);
+    at.put(a.edge_y, 2.0 * by_y * soft_y);
 
-    const Number across =
-        (in.place[j] - a.mean[location][j]) / root(5.0 * larger(a.mean[variance][j], Number(least_variance)));
-    const Number elastic = a.mean[edge][j] * fitted.per_size;
-    a.slip_x[j] = in.slip_x[j] + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x];
-    a.slip_y[j] = in.slip_y[j] + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
-                                            x * across * fitted.of[SurfaceCalibration::twist_y]);
-  }
+    const Number across = (at.get(in.place) - at.get(a.mean[location])) /
+                          root(5.0 * larger(at.get(a.mean[variance]), Number(least_variance)));
+    const Number elastic = at.get(a.mean[edge]) * fitted.per_size;
+    at.put(a.slip_x, at.get(in.slip_x) + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
+    at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
+                                         x * across * fitted.of[SurfaceCalibration::twist_y]));
+  });
 }
 
 }  // namespace wrc::strip_numbers

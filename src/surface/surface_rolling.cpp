@@ -7,6 +7,7 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling_arrays.hpp"
+#include "surface/simd/tasks.hpp"
 #include "surface/strip_numbers.hpp"
 #include "tangential/methods/strip_fastsim.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 
 void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
                            const TangentialFields& fields, SurfaceRollingForces& forces) {
-  fill_arrays(in, a);
   auto task = surface_task<simd::SurfaceStripsTask>(in, a, fields, forces);
   task.inverse_weight = in.grid->inverse_weight;
   task.curvature = a.curvature;
@@ -45,8 +45,8 @@ std::size_t surface_rolling_workspace(std::int32_t capacity) {
 void roll_on_surface(const SurfaceRollingInput& in, double* workspace, const TangentialFields& fields,
                      SurfaceRollingForces& forces) {
   const RollingArrays a = strip_numbers::arrays(workspace, in.count);
-  link(in, a);
-  linear_theory(in, a);
+  const Shared shared = strip_numbers::shared(in);
+  in.grid->kernels->strip_numbers({&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
   switch (in.method) {
     case SurfaceRollingMethod::strip_fastsim:
       return roll_by_strip_fastsim(in, a, fields, forces);

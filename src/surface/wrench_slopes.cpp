@@ -102,9 +102,11 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
     mirror(s.spin);
   }
   const RollingArraysOf<Number> a = strip_numbers::arrays(w.numbers, n);
-  strip_numbers::link(rolls, a);
-  strip_numbers::linear_theory(rolls, a);
-  strip_numbers::fill_arrays(rolls, a);
+  using Each = strip_numbers::OneStrip<Number>;
+  const strip_numbers::Shared shared = strip_numbers::shared(rolls);
+  strip_numbers::link<Each>(rolls, a);
+  strip_numbers::linear_theory<Each>(rolls, shared, a);
+  strip_numbers::fill_arrays<Each>(rolls, shared, a);
 
   // What the kernel is told, by SurfaceStripInput: but for the spin, which it multiplies by the half length.
   const Number* const told[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,

@@ -8,6 +8,15 @@
 #include "surface/outline.hpp"
 
 namespace wrc {
+
+template <class Number>
+struct SurfaceRollingInputOf;
+template <class Number>
+struct RollingArraysOf;
+namespace strip_numbers {
+struct Shared;
+}
+
 namespace simd {
 
 /// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the
@@ -70,6 +79,14 @@ struct OutlineTask {
   const RelativePose* pose;
   OutlineAttitude attitude;
   const OverlapScratch* scratch;
+};
+
+/// The numbers of strips that roll (surface/strip_numbers.hpp).
+struct StripNumbersTask {
+  const SurfaceRollingInputOf<double>* in;
+  const strip_numbers::Shared* shared;
+  const RollingArraysOf<double>* arrays;
+  bool for_strip_fastsim;  ///< its arrays, too
 };
 
 }  // namespace simd

@@ -1,0 +1,52 @@
+/// The numbers of strips that roll (surface/strip_numbers.hpp): one strip per lane, but for the sums that run
+/// along the strips.
+#pragma once
+
+#include "base/pack.hpp"
+#include "surface/simd/tasks.hpp"
+#include "surface/strip_numbers.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// A pack's strips.
+struct StripLanes {
+  using Number = Pack;
+  std::int32_t first, count;
+
+  Pack get(const double* of) const { return load(of, first, count, 1.0); }
+  void put(double* of, Pack x) const { store(x, of + first, count); }
+  template <class F>
+  static void each(std::int32_t count, const F& f) {
+    for (std::int32_t first = 0; first < count; first += lanes)
+      f(StripLanes{first, count - first < lanes ? count - first : lanes});
+  }
+  static bool positive(double x) { return x > 0.0; }
+};
+
+inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& table, const Pack& m) {
+  constexpr int quantities = StripCoefficientNodes::quantities;
+  const PlaceInTable<Pack> place(table, m);
+  const Pack node = smaller(whole_part(place.inside), StripCoefficientNodes::steps - 1.0);
+  const Pack t = place.inside - node;
+  const double* const nodes = table.node[0][0];
+  const Indices at = indices(2.0 * quantities * node);
+  Pack product[quantities];
+  for (int k = 0; k < quantities; ++k) {
+    const Neighbours first = pick(nodes + 2 * k, at), second = pick(nodes + 2 * (quantities + k), at);
+    product[k] = between_nodes(first.at, first.behind, second.at, second.behind, t, place.beyond);
+  }
+  return coefficients_of(product, m);
+}
+
+/// Kernels::strip_numbers.
+inline void strip_numbers_kernel(const StripNumbersTask& task) {
+  const SurfaceRollingInput& in = *task.in;
+  const RollingArrays& a = *task.arrays;
+  strip_numbers::link<StripLanes>(in, a);
+  strip_numbers::linear_theory<StripLanes>(in, *task.shared, a);
+  if (task.for_strip_fastsim) strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
+}
+
+}  // namespace
+}  // namespace wrc::simd
