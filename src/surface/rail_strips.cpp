@@ -32,7 +32,13 @@ double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
   const double turned = std::abs(ay * bz - az * by) + 1e-9;
   const double radius = 2.0 * looked_over / turned;
   const double t = std::clamp((radius - widths.sharp) / (widths.flat - widths.sharp), 0.0, 1.0);
-  return widths.narrowest + t * (widths.widest - widths.narrowest);
+  const double width = widths.narrowest + t * (widths.widest - widths.narrowest);
+  if (!(widths.guiding < widths.widest)) return width;
+  double ty, tz;
+  tangent_at(rail, s, ty, tz);
+  constexpr double begins = 0.90, holds = 0.97;  // sines
+  const double steep = std::clamp((tz - begins) / (holds - begins), 0.0, 1.0);
+  return smaller(width, widths.widest + steep * (widths.guiding - widths.widest));
 }
 
 double strip_angle(const RailStrips& strips, std::int32_t strip) {

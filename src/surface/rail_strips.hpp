@@ -38,7 +38,13 @@ struct RailStrips {
 struct StripWidths {
   double narrowest = 0.25e-3, widest = 0.5e-3;
   double sharp = 0.020, flat = 0.060;  ///< radii of curvature up to and from which they hold [m]
+  double guiding = widest;  ///< at most, on faces beyond 76 degrees that fall to the field side, from 64 on
 };
+
+/// On a face beside the rail, which may be a check rail. A flange's back touches that over 1 to 8 mm of arc,
+/// and under yaw contacts of strips 0.5 mm wide lie 2 to 5 mm apart along the track: peak pressures were up
+/// to half off.
+inline constexpr StripWidths guiding_widths{.guiding = 0.2e-3};
 
 /// Width wanted at a length of a curve [m].
 double wanted_width(const Curve& rail, const StripWidths& widths, double s);

@@ -222,6 +222,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     Pairing pairing;
     Curve curve;
     double length = 0.0;
+    const StripWidths widths = f + 1 < faces ? guiding_widths : StripWidths{};
     for (std::int32_t k = begin; k < end; ++k) {
       Fault fault = read_outline(sections[k], k, cosine, sine, reading, curve);
       if (fault.failed()) return fault;
@@ -231,7 +232,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
       for (std::int32_t i = 0; i < width_samples; ++i) {
         double s, growth;
         pairing.at(length * i / (width_samples - 1), s, growth);
-        const double here = wanted_width(curve, {}, s) / growth;
+        const double here = wanted_width(curve, widths, s) / growth;
         wanted[i] = k == begin ? here : std::min(wanted[i], here);
       }
     }
