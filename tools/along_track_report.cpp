@@ -528,6 +528,9 @@ void against_exact() {
       input.wheel.velocity[2] = 0.0;
       input.wheel.angular_velocity[1] = -20.0 / radius * (1.0 + between(random, -4e-3, 4e-3));
       pose(input);
+      // it runs where it points to, and turns about its own axle
+      input.wheel.velocity[1] += 20.0 * std::tan(input.wheel.yaw);
+      input.wheel.angular_axes = WRC_AXES_BODY;
       const double damping = std::exchange(input.damping, 0.0);
       input.wheel.z = pair.height(between(random, 20e3, 120e3));
       input.damping = damping;
