@@ -11,18 +11,12 @@
 
 #include <cstdint>
 
+#include "base/in_loop.hpp"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #elif defined(__aarch64__)
 #include <arm_neon.h>
-#endif
-
-/// For functions of a march's inner loop, which must not be calls. In sanitized builds they may be: there the
-/// compiler's time is what one waits for (minutes for one unit otherwise).
-#ifdef WRC_SANITIZED
-#define WRC_IN_LOOP inline
-#else
-#define WRC_IN_LOOP [[gnu::always_inline]] inline
 #endif
 
 namespace wrc::simd {

@@ -104,6 +104,9 @@ struct Kernels {
   double (*section_strips)(const simd::SectionStripsTask& task);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const simd::OutlineTask& task);
+  /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than
+  /// `margin` above the rail, which lie from `begin` to before `end`.
+  void (*cross_rays)(const simd::OutlineTask& task, double margin, std::int32_t& begin, std::int32_t& end);
   /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.
   /// Depth -1 where the surfaces do not face each other.
   void (*follow_rays)(const simd::OutlineTask& task, Overlaps& overlaps);

@@ -51,6 +51,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_edge_slopes = sloped::surface_edge_slopes,
       .section_strips = section_strips_kernel,
       .outline = outline_kernel,
+      .cross_rays = cross_rays_kernel,
       .follow_rays = follow_rays_kernel,
       .assess_cells = assess_cells_kernel,
       .stress_of_points = stress_of_points_kernel,

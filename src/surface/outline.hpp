@@ -1,6 +1,7 @@
 /// The outline of a posed wheel, seen along the track: one point for each place on its profile (overlap.hpp).
 #pragma once
 
+#include "base/in_loop.hpp"
 #include "base/number.hpp"
 #include "surface/overlap.hpp"
 
@@ -24,6 +25,9 @@ OutlineAttitudeOf<Number> attitude_of(const RelativePoseOf<Number>& pose) {
 /// none.
 inline constexpr double steepest_sine = 0.98, least_advance = 1e-3;
 
+/// A chord of the outline between two knots lies at most this far from it [m].
+inline constexpr double chord_sagitta = 30e-6;
+
 /// From the wheel's reference point, rail axes. Number is double, or a pack of them.
 template <class Number>
 struct OutlinePlace {
@@ -33,8 +37,9 @@ struct OutlinePlace {
 
 /// The outline at the profile's point (y, radius) with the slope dr/dy.
 template <class Number, class OfPose>
-OutlinePlace<Number> outline_place(const RelativePoseOf<OfPose>& pose, const OutlineAttitudeOf<OfPose>& a,
-                                   const Number& y, const Number& radius, const Number& slope) {
+WRC_IN_LOOP OutlinePlace<Number> outline_place(const RelativePoseOf<OfPose>& pose,
+                                               const OutlineAttitudeOf<OfPose>& a, const Number& y,
+                                               const Number& radius, const Number& slope) {
   const auto& R = pose.rotation;
   OutlinePlace<Number> o;
   o.sine = smaller(larger(a.e2 * slope, Number(-steepest_sine)), Number(steepest_sine));

@@ -397,6 +397,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
     find(model, in, seen, margin_of(model), w);
     double rise = 0.0;
     for (std::int32_t i = 0; i < o.count; ++i) {
+      if (!(o.depth[i] > deepest_overlap)) continue;
       const double down = larger(seen.cosine * o.nz[i] + seen.sine * o.ny[i], 0.1);
       rise = larger(rise, (o.depth[i] - deepest_overlap) / down);
     }

@@ -22,6 +22,108 @@ inline void outline_kernel(const OutlineTask& task) {
   }
 }
 
+/// The outline on its way across the rays of a range's strips.
+struct RayWalk {
+  const double *y, *z, *ty, *tz;  ///< as RailStrips
+  std::int32_t first, end;        ///< strips of the range
+  std::int32_t last;              ///< strips up to this one have their rays behind the outline
+
+  /// How far a point is ahead of a strip's ray, and how far below its tangent.
+  double ahead(std::int32_t j, double at_y, double at_z) const {
+    return (at_y - y[j]) * ty[j] + (at_z - z[j]) * tz[j];
+  }
+  double below(std::int32_t j, double at_y, double at_z) const {
+    return (at_z - z[j]) * ty[j] - (at_y - y[j]) * tz[j];
+  }
+
+  /// Moves on to a point.
+  void go_to(double at_y, double at_z) {
+    while (last + 1 < end && ahead(last + 1, at_y, at_z) > 0.0) ++last;
+    while (last >= first && ahead(last, at_y, at_z) <= 0.0) --last;
+  }
+
+  /// The same to one that may be far ahead.
+  void jump_to(double at_y, double at_z) {
+    for (; last + lanes < end; last += lanes) {
+      const std::int32_t j = last + 1;
+      const Pack to =
+          (at_y - load_pack(y + j)) * load_pack(ty + j) + (at_z - load_pack(z + j)) * load_pack(tz + j);
+      if (any(!(to > 0.0))) break;
+    }
+    go_to(at_y, at_z);
+  }
+};
+
+/// Kernels::cross_rays. Follows the outline from knot to knot; the deepest crossing of a ray counts.
+/// Stretches of the outline further above the rail's top or beside it than the margin, and than wheels are
+/// pressed into rails, are passed over.
+inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32_t& begin,
+                              std::int32_t& end) {
+  constexpr double nowhere = -1.0;     // [m]
+  constexpr double rounding = 1e-9;    // [m]
+  constexpr double pressed_in = 4e-3;  // [m]: deeper than any overlap that is solved, and a piece's length
+  const RailStrips& rail = *task.rail;
+  const OverlapScratch scratch = *task.scratch;
+  const std::int32_t knots = task.wheel->knots;
+  for (std::int32_t j = 0; j < rail.count; j += lanes)
+    store(nowhere, scratch.overlap + j, rail.count - j < lanes ? rail.count - j : lanes);
+  std::int32_t lowest = rail.count, highest = -1;
+  const double least = -margin - chord_sagitta - rounding;
+  for (std::int32_t r = 0; r < rail.ranges; ++r) {
+    const StripRange& range = rail.range[r];
+    const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
+    const double left = range.leftmost - beside, right = range.rightmost + beside;
+    RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};
+    bool near_before = false, passed_over = false;
+    for (std::int32_t pack = 0; pack < knots; pack += lanes) {
+      const Pack ys = load_pack(scratch.y + pack), zs = load_pack(scratch.z + pack);
+      if (!near_before && !any((zs >= top) & (ys >= left) & (ys <= right))) {
+        passed_over = true;
+        continue;
+      }
+      const std::int32_t behind = pack + lanes < knots ? pack + lanes : knots;
+      for (std::int32_t k = pack; k < behind; ++k) {
+        const double y = scratch.y[k], z = scratch.z[k];
+        const bool near = z >= top && y >= left && y <= right;
+        if (!near && !near_before) {
+          passed_over = true;
+          continue;
+        }
+        near_before = near;
+        if (passed_over) walk.jump_to(scratch.y[k - 1], scratch.z[k - 1]);
+        passed_over = false;
+        if (k == 0 || !(scratch.seen[k] > 0.0 && scratch.seen[k - 1] > 0.0)) {
+          walk.jump_to(y, z);
+          continue;
+        }
+        const std::int32_t before = walk.last;
+        walk.go_to(y, z);
+        if (walk.last == before) continue;
+        const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
+        std::int32_t j = before < walk.last ? before : walk.last;
+        const std::int32_t last = before < walk.last ? walk.last : before;
+        while (++j <= last) {
+          if (walk.below(j, y_before, z_before) < least && walk.below(j, y, z) < least) continue;
+          const double from = walk.ahead(j, y_before, z_before), to = walk.ahead(j, y, z);
+          const double way = from == to ? 0.5 : from / (from - to);
+          const double t = way > 0.0 ? (way < 1.0 ? way : 1.0) : 0.0;
+          const double py = y_before + t * (y - y_before) - rail.y[j],
+                       pz = z_before + t * (z - z_before) - rail.z[j];
+          const double overlap = pz * rail.ty[j] - py * rail.tz[j];
+          if (overlap <= scratch.overlap[j]) continue;
+          scratch.overlap[j] = overlap;
+          scratch.piece[j] = k - 1;
+          scratch.part[j] = t;
+          lowest = j < lowest ? j : lowest;
+          highest = j > highest ? j : highest;
+        }
+      }
+    }
+  }
+  begin = lowest;
+  end = highest + 1;
+}
+
 /// Coefficients of the wheel's curve, one piece per lane.
 struct Pieces {
   Pack y[4], z[4], length;
@@ -55,7 +157,7 @@ struct OnOutline {
   Pack radius;
 };
 
-inline OnOutline on_outline(const OutlineTask& task, const Pieces& c, Pack u) {
+WRC_IN_LOOP OnOutline on_outline(const OutlineTask& task, const Pieces& c, Pack u) {
   const auto& R = task.pose->rotation;
   const Pack py = c.y[0] + u * (c.y[1] + u * (c.y[2] + u * c.y[3]));
   const Pack pz = c.z[0] + u * (c.z[1] + u * (c.z[2] + u * c.z[3]));
