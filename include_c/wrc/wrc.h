@@ -160,8 +160,10 @@ enum wrc_friction_kind {
 /** Where the y of friction zones counts from. */
 enum wrc_zone_frame {
   WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame: zones move with the contact point */
-  WRC_ZONES_RAIL_PROFILE = 1   /**< rail profile, as wrc_contact_point.y_rail: zones stay on the rail; field side > 0.
+  WRC_ZONES_RAIL_PROFILE = 1,  /**< rail profile, as wrc_contact_point.y_rail: zones stay on the rail; field side > 0.
                                     Needs the contact point of a wrc_contact_geometry */
+  WRC_ZONES_WHEEL_PROFILE = 2  /**< wheel profile, as wrc_contact_point.y_wheel: zones stay on the wheel, as a lubricated
+                                    flange; flange side < 0. Needs the same */
 };
 
 /** Where profiles lie. */
@@ -1063,7 +1065,7 @@ WRC_API int32_t wrc_contact_roll(wrc_contact* contact, double distance);
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
  * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
- * friction zones over the rail without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
+ * friction zones over a profile without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
  * contact */
 WRC_API int32_t wrc_contact_tangential(wrc_contact* contact, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_forces* forces);

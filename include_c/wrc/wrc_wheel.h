@@ -145,8 +145,8 @@ typedef struct wrc_wheel_input {
   wrc_wheel_state wheel; /**< where the wheel is and how it moves */
   wrc_rail_state rail;   /**< where the rail is and how it moves */
   wrc_friction friction; /**< of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep
-                              forces; zones count from the rail profile's origin (WRC_ZONES_RAIL_PROFILE) and lie on the
-                              rail */
+                              forces; zones count from the origin of the rail's profile (WRC_ZONES_RAIL_PROFILE) and lie on
+                              the rail, or from that of the wheel's (WRC_ZONES_WHEEL_PROFILE) and lie on the wheel */
   double vertical_load;  /**< the whole vertical force on the wheel, creep forces included, upwards positive, 1e2..1e6 N
                               with WRC_PRESCRIBE_VERTICAL_LOAD, 0 else [0]. Negative: the load is positive where the rail
                               pushes the wheel upwards. Too small: did you pass kN? near lift-off prescribe the height
@@ -322,8 +322,8 @@ WRC_DEFAULT_SIZED(wrc_region)
  * does, the one at which the force first ceases to grow, which is where the former ends as the load grows: without a
  * jump, and with less than the load in force[2]; zero at first touch, where it never grows. WRC_FLAG_CLIMBING says that
  * none or several carry the load, or that the force falls on the way to the one returned.
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero; a flange 4 mm and more inside the side of a rail may not be seen
- * either), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart: all zero; so is a flange 4 mm and more inside
+ * the side of a rail, and its back, which the sentence says), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the
  * stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
  * end of a profile; what lies beyond carries nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
  * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is

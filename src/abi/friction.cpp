@@ -19,7 +19,8 @@ Fault read_zones(const wrc_friction& theirs, const char* of, Friction& friction)
   }
   friction.law.zones = {theirs.zones, theirs.zone_y, theirs.zone_coefficient};
   static_assert(same<WRC_ZONES_CONTACT_FRAME>(ZoneFrame::contact) &&
-                same<WRC_ZONES_RAIL_PROFILE>(ZoneFrame::rail));
+                same<WRC_ZONES_RAIL_PROFILE>(ZoneFrame::rail) &&
+                same<WRC_ZONES_WHEEL_PROFILE>(ZoneFrame::wheel));
   friction.zone_frame = static_cast<ZoneFrame>(theirs.zone_frame);
   return {};
 }

@@ -127,12 +127,14 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
   if (fault.failed()) return fault;
-  if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame != ZoneFrame::rail)
+  if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::contact)
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "input.friction.zone_frame",
             .value = static_cast<double>(ours.zone_frame),
             .unit = "",
-            .cause = "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE"};
+            .cause =
+                "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "
+                "WRC_ZONES_WHEEL_PROFILE"};
   return {};
 }
 

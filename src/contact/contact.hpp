@@ -58,8 +58,8 @@ struct TemperatureNumbers {
   double wheel_heat = 0.0, rail_heat = 0.0;  ///< [W]
 };
 
-/// Where the y of friction zones counts from: the contact frame, or the rail's profile.
-enum class ZoneFrame : std::int64_t { contact, rail };
+/// Where the y of friction zones counts from: the contact frame, the rail's profile, or the wheel's.
+enum class ZoneFrame : std::int64_t { contact, rail, wheel };
 
 /// Friction between the bodies, and what a layer between them does to the slope of the creep curve.
 struct Friction {

@@ -88,8 +88,8 @@ TangentialFields cell_fields(Contact& contact, const Patch& patch) {
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin,
                              double way) {
   FrictionFrame frame{.origin = origin};
-  if (friction.zone_frame == ZoneFrame::rail) {
-    frame.zone_origin = contact.point.y_rail;
+  if (friction.zone_frame != ZoneFrame::contact) {
+    frame.zone_origin = friction.zone_frame == ZoneFrame::rail ? contact.point.y_rail : contact.point.y_wheel;
     frame.zone_slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
   }
   const SlidingSpeed sliding = friction.slope.falls() ? SlidingSpeed::of_patch : SlidingSpeed::of_strip;
@@ -299,10 +299,10 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
             .field = "patch",
             .cause = "there is no patch: call wrc_contact_normal first, or hand over strips or a patch"};
   }
-  if (friction.zone_frame == ZoneFrame::rail && !contact.posed) {
+  if (friction.zone_frame != ZoneFrame::contact && !contact.posed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "friction.zone_frame",
-            .cause = "zones over the rail need the contact point of a wrc_contact_geometry"};
+            .cause = "zones over a profile need the contact point of a wrc_contact_geometry"};
   }
   if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
   contact.reached = Stage::tangential;

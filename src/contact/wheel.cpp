@@ -149,6 +149,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   const FrictionLaw& law = hosted.friction.law;
   problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
   if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
+  problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
   problem.damping = hosted.damping;

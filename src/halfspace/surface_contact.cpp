@@ -204,25 +204,27 @@ double rolling_speed(const WheelOnRail& state, const Cells& cells, const Field& 
   return state.wheel.velocity[0] + passing / load;
 }
 
-// Coefficients of all cells: of each row over its width on the rail, at the root mean square of its cells'
-// rigid sliding velocity.
-Field friction_of_rows(const WheelOnRail& state, const SectionCurve& rail, const Grid& g,
-                       const Field& pressure, const Way& way) {
+// Coefficients of all cells: of each row over its width on the profile that zones lie on, at the root mean
+// square of its cells' rigid sliding velocity.
+Field friction_of_rows(const WheelOnRail& state, const SectionCurve& rail, const SectionCurve& wheel,
+                       const Cells& cells, const Field& pressure, const Way& way) {
+  const Grid& g = cells.grid;
   if (state.law == nullptr) return {state.friction};
   const FrictionLaw& law = *state.law;
   Field friction(g.cells(), 0.0);
   for (int j = 0; j < g.ny; ++j) {
-    double squares = 0.0, count = 0.0;
+    double squares = 0.0, count = 0.0, on_wheel = 0.0;
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       if (pressure[at] <= 0.0) continue;
+      on_wheel += cells.points[at].wheel_s;
       squares += way.sliding_x[at] * way.sliding_x[at] + way.sliding_y[at] * way.sliding_y[at];
       count += 1.0;
     }
     if (count == 0.0) continue;
     double at_rest = law.coefficient;
     if (law.zones.count > 0) {
-      const SectionCurve::Point p = rail.at(g.y(j));
+      const SectionCurve::Point p = state.zones_on_wheel ? wheel.at(on_wheel / count) : rail.at(g.y(j));
       const double half = 0.5 * g.dy * std::abs(p.dy) + 1e-9;
       at_rest = mean_friction(law.zones, p.y - half, p.y + half);
     }
@@ -493,7 +495,7 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
       if (way.share <= 0.0) continue;
       RollingProblem& problem = way.problem;
       problem.pressure = way.seen(s.grid, s.pressure, false);
-      const Field friction = friction_of_rows(state, face.section, s.grid, s.pressure, way);
+      const Field friction = friction_of_rows(state, face.section, bodies_.wheel, cells, s.pressure, way);
       problem.friction = friction.size() > 1 ? way.seen(s.grid, friction, false) : friction;
       problem.rigid_slip_x = way.seen(s.grid, way.sliding_x, true);
       problem.rigid_slip_y = way.seen(s.grid, way.sliding_y, false);

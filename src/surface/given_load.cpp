@@ -171,7 +171,7 @@ bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, 
   find(model, in, seen, beyond, w);
   bool outweighs = false;
   for (std::int32_t i = 0; i < o.count && !outweighs; ++i) {
-    const double friction = in.law ? friction_at_rest(w.rail, *in.law, o.strip[i]) : in.friction;
+    const double friction = in.law ? friction_at_rest(model, in, w, o.strip[i]).value : in.friction;
     const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
     const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
     outweighs = friction * magnitude(aside) > safe * down;

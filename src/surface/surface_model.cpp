@@ -74,10 +74,4 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   return {};
 }
 
-double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int32_t j) {
-  if (law.zones.count == 0) return law.coefficient;
-  const double half = 0.5 * rail.width[j] * magnitude(rail.ty[j]) + 1e-9;
-  return mean_friction(law.zones, rail.y[j] - half, rail.y[j] + half);
-}
-
 }  // namespace wrc

@@ -153,7 +153,4 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, b
 KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
                      std::int32_t count, void* workspace) noexcept;
 
-/// The law's coefficient over a strip's width on the rail, at rest.
-double friction_at_rest(const RailStrips& rail, const FrictionLaw& law, std::int32_t strip);
-
 }  // namespace wrc

@@ -42,10 +42,12 @@ struct RailMotion {
 struct WheelOnRail {
   WheelMotion wheel;
   RailMotion rail;
-  bool load_prescribed = false;      ///< then position[2] is a result, and `vertical_load` is given
-  double vertical_load = 0.0;        ///< the whole vertical force on the wheel, upwards positive [N]
-  double friction = 0.3;             ///< coefficient; 0: frictionless
-  const FrictionLaw* law = nullptr;  ///< in place of the coefficient: over the rail's y and the sliding speed
+  bool load_prescribed = false;  ///< then position[2] is a result, and `vertical_load` is given
+  double vertical_load = 0.0;    ///< the whole vertical force on the wheel, upwards positive [N]
+  double friction = 0.3;         ///< coefficient; 0: frictionless
+  const FrictionLaw* law =
+      nullptr;                  ///< in place of the coefficient: over a profile's y and the sliding speed
+  bool zones_on_wheel = false;  ///< its zones lie on the wheel's profile, not on the rail's
   double distance =
       0.0;             ///< of the wheel's reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;  ///< of the wheel about its axle, right-hand rule [rad]

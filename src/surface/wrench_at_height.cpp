@@ -90,6 +90,18 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   return s;
 }
 
+namespace {
+
+/// The wheel's knot of the largest radius.
+std::int32_t flange_tip(const WheelCurve& wheel) {
+  std::int32_t tip = 0;
+  for (std::int32_t k = 1; k < wheel.knots; ++k)
+    if (wheel.knot_radius[k] > wheel.knot_radius[tip]) tip = k;
+  return tip;
+}
+
+}  // namespace
+
 // The front of the flange touches only what is on its own side of its tip, and rays from there would meet it
 // through its body. Overlaps that are solved are less deep than 3 mm.
 RailStrips strips_before(const SurfaceModel& model, const Seen& seen, const RailStrips& strips) {
@@ -98,9 +110,7 @@ RailStrips strips_before(const SurfaceModel& model, const Seen& seen, const Rail
   constexpr double deepest = 3e-3;  // [m]
   const WheelCurve& wheel = model.wheel;
   const RelativePose& pose = seen.pose;
-  std::int32_t tip = 0;
-  for (std::int32_t k = 1; k < wheel.knots; ++k)
-    if (wheel.knot_radius[k] > wheel.knot_radius[tip]) tip = k;
+  const std::int32_t tip = flange_tip(wheel);
   const double y =
       pose.y + pose.rotation[1][1] * wheel.knot_y[tip] + pose.rotation[1][2] * wheel.knot_radius[tip];
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
@@ -123,6 +133,29 @@ void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, do
   const RailStrips rail = strips_before(model, seen, w.rail);
   find_overlaps(*model.kernels, rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
   if (varying) follow_track(model, in, seen, margin, w);
+}
+
+FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& w,
+                                std::int32_t j) {
+  constexpr double rounding = 1e-9;  // [m]: of widths
+  const FrictionZones& zones = in.law->zones;
+  const RailStrips& rail = w.rail;
+  if (zones.count == 0) return {in.law->coefficient, 0.0};
+  if (!in.zones_on_wheel) {
+    const double half = 0.5 * rail.width[j] * magnitude(rail.ty[j]) + rounding;
+    return {mean_friction(zones, rail.y[j] - half, rail.y[j] + half), 0.0};
+  }
+  const CurvePoint p = evaluate(model.wheel.curve, w.scratch.piece[j], w.scratch.along[j]);
+  const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz), advance = p.dy / speed;
+  const double half = 0.5 * rail.width[j] * magnitude(advance) + rounding;
+  const double from = p.y - half, to = p.y + half;
+  const double mean = mean_friction(zones, from, to);
+  if (!(advance > least_advance)) return {mean, 0.0};
+  const double first = zone_friction(zones, from), last = zone_friction(zones, to);
+  // the width seen along y changes as the profile turns
+  const double turning = (p.ddy * p.dz - p.dy * p.ddz) * p.dz / (speed * speed * speed);
+  const double half_by_y = 0.5 * rail.width[j] * turning / p.dy;
+  return {mean, ((last - first) * 0.5 + (0.5 * (first + last) - mean) * half_by_y) / half};
 }
 
 bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
@@ -189,11 +222,13 @@ void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
   v[2] = s.velocity[2] + o[0] * y - o[1] * x;
 }
 
-/// The law's coefficient of each strip: over its width on the rail, at the root mean square of its rigid slip
+/// The law's coefficient of each strip: over its width, at the root mean square of its rigid slip
 /// times `speed` (tangential/friction/friction.hpp).
-void find_friction(const FrictionLaw& law, double speed, std::int32_t count, WheelWork& w) {
+void find_friction(const SurfaceModel& model, const WheelOnRail& in, double speed, std::int32_t count,
+                   WheelWork& w) {
+  const FrictionLaw& law = *in.law;
   for (std::int32_t k = 0; k < count; ++k) {
-    const double at_rest = friction_at_rest(w.rail, law, w.overlaps.strip[w.candidate[k]]);
+    const double at_rest = friction_at_rest(model, in, w, w.overlaps.strip[w.candidate[k]]).value;
     const double turning = w.spin[k] * w.half_length[k];
     const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
     w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));
@@ -266,7 +301,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
     w.spin[k] /= speed;
   }
   if (!(in.friction > 0.0)) return reference;
-  if (in.law) find_friction(*in.law, speed, loaded.count, w);
+  if (in.law) find_friction(model, in, speed, loaded.count, w);
   const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
   if (heated) std::copy_n(w.friction, loaded.count, w.cold_friction);
   const auto roll_one_way = [&](bool backwards, const SurfaceRollingForces& forces) {
@@ -295,6 +330,45 @@ bool at_end(const RailStrips& rail, std::int32_t strip) {
   return false;
 }
 
+constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
+                            .field = "contact behind the flange's tip",
+                            .cause =
+                                "the flange's back is against the rail's field side: is the wheel beside "
+                                "its rail (input.wheel.y, config.wheelset.flange_back_distance)?"};
+
+/// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
+Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
+  constexpr double most = 4e-3;  // [m]: what cross_rays() of overlap.cpp looks at
+  const RailStrips& rail = w.rail;
+  double deepest = most;
+  std::int32_t knot = -1;
+  for (std::int32_t r = 0; r < rail.ranges; ++r) {
+    const StripRange& range = rail.range[r];
+    for (std::int32_t k = 0; k < model.wheel.knots; ++k) {
+      const double y = w.scratch.y[k], z = w.scratch.z[k];
+      if (!(w.scratch.seen[k] > 0.0 && z > range.top + deepest)) continue;
+      const double *const begin = rail.y + range.first, *const end = begin + range.count;
+      const double* const above = std::upper_bound(begin, end, y);
+      if (above == begin || above == end) continue;
+      const double depth = z - rail.z[above - rail.y];
+      if (!(depth > deepest)) continue;
+      deepest = depth;
+      knot = k;
+    }
+  }
+  if (knot < 0) return {.status = WRC_FLAG_NO_CONTACT};
+  return {.status = WRC_FLAG_NO_CONTACT,
+          .field = "depth of the wheel inside the rail",
+          .value = deepest,
+          .unit = "m",
+          .high = most,
+          .cause = knot < flange_tip(model.wheel)
+                       ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
+                         "beside its rail (input.wheel.y)?"
+                       : "the flange is inside the rail's side, where no contact is looked for: did you pass "
+                         "mm for input.wheel.y, or another gauge?"};
+}
+
 /// What of a solution lies beyond what is known of the bodies, or has no room.
 Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelWork& w) {
   const Overlaps& o = w.overlaps;
@@ -306,6 +380,7 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelW
             .high = 1.0 * most_overlapping_strips,
             .cause = "those beyond, on the field side, carry nothing"};
   const Curve& wheel = model.wheel.curve;
+  const bool alone = model.varying.faces < 2;  // another face may be there for the flange's back
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     constexpr double rounding = 1e-9;  // [m]
     const double depth = o.depth[w.candidate[k]];
@@ -317,6 +392,8 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelW
               .high = deepest_overlap,
               .cause = "the load is far beyond what steel carries there"};
     const std::int32_t j = o.strip[w.candidate[k]];
+    constexpr double falling = 0.5;  // to the field side
+    if (alone && w.rail.tz[j] > falling && w.scratch.piece[j] < flange_tip(model.wheel)) return on_the_back;
     const bool rail_ends = at_end(w.rail, j);
     // rays beyond the wheel's end meet nothing
     const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = w.rail.width[j];
@@ -376,8 +453,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   if (fault.failed()) return fault;
   const Loaded loaded = take_loaded_strips(in, seen, w);
   w.loaded = 0;
-  if (loaded.count == 0)
-    return {.status = WRC_FLAG_NO_CONTACT};  // whatever the sweeps came to: there is no force
+  if (loaded.count == 0) return apart_or_inside(model, w);  // whatever the sweeps came to: there is no force
   const RollingReference reference = roll_strips(model, in, seen, loaded, w, fault);
   w.loaded = loaded.count;
   w.speed = reference.divisor;
@@ -415,6 +491,12 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
   solve_at(model, in, border - step, false, w, start, {}, out);
   const double before = out.normal_force;
   Fault fault = solve_at(model, in, border, false, w, start, {}, out);
+  if (fault.status == WRC_FLAG_NO_CONTACT) {  // raised until faces that are far inside each other are apart
+    find(model, in, see(model, in, asked), 0.0, w);
+    w.overlaps.count = 0;  // they have no pressures
+    out.height = asked;
+    return apart_or_inside(model, w);
+  }
   if (out.normal_force > 0.0) {
     const double stiffness = larger(out.normal_force - before, 0.0) / step;
     w.factor = 1.0 + stiffness * (asked - border) / out.normal_force;

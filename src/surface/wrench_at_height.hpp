@@ -18,6 +18,14 @@ void find(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, do
 /// Strips nearer than this to the wheel are candidates [m].
 double margin_of(const SurfaceModel& model);
 
+/// The law's coefficient of a strip at rest, a mean over its width on the profile that zones lie on, and what
+/// that changes by as the strip's place on the wheel's profile does [1/m]. After find().
+struct FrictionAtRest {
+  double value, by_wheel_y;
+};
+FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& w,
+                                std::int32_t strip);
+
 /// Does the whole of a patch roll at a time?
 bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
 

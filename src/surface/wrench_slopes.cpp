@@ -75,16 +75,24 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   return std::max(take.at, end) - memory;
 }
 
+/// Where a strip that carries load lies on the wheel's profile [m].
+Number y_on_wheel(const Scratch& w, std::int32_t k) {
+  return seen_number(w.pressed.overlap[w.loaded.pressed[k]].y_wheel);
+}
+
 /// Coefficients of the law at the strips' sliding speeds: find_friction() of wheel_on_rail.cpp.
-void find_friction(const FrictionLaw& law, const Number& speed, const WheelWork& work,
-                   const LoadedStrips& s) {
+void find_friction(const SurfaceModel& model, const WheelOnRail& in, const Number& speed,
+                   const WheelWork& work, const Scratch& w) {
+  const FrictionLaw& law = *in.law;
+  const LoadedStrips& s = w.loaded;
   for (std::int32_t k = 0; k < s.count; ++k) {
-    const double at_rest = friction_at_rest(work.rail, law, work.overlaps.strip[work.candidate[k]]);
+    const auto at_rest = friction_at_rest(model, in, work, work.overlaps.strip[work.candidate[k]]);
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
-    s.friction[k] =
-        at_rest * sliding.chain(friction_fall(law, sliding.value), friction_fall_slope(law, sliding.value));
+    const double falls = friction_fall(law, sliding.value);
+    s.friction[k] = at_rest.value * sliding.chain(falls, friction_fall_slope(law, sliding.value));
+    if (in.zones_on_wheel) s.friction[k] += y_on_wheel(w, k).chain(0.0, at_rest.by_wheel_y * falls);
   }
 }
 
@@ -172,8 +180,9 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
 /// Tractions under friction over temperature, at a speed: by one difference of their solution along what each
 /// input changes of the strips. The arrays of the solved strips serve as work space.
 void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& solved,
-                       const Number& speed, bool backwards, const LoadedStrips& s, Number* fx, Number* fy,
+                       const Number& speed, bool backwards, const Scratch& w, Number* fx, Number* fy,
                        Number* mz) {
+  const LoadedStrips& s = w.loaded;
   constexpr double relative_step = 3e-7, least_slip = 1e-4;
   WheelWork work = solved;
   const Number* const from[] = {s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin};
@@ -189,14 +198,18 @@ void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const W
       larger(larger(size[slips], size[slips + 1]), larger(size[spins] * size[lengths], least_slip));
   size[slips] = size[slips + 1] = slip;
   size[spins] = slip / size[lengths];
-  for (std::int32_t k = 0; k < s.count; ++k)
-    work.cold_friction[k] = friction_at_rest(work.rail, *in.law, work.overlaps.strip[work.candidate[k]]);
   double share[most_differentiated_strips];
   const auto solve = [&](std::size_t input, double step, int again) {
     if (again > 0) std::copy_n(share, s.count, work.heat_share);
     for (std::int32_t k = 0; k < s.count; ++k)
       for (int a = 0; a < numbers; ++a) to[a][k] = from[a][k].value + step * from[a][k].d[input];
-    for (std::int32_t k = 0; k < s.count; ++k) to[lengths][k] = larger(to[lengths][k], 0.0);
+    for (std::int32_t k = 0; k < s.count; ++k) {
+      to[lengths][k] = larger(to[lengths][k], 0.0);
+      const auto cold = friction_at_rest(model, in, work, work.overlaps.strip[work.candidate[k]]);
+      work.cold_friction[k] = cold.value;
+      if (in.zones_on_wheel)
+        work.cold_friction[k] = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(w, k).d[input], 0.0);
+    }
     roll_heated(model, in, s.count, backwards, speed.value + step * speed.d[input], work,
                 {work.fx, work.fy, work.mz}, again);
   };
@@ -228,11 +241,11 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   const Number per_speed = Number(1.0) / reference.divisor;
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
-  if (in.law) find_friction(*in.law, reference.divisor, work, s);
+  if (in.law) find_friction(model, in, reference.divisor, work, w);
   const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
   const auto roll_one_way = [&](bool backwards, Number* fx, Number* fy, Number* mz) {
     if (heated) {
-      difference_heated(model, in, work, reference.divisor, backwards, s, fx, fy, mz);
+      difference_heated(model, in, work, reference.divisor, backwards, w, fx, fy, mz);
     } else {
       roll(model, in, backwards, w, fx, fy, mz);
     }

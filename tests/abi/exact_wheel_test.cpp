@@ -134,6 +134,16 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
         std::abs(wrench.force[0] - plain.force[0]) + std::abs(wrench.force[1] - outward * plain.force[1]),
         0.1 * 24e3);
   }
+  // those on the wheel are those on the rail that lie under them
+  wrc_region region = wrc_region_default();
+  ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+  const wrc_wrench on_rail = wrench;
+  const double apart = region.y_wheel - region.y_rail, wheel_y[] = {y[0] + apart, y[1] + apart};
+  ASSERT_GT(std::abs(apart), 0.5e-3);
+  friction.zone_y = wheel_y;
+  friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  expect_as_real_time(0.02);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], on_rail.force[i], 2e-3 * 24e3) << i;
 }
 
 /// A wheel that slides as a whole by a fifth of its speed: Polach's law at the speed of sliding.

@@ -156,13 +156,27 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
     EXPECT_TRUE(wet && dry) << lateral;
   }
 
+  // over the wheel they are the same where its profile's coordinates differ by as much as the point's
+  const double apart = right.point.y_wheel - right.point.y_rail, fx = right.forces.fx, fy = right.forces.fy;
+  const std::vector<double> on_wheel{y[0] + apart, y[1] + apart};
+  right.set_zones(on_wheel, mu, WRC_ZONES_WHEEL_PROFILE);
+  left.set_zones(on_wheel, mu, WRC_ZONES_WHEEL_PROFILE);
+  ASSERT_EQ(right.step(), WRC_OK);
+  ASSERT_EQ(left.step(), WRC_OK);
+  EXPECT_NEAR(right.forces.fx, fx, 1e-9 * 80e3);
+  EXPECT_NEAR(right.forces.fy, fy, 1e-9 * 80e3);
+  EXPECT_NEAR(left.forces.fx, fx, 1e-6 * 80e3);
+
   wrc_ellipse own = wrc_ellipse_default();
   own.a = 5e-3;
   own.b = 6e-3;
   own.normal_force = 80e3;
-  EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
-            WRC_ERROR_SEQUENCE);
-  EXPECT_NE(right.error().find("friction.zone_frame"), std::string::npos) << right.error();
+  for (const int32_t profile : {WRC_ZONES_RAIL_PROFILE, WRC_ZONES_WHEEL_PROFILE}) {
+    right.friction.zone_frame = profile;
+    EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
+              WRC_ERROR_SEQUENCE);
+    EXPECT_NE(right.error().find("friction.zone_frame"), std::string::npos) << right.error();
+  }
   EXPECT_EQ(right.forces.fx, 0.0);
   right.friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
   EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),

@@ -115,6 +115,20 @@ TEST_P(WheelDerivatives, FrictionThatFallsAndALayer) {
   expect_differences(differences_see);
 }
 
+TEST_P(WheelDerivatives, ZonesOnTheWheel) {
+  const double y[] = {-0.06, -0.03, 0.0, 0.02}, coefficient[] = {0.1, 0.25, 0.4, 0.3};
+  input.friction.zones = 4;
+  input.friction.zone_y = y;
+  input.friction.zone_coefficient = coefficient;
+  input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  wheel.velocity[1] = 0.1;
+  const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+  for (const double at : {-4e-3, 6.5e-3}) {
+    press(outward * at, 60e3);
+    expect_differences(differences_see);
+  }
+}
+
 TEST_P(WheelDerivatives, FrictionOverTemperature) {
   input.friction.coefficient = 0.4;
   input.friction.kind = WRC_FRICTION_TEMPERATURE;

@@ -764,6 +764,63 @@ TEST_F(WheelOnRail, FrictionMayDependOnThePlaceAndOnTheSlidingSpeed) {
   friction.kind = WRC_FRICTION_CONSTANT;
 }
 
+/// A greased flange and a dry tread: zones on the wheel go with it, and where one region is in contact they
+/// are those on the rail that lie under them.
+TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
+  wheel.velocity[1] = 0.05;
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    create(which);
+    const double outward = which == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    wheel.velocity[1] = std::copysign(wheel.velocity[1], outward);
+    for (const double y : {-3e-3, 1e-3, 5e-3}) {
+      SCOPED_TRACE(outward * y);
+      wheel.y = outward * y;
+      friction.zones = 0;
+      const auto solved = [&] {
+        EXPECT_EQ(step(), WRC_OK) << error();
+        return vector_of(wrench.force);
+      };
+      const auto plain = solved();
+      wrc_region region = wrc_region_default();
+      ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+      const double step_at = region.y_wheel, on_rail = region.y_rail;
+      const double wheel_y[] = {step_at - 3e-3, step_at}, coefficient[] = {0.05, 0.4},
+                   rail_y[] = {on_rail - 3e-3, on_rail};
+      friction.zones = 2;
+      friction.zone_coefficient = coefficient;
+      friction.zone_y = wheel_y;
+      friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+      const auto on_wheel = solved();
+      friction.zone_y = rail_y;
+      friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
+      const auto under_it = solved();
+      EXPECT_GT(length({plain[0] - on_wheel[0], plain[1] - on_wheel[1], 0.0}), 0.01 * length(plain));
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(on_wheel[i], under_it[i], 3e-3 * length(plain)) << i;
+    }
+  }
+}
+
+TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
+  const auto says = [&](int32_t status, const char* words) {
+    EXPECT_EQ(step(), status) << wheel.y;
+    EXPECT_NE(error().find(words), std::string::npos) << error();
+  };
+  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    create(which);
+    const double outward = which == WRC_SIDE_LEFT ? -1.0 : 1.0;
+    wheel.y = outward * 20e-3;
+    says(WRC_FLAG_NO_CONTACT, "the flange is inside the rail's side");
+    wheel.y = outward * 95e-3;
+    says(WRC_FLAG_NO_CONTACT, "the flange's back is inside the rail");
+    rail = wrc_rail_state_default();
+    wheel.roll = wheel.yaw = 0.0;
+    wheel.y = outward * 105e-3;
+    says(WRC_FLAG_PATCH_AT_EDGE, "the flange's back is against the rail's field side");
+    wheel.y = outward * 0.15;
+    says(WRC_FLAG_NO_CONTACT, "do not touch");
+  }
+}
+
 TEST_F(WheelOnRail, NeedsProfiles) {
   config.wheel = config.rail = wrc_profile_default();
   config.track = wrc_config_default().track;

@@ -492,7 +492,7 @@ void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArr
   friction.zones = count;
   friction.zone_y = arrays.y.data();
   friction.zone_coefficient = arrays.coefficient.data();
-  friction.zone_frame = static_cast<std::int32_t>(choices.below(2));
+  friction.zone_frame = static_cast<std::int32_t>(choices.below(3));
 }
 
 double FrictionArrays::most() const {

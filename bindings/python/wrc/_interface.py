@@ -251,10 +251,13 @@ class ZoneFrame(s.Choice):
     CONTACT_FRAME: contact frame: zones move with the contact point
     RAIL_PROFILE: rail profile, as ContactPoint.y_rail: zones stay on the rail; field side > 0. Needs the
         contact point of a Contact.geometry
+    WHEEL_PROFILE: wheel profile, as ContactPoint.y_wheel: zones stay on the wheel, as a lubricated flange;
+        flange side < 0. Needs the same
     """
 
     CONTACT_FRAME = 0
     RAIL_PROFILE = 1
+    WHEEL_PROFILE = 2
 
 
 class ProfilePlacement(s.Choice):
@@ -2060,7 +2063,8 @@ class WheelInput(s.Struct):
       wheel: where the wheel is and how it moves
       rail: where the rail is and how it moves
       friction: of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep
-          forces; zones count from the rail profile's origin (ZoneFrame.RAIL_PROFILE) and lie on the rail
+          forces; zones count from the origin of the rail's profile (ZoneFrame.RAIL_PROFILE) and lie on the
+          rail, or from that of the wheel's (ZoneFrame.WHEEL_PROFILE) and lie on the wheel
       vertical_load [N]: the whole vertical force on the wheel, creep forces included, upwards positive (1e2
           .. 1e6; default 0)
       damping [s/m]: of Hunt and Crossley as in Load, strip by strip, with the velocity at which the strip's
@@ -3437,7 +3441,7 @@ class ContactCalls(_l.Handle):
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high
             adhesion often: forces are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0);
-            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over the rail without a
+            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over a profile without a
             Contact.geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED.
         """
         if out is None:
@@ -3601,17 +3605,17 @@ class ContactCalls(_l.Handle):
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero; a flange 4 mm and more inside the side
-            of a rail may not be seen either), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2
-            mm: where the height is given, continued with the stiffness and the directions there),
-            _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries nothing),
-            _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as Contact.creepages()),
-            _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is whole;
-            or, says the sentence, more strips overlap than there is room for: those on the field side carry
-            nothing); Status.FLAG_TABLE_RANGE (of methods that know patches); Status.ERROR_NULL, _STRUCT_SIZE,
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles, friction zones in a contact frame, or
-            friction over temperature of a method without tractions), _LOAD (the load cannot be carried at
-            this pose).
+        C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero; so is a flange 4 mm and more inside the
+            side of a rail, and its back, which the sentence says), _ITERATION_CAP, _CLIMBING (above),
+            _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the stiffness and the
+            directions there), _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries
+            nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
+            Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
+            the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
+            the field side carry nothing); Status.FLAG_TABLE_RANGE (of methods that know patches);
+            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles,
+            friction zones in a contact frame, or friction over temperature of a method without tractions),
+            _LOAD (the load cannot be carried at this pose).
         """
         if out is None:
             out = Wrench._new()

@@ -101,9 +101,10 @@ inline constexpr Enumeration wrc_friction_kind{wrc_friction_kind_values, 4,
 inline constexpr Enumerator wrc_zone_frame_values[] = {
     {"WRC_ZONES_CONTACT_FRAME", WRC_ZONES_CONTACT_FRAME},
     {"WRC_ZONES_RAIL_PROFILE", WRC_ZONES_RAIL_PROFILE},
+    {"WRC_ZONES_WHEEL_PROFILE", WRC_ZONES_WHEEL_PROFILE},
 };
-inline constexpr Enumeration wrc_zone_frame{wrc_zone_frame_values, 2,
-    "see enum wrc_zone_frame: WRC_ZONES_CONTACT_FRAME (0), _RAIL_PROFILE (1)"};
+inline constexpr Enumeration wrc_zone_frame{wrc_zone_frame_values, 3,
+    "see enum wrc_zone_frame: WRC_ZONES_CONTACT_FRAME (0), _RAIL_PROFILE (1), _WHEEL_PROFILE (2)"};
 
 inline constexpr Enumerator wrc_profile_placement_values[] = {
     {"WRC_PLACEMENT_GAUGE", WRC_PLACEMENT_GAUGE},

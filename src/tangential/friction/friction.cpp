@@ -90,6 +90,16 @@ double mean_friction(const FrictionZones& zones, double from, double to) {
   return integral / (to - from);
 }
 
+double zone_friction(const FrictionZones& zones, double y) {
+  std::int64_t behind = 0;
+  while (behind < zones.count && zones.y[behind] <= y) ++behind;
+  if (behind == 0) return zones.coefficient[0];
+  if (behind == zones.count) return zones.coefficient[zones.count - 1];
+  const double from = zones.y[behind - 1], to = zones.y[behind];
+  const double t = (y - from) / (to - from);
+  return zones.coefficient[behind - 1] + t * (zones.coefficient[behind] - zones.coefficient[behind - 1]);
+}
+
 StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const FrictionFrame& frame,
                        const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares) {
   const double patch_x = creepage.longitudinal - creepage.spin * frame.origin;

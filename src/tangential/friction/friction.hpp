@@ -69,6 +69,9 @@ double friction_fall_slope(const FrictionLaw& law, double sliding_speed);
 /// Mean of the coefficient between `from` and `to` > from [m].
 double mean_friction(const FrictionZones& zones, double from, double to);
 
+/// The coefficient at y; at a step the one behind it.
+double zone_friction(const FrictionZones& zones, double y);
+
 /// Where the strips lie: their y is counted from `origin` in the contact frame, and the zones' from
 /// y_zone = zone_origin + zone_slope y_contact.
 struct FrictionFrame {

@@ -307,6 +307,29 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// With a greased flange, which the zones on it follow.
+void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  static constexpr double zone_y[] = {-0.05, -0.03, -0.01, 0.01}, zone_coefficient[] = {0.08, 0.12, 0.4, 0.3};
+  Numbers numbers(7);
+  for (int i = 0; i < 24; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    input.friction.zones = 4;
+    input.friction.zone_y = zone_y;
+    input.friction.zone_coefficient = zone_coefficient;
+    input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+    wrc_contact* const contact = i % 2 == 0 ? right : left;
+    wrc_wrench wrench = wrc_wrench_default();
+    hash.add(wrc_contact_wrench(contact, &input, &wrench));
+    add_forces(wrench, hash);
+    hash.add(wrench.power);
+    if (i % 3 != 0) continue;
+    wrc_wrench_sensitivities found{};
+    hash.add(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found));
+    for (const auto& row : found.wrench)
+      for (double number : row) hash.add(number);
+  }
+}
+
 /// Whose friction falls with the temperature it makes.
 void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -462,6 +485,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
   plan.jobs.push_back({"wheel on rail, friction over temperature", model, {}, {}, run_heated_wheels});
+  plan.jobs.push_back({"wheel on rail, zones on the wheel", model, {}, {}, run_greased_wheels});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 

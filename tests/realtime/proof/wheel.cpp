@@ -97,7 +97,9 @@ void Wheel::vary_laws(int i) {
   friction.zones = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
   friction.zone_coefficient = zone_coefficient;
-  friction.zone_frame = i % 7 < 3 ? WRC_ZONES_RAIL_PROFILE : WRC_ZONES_CONTACT_FRAME;
+  friction.zone_frame = i % 7 < 3   ? WRC_ZONES_RAIL_PROFILE
+                        : i % 7 < 5 ? WRC_ZONES_WHEEL_PROFILE
+                                    : WRC_ZONES_CONTACT_FRAME;
   creepage.speed = 0.7 * (i % 60);
   load.damping = 0.2 * (i % 3);
   load.approach_velocity = 4.0 * std::sin(0.023 * i);
