@@ -338,7 +338,7 @@ constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
-  constexpr double most = 4e-3;  // [m]: what cross_rays() of overlap.cpp looks at
+  constexpr double most = 4e-3;  // [m]: what rays are crossed for (outline_kernel.hpp)
   const RailStrips& rail = w.rail;
   double deepest = most;
   std::int32_t knot = -1;

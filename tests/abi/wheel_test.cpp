@@ -1204,4 +1204,15 @@ TEST_F(RidgedRail, TheLastRegionTakesWhatIsNotListed) {
   EXPECT_NEAR(area, wrench.area, 1e-12 * area);
 }
 
+TEST_F(RidgedRail, PlanarMethodsSayWhereTheyLeap) {
+  input.vertical_load = 200e3;
+  for (int32_t method = 0; method < normal_methods; ++method) {
+    SCOPED_TRACE(normal_names[method]);
+    config.normal.method = method;
+    create();
+    ASSERT_GE(step(), 0) << error();
+    EXPECT_EQ(wrench.leaps, method == WRC_NORMAL_STRIP_HALFSPACE ? 0U : 1U);
+  }
+}
+
 }  // namespace

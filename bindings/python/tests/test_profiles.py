@@ -123,7 +123,7 @@ def test_what_a_caller_gets_wrong(tmp_path, shapes):
     wheel, rail = shapes
     path = write(tmp_path, "wheel.txt", rows(wheel))
     with pytest.raises(FileNotFoundError):
-        wrc.read_profile(tmp_path / "none.txt", "wheel")
+        wrc.read_profile(tmp_path / "none.txt")
     with pytest.raises(wrc.ProfileError, match="is it of a wheel or a rail"):
         wrc.read_profile(path)
     with pytest.raises(wrc.ProfileError, match="is it in mm?"):

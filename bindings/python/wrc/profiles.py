@@ -92,14 +92,14 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[str] = Non
     smoothing: as wrc.Profile.smoothing, for measured points [m]
     """
     path = os.fspath(path)
+    with open(path, encoding="utf-8", errors="replace") as file:  # before questions about a file that is not there
+        rows = file.read().splitlines()
     ending = os.path.splitext(path)[1].lower()
     body = body or BODIES.get(ending)
     if body not in ("wheel", "rail"):
         raise ProfileError(path, None, f"is it of a wheel or a rail? Its ending does not say: pass body=\"wheel\" or \"rail\"" + (f", not {body!r}" if body else ""))
     if unit is not None and unit not in UNITS:
         raise ProfileError(path, None, f"there is no unit {unit!r}: choose {', '.join(UNITS)}")
-    with open(path, encoding="utf-8", errors="replace") as file:
-        rows = file.read().splitlines()
     notes: List[str] = []
     if ending in (".prw", ".prr"):
         points, lines, header, said = _simpack(path, rows, body, notes)
