@@ -33,6 +33,7 @@ struct SurfacePoint;
 struct SurfacePoints;
 struct SurfaceEdges;
 struct SurfaceSlopes;
+struct SlopesRowTask;
 struct SectionStripsTask;
 struct OutlineTask;
 struct StripNumbersTask;
@@ -99,6 +100,7 @@ struct Kernels {
                                    const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                               const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
+  void (*slopes_row)(const simd::SlopesRowTask& task);
   /// Places strips between sections of a rail. Returns how steeply any of them falls along its normal, within
   /// task.within of there.
   double (*section_strips)(const simd::SectionStripsTask& task);

@@ -14,6 +14,7 @@
 #include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
+#include "surface/simd/slopes_row_kernel.hpp"
 #include "surface/simd/strip_numbers_kernel.hpp"
 #include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
@@ -49,6 +50,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_edges = surface_edges,
       .surface_influence_slopes = sloped::surface_influence_slopes,
       .surface_edge_slopes = sloped::surface_edge_slopes,
+      .slopes_row = slopes_row_kernel,
       .section_strips = section_strips_kernel,
       .outline = outline_kernel,
       .cross_rays = cross_rays_kernel,

@@ -11,7 +11,8 @@ namespace wrc {
 namespace {
 
 constexpr std::int32_t inputs = place_inputs;
-constexpr std::int32_t directions = 2 + 2 * inputs;
+constexpr std::int32_t directions = simd::SlopesRowTask::directions;
+static_assert(directions >= 2 + 2 * inputs);
 /// No strip has more others within its reach on one side.
 constexpr std::int32_t most_within_reach = 16;
 
@@ -30,7 +31,7 @@ struct Scratch {
   double *earlier_level, *earlier_shift;  ///< rows before they were smoothed
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;
   double* growing;    ///< growth times strength
-  double* direction;  ///< of each strip: ny, nz, and how they change with the inputs
+  double* direction;  ///< of each strip: ny, nz, and how they change with the inputs; zeros
   double *l, *growth, *level, *wanted_level, *wanted_shift, *shift;  ///< growth: of l with L
   simd::SurfaceSlopes seen;
 };
@@ -62,27 +63,15 @@ struct Displacement {
 };
 
 /// Fills the row of the displacement in strip a's direction, of what is seen, over the unknowns.
-Displacement fill_row(const PressedStrips& s, const Scratch& w, std::int32_t a, double* row) {
+Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scratch& w, std::int32_t a,
+                      double* row) {
   Displacement u;
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
-  double *const by_q = row, *const by_L = row + n, *const by_c = row + 2 * n;
-  const auto& seen = w.seen;
-  for (std::int32_t b = 0; b < n; ++b) {
-    const double cosine = ny * w.ny[b] + nz * w.nz[b];
-    by_q[b] = seen.value[b] * cosine;
-    by_L[b] = seen.by_length[b] * cosine * w.growing[b];
-    by_c[b] = -(seen.by_x[b] * cosine * s.strength[b]);
-  }
-  for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
-  pairwise::Two pairs[directions / 2] = {};
-  for (std::int32_t b = 0; b < n; ++b) {
-    const double qg = s.strength[b] * seen.value[b];
-    const double* const direction = w.direction + b * directions;
-    for (std::int32_t k = 0; k < directions / 2; ++k) pairs[k] += qg * pairwise::load(direction + 2 * k);
-  }
   double sum[directions];
-  for (std::int32_t k = 0; k < directions; ++k) sum[k] = pairs[k / 2][k % 2];
+  kernels.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.strength, w.growing, w.direction, row, sum});
+  double* const by_c = row + 2 * n;
+  for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
   const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
   const double *const own_y = w.direction + a * directions + 2, *const own_z = own_y + inputs;
   u.value = ny * sum[0] + nz * sum[1];
@@ -112,15 +101,15 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x, w.ny[a], w.nz[a]}; };
 
     kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
-    const Displacement middle = fill_row(s, w, a, contact);
+    const Displacement middle = fill_row(kernels, s, w, a, contact);
     contact[2 * n + a] -= by_centre;
 
     // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
     kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
-    const Displacement leading = fill_row(s, w, a, level);
+    const Displacement leading = fill_row(kernels, s, w, a, level);
     level[n + a] += leading.by_x * w.growth[a];
     kernels.surface_edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
-    const Displacement trailing = fill_row(s, w, a, shift);
+    const Displacement trailing = fill_row(kernels, s, w, a, shift);
     shift[n + a] -= trailing.by_x * w.growth[a];
 
     const double drop = depth - 0.5 * (leading.value + trailing.value);
@@ -279,6 +268,7 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     direction[1] = w.nz[a];
     std::copy_n(o.ny.d.begin(), inputs, direction + 2);
     std::copy_n(o.nz.d.begin(), inputs, direction + 2 + inputs);
+    std::fill(direction + 2 + 2 * inputs, direction + directions, 0.0);
   }
   fill(influence, kernels, s, size, w);
   smooth(s, size, w);

@@ -60,6 +60,21 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
+/// The row of a point's displacement over the sources' changes, from what they do to it without the cosine,
+/// and its sums over the sources with their directions.
+struct SlopesRowTask {
+  std::int32_t count;
+  SurfaceSlopes seen;
+  double ny, nz;  ///< the point's direction
+  const double *source_ny, *source_nz;
+  const double *strength, *growing;  ///< of each source; growing: its half length's growth times strength
+  const double* direction;           ///< of each source, `directions` of them
+  double* row;                       ///< by strength, by squared length and by centre, `count` of each
+  double* sum;                       ///< strength times value times direction
+
+  static constexpr std::int32_t directions = 16;
+};
+
 /// Strips of a rail between two sections (surface/varying_rail.hpp).
 struct SectionStripsTask {
   std::int32_t count;
