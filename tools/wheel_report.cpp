@@ -2,6 +2,8 @@
 ///
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
+///     wheel_report branches YAW LOW HIGH  forces over the height between two vertical loads [mrad, kN]: anew, from the last
+///                                         solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
 ///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels of one model in a batch
 ///
@@ -26,6 +28,7 @@
 
 #include "csv.hpp"
 #include "wheel_cases.hpp"
+#include "wrc/wrc_offline.h"
 
 namespace {
 
@@ -294,6 +297,43 @@ int lines(const Csv& file) {
   return spoilt == 0 ? 0 : 1;
 }
 
+/// The flange under a yaw, between the heights of two vertical loads: rows of forces. Two solutions at one
+/// height show where going down and going up from the last solution differ.
+int branches(const Csv& file, double yaw, double low, double high) {
+  constexpr int steps = 400, exact_heights = 25;
+  Pairs pairs(file);
+  PairOptions options;
+  options.wheel = pairs_of_profiles[0].wheel;
+  options.rail = pairs_of_profiles[0].rail;
+  wrc_contact* const contact = pairs.of(options).contact();
+  wrc_wheel_input input = wrc_wheel_input_default();
+  input.friction.coefficient = 0.0;
+  input.wheel.y = 6.6e-3;
+  input.wheel.yaw = yaw;
+  const double top = height_for(contact, input, low), bottom = height_for(contact, input, high);
+  std::printf("way,z_um,lateral_N,vertical_N,status\n");
+  const auto row = [&](const char* way, double share, auto&& solve) {
+    input.wheel.z = top + share * (bottom - top);
+    wrc_wrench wrench = wrc_wrench_default();
+    const int32_t status = solve(&wrench);
+    std::printf("%s,%.4f,%.4f,%.4f,%s\n", way, 1e6 * input.wheel.z, wrench.force[1], -wrench.force[2],
+                wrc_status_name(status));
+    std::fflush(stdout);
+  };
+  const auto in_real_time = [&](wrc_wrench* wrench) { return wrc_contact_wrench(contact, &input, wrench); };
+  for (int n = 0; n <= steps; ++n) row("anew", 1.0 * n / steps, in_real_time);
+  input.start = WRC_START_FROM_LAST;
+  for (int n = 0; n <= steps; ++n) row("down", 1.0 * n / steps, in_real_time);
+  for (int n = steps; n >= 0; --n) row("up", 1.0 * n / steps, in_real_time);
+  wrc_exact_wrench_options cells = wrc_exact_wrench_options_default();
+  cells.cell_x = 0.4e-3;
+  cells.cell_s = 0.125e-3;
+  for (int n = 0; n < exact_heights; ++n)
+    row("exact", 1.0 * n / (exact_heights - 1),
+        [&](wrc_wrench* wrench) { return wrc_exact_wrench(contact, &input, &cells, wrench); });
+  return 0;
+}
+
 /// How a wheelset runs; heights are those of its loads.
 struct Run {
   const char* name;
@@ -445,6 +485,8 @@ int main(int argc, char** argv) {
       return poses(file, argc > 2 ? std::atol(argv[2]) : 20000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "lines") return lines(file);
+    if (what == "branches" && argc > 4)
+      return branches(file, 1e-3 * std::atof(argv[2]), 1e3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]));
     if (what == "loads")
       return loads(file, argc > 2 ? std::atol(argv[2]) : 2000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
@@ -453,7 +495,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
-  std::fprintf(stderr,
-               "usage: wheel_report poses [COUNT [SEED]] | lines | loads [COUNT [SEED]] | times [STEPS]\n");
+  std::fprintf(
+      stderr,
+      "usage: wheel_report poses [COUNT [SEED]] | lines | branches YAW LOW HIGH | loads [COUNT [SEED]] | "
+      "times [STEPS]\n");
   return 2;
 }
