@@ -58,6 +58,11 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
     fprintf(stderr, "%s has no points: a profile file has one per line, y and z\n", path);
     exit(EXIT_FAILURE);
   }
+  if (count < 4) {
+    fprintf(stderr, "%s has %u points; a profile has at least 4, one y and z per line\n", path,
+            (unsigned)count);
+    exit(EXIT_FAILURE);
+  }
   return count;
 }
 
