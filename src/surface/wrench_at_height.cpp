@@ -513,7 +513,9 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
 }
 
 double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w) {
-  constexpr double margin = 50e-3;  // [m]
+  // The few strips near the wheel are enough if one touches soon: others' depths are at least a third of
+  // their overlaps, as their normals are less than 80 degrees off the wheel's.
+  constexpr double far = 50e-3, near = 1.5e-3;  // [m]
   constexpr double deep =
       0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
   double height = in.wheel.position[2];
@@ -521,11 +523,14 @@ double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& 
   for (int n = 0; n < 16; ++n) {
     const Seen seen = see(model, in, height);
     const Overlaps& o = w.overlaps;
-    find(model, in, seen, margin, w);
-    double fall = margin;
-    for (std::int32_t i = 0; i < o.count; ++i) {
-      const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
-      if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
+    double fall = far;
+    for (const double margin : {near, far}) {
+      find(model, in, seen, margin, w);
+      for (std::int32_t i = 0; i < o.count; ++i) {
+        const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
+        if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
+      }
+      if (fall < margin / 3.0) break;
     }
     if (!above && fall < -deep) {  // to above all of the rail, once
       above = true;
