@@ -286,6 +286,7 @@ struct Bits {
   friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
   friend Bits operator|(Bits x, Bits y) { return {x.a | y.a, x.b | y.b}; }
   friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
+  friend Bits operator+(Bits x, Bits y) { return {x.a + y.a, x.b + y.b}; }
 };
 inline Bits bits_of(Pack x) { return {reinterpret_cast<NativeBits>(x.a), reinterpret_cast<NativeBits>(x.b)}; }
 inline Pack pack_of(Bits x) { return {reinterpret_cast<Native>(x.a), reinterpret_cast<Native>(x.b)}; }
@@ -302,17 +303,16 @@ inline Pack with_sign(Pack size, Pack of) {
 struct Indices {
   std::int64_t at[lanes];  ///< in the lower halves
 };
-/// Of x + index_origin, which counts ones in its mantissa.
+/// x + index_origin counts ones in its mantissa.
 constexpr double index_origin = 4503599627370496.0;  // 2^52
-inline Indices indices_behind_origin(Pack x) {
-  const Bits whole = bits_of(x);
+inline Indices indices(Bits whole) {
   Indices i;
   __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
   __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
   __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
   return i;
 }
-inline Indices indices(Pack x) { return indices_behind_origin(x + index_origin); }
+inline Indices indices(Pack whole) { return indices(bits_of(whole + index_origin)); }
 
 /// Elements i.at[0], i.at[1], .. of an array, and those behind them.
 struct Neighbours {

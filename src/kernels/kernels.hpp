@@ -28,7 +28,9 @@ struct SurfaceStripsTask;
 struct SurfaceStripsSlopesTask;
 struct Sums;
 struct SurfaceTables;
+struct SurfaceStrips;
 struct SurfaceSources;
+struct SurfacePairs;
 struct SurfacePoint;
 struct SurfacePoints;
 struct SurfaceEdges;
@@ -87,14 +89,20 @@ struct Kernels {
   void (*surface_strips)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_fields)(const simd::SurfaceStripsTask& task, simd::Sums& sums);
   void (*surface_strips_slopes)(const simd::SurfaceStripsSlopesTask& task);
+  /// Fills a row for each of `rows` over `columns`, of whole vectors from whichever column.
+  void (*surface_pairs)(const simd::SurfaceStrips& rows, const simd::SurfaceStrips& columns,
+                        const simd::SurfacePairs& pairs);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
-  /// whole vectors. `skewed`: not all centres are the same.
+  /// whole vectors; what a source does to itself is left out. `skewed`: not all centres are the same.
   void (*surface_influence)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
-                            const simd::SurfacePoints& points, bool skewed, double* rows,
-                            std::int64_t stride);
-  /// Sums of the same, seen from the edges of the sources.
+                            const simd::SurfacePairs& pairs, const simd::SurfacePoints& points, bool skewed,
+                            double* rows, std::int64_t stride);
+  /// That, on the diagonal of rows that are the sources'.
+  void (*surface_own_influence)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
+                                double* rows, std::int64_t stride);
+  /// Sums of the same, seen from the edges of the sources, whose pairs with themselves are given.
   void (*surface_edges)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
-                        const simd::SurfaceEdges& edges);
+                        const simd::SurfacePairs& pairs, const simd::SurfaceEdges& edges);
   /// Both, source by source, with their derivatives.
   void (*surface_influence_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                                    const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);

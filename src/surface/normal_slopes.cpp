@@ -86,8 +86,7 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
           Scratch& w) {
   const std::int32_t n = s.count;
   const simd::SurfaceTables tables{influence.tables(), influence.mean_under.data()};
-  const simd::SurfaceSources sources{n,        w.place, w.centre, w.inverse_length, w.half_width,
-                                     w.factor, w.ny,    w.nz};
+  const simd::SurfaceSources sources{n, w.place, w.centre, w.inverse_length, w.half_width, w.factor};
   for (std::int32_t a = 0; a < n; ++a) {
     double* const contact = w.matrix + a * size.stride;
     double* const level = w.matrix + (n + a) * size.stride;
@@ -98,7 +97,7 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     const double aside = s.centre[a] - o.centre.value;
     const double depth = o.depth.value - 0.5 * kappa * aside * aside;  // at the centre
     const double by_centre = -kappa * aside;
-    const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x, w.ny[a], w.nz[a]}; };
+    const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x}; };
 
     kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
     const Displacement middle = fill_row(kernels, s, w, a, contact);

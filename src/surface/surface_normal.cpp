@@ -43,16 +43,19 @@ struct StripSet {
 struct Scratch {
   StripSet fine, coarse;
   double *matrix, *r, *s;  ///< the elimination's
-  double *place, *centre, *half_length, *inverse_length, *half_width, *factor, *load_factor, *strength, *ny,
-      *nz;                                                      ///< sources
-  double *outside_place, *outside_x, *outside_ny, *outside_nz;  ///< points that see them
-  double *l, *wanted_level, *wanted_shift, *residual;           ///< residual: of L, then of the shifts
-  double *shape, *leading, *smooth_length, *smooth_shift;       ///< of make_steps
-  double *x[history + 1], *f[history + 1], *next;               ///< f: the step that a sweep asks for
-  double* strengths[history + 1];                               ///< q at x
-  double products[history + 1][history + 1];                    ///< of the steps
-  double shares[history];                                       ///< of earlier sweeps in `next`
-  std::int32_t *active, *outside;
+  /// Rows of all strips over all strips, or over the `paired` first of some that are not one run.
+  simd::SurfacePairs pairs;
+  std::int32_t paired_count;
+  double *place, *centre, *half_length, *inverse_length, *half_width, *width, *factor, *load_factor,
+      *strength, *ny, *nz;                                 ///< sources
+  double *outside_place, *outside_x;                       ///< points that see them
+  double *l, *wanted_level, *wanted_shift, *residual;      ///< residual: of L, then of the shifts
+  double *shape, *leading, *smooth_length, *smooth_shift;  ///< of make_steps
+  double *x[history + 1], *f[history + 1], *next;          ///< f: the step that a sweep asks for
+  double* strengths[history + 1];                          ///< q at x
+  double products[history + 1][history + 1];               ///< of the steps
+  double shares[history];                                  ///< of earlier sweeps in `next`
+  std::int32_t *active, *outside, *paired;
   std::int32_t* in;
 };
 
@@ -72,11 +75,14 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   w.matrix = take(stride * ((most + 3) / 4 * 4));
   w.r = take(stride);
   w.s = take(stride);
+  w.pairs.stride = padded;
+  for (double** a : {&w.pairs.axis_place, &w.pairs.cosine, &w.pairs.correction}) *a = take(padded * most);
   for (double** a : {&w.place,
                      &w.centre,
                      &w.half_length,
                      &w.inverse_length,
                      &w.half_width,
+                     &w.width,
                      &w.factor,
                      &w.load_factor,
                      &w.strength,
@@ -84,8 +90,6 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
                      &w.nz,
                      &w.outside_place,
                      &w.outside_x,
-                     &w.outside_ny,
-                     &w.outside_nz,
                      &w.l,
                      &w.wanted_level,
                      &w.wanted_shift,
@@ -101,6 +105,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (double*& a : w.strengths) a = take(padded);
   w.active = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
   w.outside = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
+  w.paired = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
   w.in = reinterpret_cast<std::int32_t*>(take((padded + 1) / 2));
   return at - memory;
 }
@@ -132,7 +137,7 @@ double overlap_at_centre(const StripSet& s, std::int32_t i) {
 }
 
 simd::SurfaceSources sources_of(std::int32_t kept, const Scratch& w) {
-  return {kept, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz};
+  return {kept, w.place, w.centre, w.inverse_length, w.half_width, w.factor};
 }
 
 /// The active strips as sources of unit q.
@@ -146,14 +151,46 @@ simd::SurfaceSources list_sources(const Problem& problem, const StripSet& s, std
     w.inverse_length[a] = inverse;
     w.half_width[a] = 0.5 * s.width[i] * inverse;
     w.factor[a] = problem.compliance * s.width[i] * inverse;
-    w.ny[a] = s.ny[i];
-    w.nz[a] = s.nz[i];
   }
   const std::int64_t end = simd::whole_packs(kept);
   for (std::int64_t a = kept; a < end; ++a)
-    w.place[a] = w.centre[a] = w.inverse_length[a] = w.half_width[a] = w.factor[a] = w.strength[a] = w.ny[a] =
-        w.nz[a] = 0.0;
+    w.place[a] = w.centre[a] = w.inverse_length[a] = w.half_width[a] = w.factor[a] = w.strength[a] = 0.0;
   return sources_of(kept, w);
+}
+
+/// Strips with nothing behind the last.
+simd::SurfaceStrips strips_of(std::int32_t count, double* place, double* width, double* ny, double* nz) {
+  for (double* a : {place, width, ny, nz})
+    std::fill(a + count, a + simd::whole_packs(count) + simd::most_lanes, 0.0);
+  return {count, place, width, ny, nz};
+}
+
+constexpr std::int32_t all_strips = -1, no_strips = -2;  ///< of Scratch::paired_count
+
+/// Pairs of all strips with the active ones, which stand in `pairs` from sweep to sweep.
+simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, std::int32_t kept, Scratch& w) {
+  const std::int32_t first = w.active[0];
+  const bool run = w.active[kept - 1] - first + 1 == kept;
+  const bool known = run ? w.paired_count == all_strips
+                         : w.paired_count == kept && std::equal(w.active, w.active + kept, w.paired);
+  if (!known) {
+    const simd::SurfaceStrips all = strips_of(s.count, s.place, s.width, s.ny, s.nz);
+    if (run) {
+      problem.kernels.surface_pairs(all, all, w.pairs);
+    } else {
+      for (std::int32_t a = 0; a < kept; ++a) {
+        const std::int32_t i = w.paired[a] = w.active[a];
+        w.place[a] = s.place[i];
+        w.width[a] = s.width[i];
+        w.ny[a] = s.ny[i];
+        w.nz[a] = s.nz[i];
+      }
+      problem.kernels.surface_pairs(all, strips_of(kept, w.place, w.width, w.ny, w.nz), w.pairs);
+    }
+    w.paired_count = run ? all_strips : kept;
+  }
+  const std::int64_t at = run ? first : 0;
+  return {w.pairs.axis_place + at, w.pairs.cosine + at, w.pairs.correction + at, w.pairs.stride};
 }
 
 /// Strips that would overlap under the strengths in w.r enter: those next to contact, or everywhere. Returns
@@ -166,14 +203,13 @@ bool admit(const Problem& problem, const StripSet& s, const simd::SurfaceSources
     if (!everywhere && !(i > 0 && w.in[i - 1]) && !(i + 1 < s.count && w.in[i + 1])) continue;
     w.outside[count] = i;
     w.outside_place[count] = s.place[i];
-    w.outside_x[count] = s.middle[i] + s.shift[i];
-    w.outside_ny[count] = s.ny[i];
-    w.outside_nz[count++] = s.nz[i];
+    w.outside_x[count++] = s.middle[i] + s.shift[i];
   }
+  if (count == 0) return false;
   const std::int64_t stride = simd::whole_packs(sources.count);
-  problem.kernels.surface_influence(problem.tables, sources,
-                                    {count, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz}, skewed,
-                                    w.matrix, stride);
+  problem.kernels.surface_influence(problem.tables, sources, pairs_of(problem, s, sources.count, w),
+                                    {count, w.outside, w.outside_place, w.outside_x}, skewed, w.matrix,
+                                    stride);
   bool any = false;
   for (std::int32_t b = 0; b < count; ++b) {
     const std::int32_t i = w.outside[b];
@@ -209,8 +245,9 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
     const simd::SurfaceSources sources = list_sources(problem, s, kept, w);
     const std::int32_t size = (kept + 3) / 4 * 4;
     const std::int64_t stride = simd::elimination_stride(size);
-    problem.kernels.surface_influence(problem.tables, sources, {kept, w.place, w.centre, w.ny, w.nz}, skewed,
-                                      w.matrix, stride);
+    problem.kernels.surface_influence(problem.tables, sources, pairs_of(problem, s, kept, w),
+                                      {kept, w.active, w.place, w.centre}, skewed, w.matrix, stride);
+    problem.kernels.surface_own_influence(problem.tables, sources, w.matrix, stride);
     for (std::int32_t a = 0; a < size; ++a) {
       double* const row = w.matrix + a * stride;
       for (std::int64_t c = a < kept ? kept : 0; c < stride; ++c) row[c] = 0.0;
@@ -258,8 +295,8 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   for (std::int64_t a = 0; a < end; ++a) w.load_factor[a] = a < kept ? w.factor[a] * w.strength[a] : 0.0;
   sources.factor = w.load_factor;
   double *const leading = w.wanted_level, *const trailing = skewed ? w.wanted_shift : leading;
-  problem.kernels.surface_edges(problem.tables, sources,
-                                {w.half_length, leading, skewed ? trailing : nullptr});
+  problem.kernels.surface_edges(problem.tables, sources, pairs_of(problem, s, kept, w),
+                                {w.active, w.half_length, leading, skewed ? trailing : nullptr});
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
     const double l = w.l[i], L = l * l;
@@ -428,6 +465,7 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
   const std::int32_t both = skewed ? 2 * n : n;
   if (!skewed) std::fill_n(s.shift, n, 0.0);  // which sweeps leave alone then; a start may bring others
   for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
+  w.paired_count = no_strips;
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300, area = 1.0, shift_weight = 0.0;
   const auto affordable = [&options](std::int32_t sweep, double work) {

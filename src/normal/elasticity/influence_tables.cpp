@@ -26,29 +26,40 @@ double mean_at_edge(double tau) {
   return mean;
 }
 
-/// A row of J's table: two nodes more than its columns, one before and one behind them.
+/// A row of J's table: a node more than its columns at both ends.
 struct LineRow {
-  double at[InfluenceTables::columns + 2];
+  double outside[InfluenceTables::inside + 1], inside[InfluenceTables::nodes_inside + 1];
 };
 
+/// |xi - 1| at a node of the columns' axis.
+double from_end(int node) { return InfluenceTables::from_end.node(node) - InfluenceTables::from_end.node(0); }
+
 void find_row(int row, LineRow& found) {
-  constexpr EvenAxis axis = InfluenceTables::from_end;
   const double tau = InfluenceTables::line_rows.node(row);
-  for (int k = 0; k < InfluenceTables::columns + 2; ++k) {
-    const int from_end = k - 1 - InfluenceTables::to_middle;
-    const double distance = axis.node(std::abs(from_end)) - axis.low();
-    found.at[k] = line_potential(tau, std::abs(from_end < 0 ? 1.0 - distance : 1.0 + distance));
+  for (int k = 0; k <= InfluenceTables::inside; ++k)
+    found.outside[k] = line_potential(tau, 1.0 + from_end(k));
+  for (int k = 0; k <= InfluenceTables::nodes_inside; ++k)
+    found.inside[k] = line_potential(tau, std::abs(1.0 - from_end(k)));
+}
+
+/// The nodes of a row between two others, those to one side of the end: each lowered by a twelfth of the
+/// second differences in both directions, which takes away the mean of what straight lines between the nodes
+/// are too high. Where distances on both sides of a node are not the same: those of a parabola.
+template <std::size_t nodes>
+void level_side(const double (&before)[nodes], const double (&row)[nodes], const double (&behind)[nodes],
+                double across, double* levelled) {
+  for (int k = 0; k + 1 < static_cast<int>(nodes); ++k) {
+    const double here = row[k], low = from_end(k) - (k > 0 ? from_end(k - 1) : -from_end(1));
+    const double high = from_end(k + 1) - from_end(k);
+    const double steeper = (row[k + 1] - here) / high - (here - (k > 0 ? row[k - 1] : across)) / low;
+    const double bend = steeper * (low * low + high * high) / (low + high);
+    levelled[k] = here - (bend + before[k] + behind[k] - 2.0 * here) / 12.0;
   }
 }
 
-/// The nodes of a row between two others: each lowered by a twelfth of the second differences in both
-/// directions, which takes away the mean of what straight lines between the nodes are too high.
 void level_row(const LineRow& before, const LineRow& row, const LineRow& behind, double* levelled) {
-  for (int k = 0; k < InfluenceTables::columns; ++k) {
-    const double here = row.at[k + 1];
-    const double bend = row.at[k] + row.at[k + 2] + before.at[k + 1] + behind.at[k + 1] - 4.0 * here;
-    levelled[k] = here - bend / 12.0;
-  }
+  level_side(before.outside, row.outside, behind.outside, row.inside[1], levelled);
+  level_side(before.inside, row.inside, behind.inside, row.outside[1], levelled + InfluenceTables::inside);
 }
 
 void tabulate_anywhere(InfluenceTables& influence) {

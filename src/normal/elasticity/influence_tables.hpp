@@ -10,7 +10,7 @@
 ///
 /// J is singular only on the line itself, where it is linear in log(tau), and bends like the root of the
 /// distance at the line's end. The table has nodes that are even in log(tau) and, from the end to both sides,
-/// in log(|xi - 1| + a small length): the node is read off the bits of these numbers, without a root, a
+/// in octaves of |xi - 1| + a small length: the node is read off the bits of these numbers, without a root, a
 /// division or a logarithm. It is linear between them. Its values at the nodes are not J's but lie so much
 /// beside them (a twelfth of the second differences) that straight lines follow the curve in the mean: what
 /// many strips do together is then right to much less than what one does.
@@ -40,13 +40,16 @@ inline double second_of(double twin) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(twin) >> 32 << 32);
 }
 
-/// About 220 kB, of which a contact reads a tenth; immutable after tabulate(); one serves all threads.
+/// About 280 kB, of which a contact reads a tenth; immutable after tabulate(); one serves all threads.
 struct InfluenceTables {
   static constexpr OctaveAxis distance_axis{-12, 20, 6};  // tau = 2.4e-4 .. 256
-  static constexpr EvenAxis line_rows{-10, 18, true};     // tau = 9.8e-4 .. 256
-  static constexpr EvenAxis from_end{-6, 14, false};      // |xi - 1| + 0.016: xi = 0 .. 257
-  static constexpr int to_middle = 49;                    // columns from the line's middle to its end
-  static constexpr int columns = to_middle + from_end.intervals() + 1;
+  static constexpr LogAxis line_rows{-10, 18};            // tau = 9.8e-4 .. 256
+  static constexpr OctaveAxis from_end{-4, 9, 4};         // |xi - 1| + 1/16: xi = 0 .. 33
+  /// A row has the nodes outside the line, xi >= 1, then those inside, each from the end on. The last two
+  /// beside its middle: xi = 0 is a node, which has one behind it like any other.
+  static constexpr int inside = from_end.intervals() + 1;
+  static constexpr int nodes_inside = 67;
+  static constexpr int columns = inside + nodes_inside;
 
   /// Twins: J(tau, 0) and 1 / sqrt(1 + tau^2).
   std::array<double, distance_axis.intervals() + 1> on_middle_plane;
@@ -71,13 +74,11 @@ struct InfluenceTables {
 
   /// J(tau, xi), tau > 0, xi >= 0; relative error below 1e-3, in the mean below 2e-5.
   double at(double tau, double xi) const noexcept {
-    const double distance = xi - 1.0;
     const double row_place = line_rows.place(tau);
-    const double column_place =
-        to_middle + std::copysign(from_end.place(std::abs(distance) + from_end.low()), distance);
-    const int row = static_cast<int>(row_place), column = static_cast<int>(column_place);
-    const double f = row_place - row, g = column_place - column;
-    const double* const cell = anywhere.data() + row * columns + column;
+    const int row = static_cast<int>(row_place);
+    const double f = row_place - row;
+    const auto [node, g] = from_end.locate(std::abs(xi - 1.0) + from_end.node(0));
+    const double* const cell = anywhere.data() + row * columns + (xi < 1.0 ? inside : 0) + node;
     const double here = first_of(cell[0]) + f * (second_of(cell[0]) - first_of(cell[0]));
     const double next = first_of(cell[1]) + f * (second_of(cell[1]) - first_of(cell[1]));
     return here + g * (next - here);

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/elementary.hpp"
+
 namespace wrc {
 
 /// Nodes x > 0 at equal distances within each octave.
@@ -48,27 +50,29 @@ struct OctaveAxis {
   static constexpr std::int64_t exponent_bias = 1023;
 };
 
-/// Nodes x > 0 nearly evenly in log(x), eight in each octave: x = 2^e (1 + t), 0 <= t < 1, lies e + t (c1 + t
-/// (c2 + t c3)) octaves from x = 1. The polynomial is 1 at t = 1 and half as steep as at t = 0, so that value
-/// and slope do not leap from octave to octave. What follows the logarithm of x is nearly straight between
-/// these nodes, and half as many of them do what those of an OctaveAxis do.
-struct EvenAxis {
+/// Nodes x > 0 evenly in log(x), eight in each octave. The place of a quotient is the difference of two
+/// places. Without a logarithm, x = 2^e (1 + t), 0 <= t < 1, is placed e + t (c1 + t (c2 + t (c3 + t c4)))
+/// octaves from x = 1, to a thousandth of an interval: the polynomial is 1 at t = 1 and half as steep as at t
+/// = 0, so that value and slope do not leap from octave to octave. What follows the logarithm of x is nearly
+/// straight between these nodes, and half as many of them do what those of an OctaveAxis do.
+struct LogAxis {
   static constexpr int per_octave = 8;
 
   int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
   int octaves;
-  bool cubic;  ///< otherwise c3 = 0: between nodes the logarithm then bends four times as much
 
   constexpr int intervals() const { return octaves * per_octave; }
 
   /// The least number of the axis, and one that lies on it and near its end.
   constexpr double low() const { return power_of_two(lowest_exponent); }
   constexpr double high() const { return power_of_two(lowest_exponent + octaves) * (1.0 - 0x1p-20); }
+  /// The place of `high`, and that of x = 1.
+  constexpr double last() const { return intervals() * (1.0 - 0x1p-28); }
+  constexpr double origin() const { return -per_octave * lowest_exponent; }
 
-  /// c1, c2, c3 in intervals.
-  constexpr double first() const { return per_octave * (cubic ? 1.425 : 4.0 / 3.0); }
-  constexpr double second() const { return per_octave * (cubic ? -0.5625 : -1.0 / 3.0); }
-  constexpr double third() const { return per_octave * (cubic ? 0.1375 : 0.0); }
+  /// c1 .. c4 in intervals.
+  static constexpr double first = per_octave * 1.438, second = per_octave * -0.674,
+                          third = per_octave * 0.315, fourth = per_octave * -0.079;
 
   /// Where x lies, in intervals from the first node. x outside the axis is taken to its ends.
   constexpr double place(double x) const noexcept {
@@ -76,17 +80,14 @@ struct EvenAxis {
     const auto bits = std::bit_cast<std::uint64_t>(inside);
     const auto exponent = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
     const double t = std::bit_cast<double>((bits & mantissa) | power_of_two_bits(0)) - 1.0;
-    return per_octave * (exponent - lowest_exponent) + t * (first() + t * (second() + t * third()));
+    return per_octave * (exponent - lowest_exponent) + t * (first + t * (second + t * (third + t * fourth)));
   }
 
-  /// The x at a place, which may be outside the axis.
-  double node(double place) const noexcept {
-    const double octave = std::floor(place / per_octave), p = place - per_octave * octave;
-    double t = p / per_octave;  // Newton's steps: the slope changes by half over an octave
-    for (int step = 0; step < 6; ++step)
-      t -= (t * (first() + t * (second() + t * third())) - p) /
-           (first() + t * (2.0 * second() + t * (3.0 * third())));
-    return power_of_two(lowest_exponent + static_cast<int>(octave)) * (1.0 + t);
+  /// The x at a node, which may be outside the axis.
+  double node(int i) const noexcept {
+    const int octave = i >= 0 ? i / per_octave : -((per_octave - 1 - i) / per_octave);
+    return power_of_two(lowest_exponent + octave) *
+           natural_exp((i - per_octave * octave) * (ln2_high + ln2_low) / per_octave);
   }
 
  private:

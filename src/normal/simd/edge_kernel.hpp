@@ -17,8 +17,9 @@ inline Pack displacements(const StripTables& tables, const Sources& sources, std
                           std::int32_t second, const Edges& edges) {
   const auto both = [&](const double* of) { return Pack(load_lanes(of + first), load_lanes(of + second)); };
   const Pack inverse = both(sources.inverse_length);
-  return both(sources.strength) * line_potential_at(tables, magnitude(both(sources.y) - edges.y) * inverse,
-                                                    magnitude(edges.x - both(sources.centre)) * inverse);
+  const LineRows rows = line_rows(magnitude(both(sources.y) - edges.y) * inverse);
+  return both(sources.strength) *
+         line_potential_at(tables, rows, magnitude(edges.x - both(sources.centre)) * inverse);
 }
 
 /// Kernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch

@@ -21,8 +21,9 @@ void influence_row_kernel(const InfluenceTask& task, std::int32_t j, double* row
     const MiddlePlane<Pack> middle = read_middle_plane(task.tables, tau);
     Pack seen = middle.potential;
     if (task.skewed)
-      seen = line_potential_near(task.tables, middle, tau,
-                                 magnitude(load_pack(task.centre + first) - centre_j) * inverse);
+      seen = line_potential_near(task.tables, middle,
+                                 magnitude(load_pack(task.centre + first) - centre_j) * inverse,
+                                 [&] { return line_rows(tau); });
     if (first - near <= j && j < first + lanes + near) {
       const Pack correction = width_correction(0.5 * width * inverse / tau, middle.inverse_to_end);
       const Pack apart = magnitude(load_pack(lane_numbers) + (1.0 * first - 1.0 * j));

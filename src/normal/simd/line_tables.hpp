@@ -10,7 +10,7 @@ namespace {
 
 /// Intervals of an axis, and where in them the numbers lie (0..1).
 struct Places {
-  Pack interval;  ///< whole numbers
+  Bits interval;  ///< in the lower halves
   Pack fraction;
 };
 
@@ -25,10 +25,8 @@ Places locate(Pack x) {
   constexpr int mantissa_bits = 52, shift = mantissa_bits - axis.bits_per_octave;
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
-  // Behind the exponent of 2^52, where the double spacing is one, a whole number is its own mantissa.
-  constexpr std::uint64_t unit_spacing = std::uint64_t{1023 + mantissa_bits} << mantissa_bits;
   const Bits bits = bits_of(smaller(larger(x, low), high));
-  return {pack_of((bits >> shift) + (unit_spacing - (first >> shift))) - 4503599627370496.0,
+  return {(bits >> shift) + (0 - (first >> shift)),
           pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0};
 }
 
@@ -84,89 +82,95 @@ WRC_IN_LOOP Number width_correction(const Number& t, const Number& inverse_to_en
   return 2.0 * (t2 * inverse_to_end) * (1.0 / 6.0 + t2 * (1.0 / 20.0 + 1.0 / 42.0 * t2));
 }
 
-/// EvenAxis::place, and where between octaves that is.
-struct EvenPlaces {
-  Pack place;
+/// Rows of InfluenceTables::anywhere.
+struct LineRows {
+  Bits first_cell;  ///< index of it in the table, in the lower halves
+  Pack fraction;    ///< of the way to the next row
+};
+
+/// At places on the rows' axis; those outside are taken to its ends.
+inline LineRows line_rows_at(Pack place) {
+  constexpr double last = InfluenceTables::line_rows.last();
+  const Pack inside = smaller(larger(place, 0.0), last);
+  const Pack row = whole_part(inside);
+  return {bits_of(row * static_cast<double>(InfluenceTables::columns) + index_origin), inside - row};
+}
+
+/// x > 0 in octaves from 1 on: see LogAxis.
+struct Octaves {
+  Pack whole;   ///< times eight
   Pack within;  ///< t
 };
 
-template <int lowest_exponent, int octaves, bool cubic, bool from_low = false>
-EvenPlaces even_places(Pack x) {
-  constexpr EvenAxis axis{lowest_exponent, octaves, cubic};
-  constexpr double first = axis.first(), second = axis.second(), third = axis.third();
-  static_assert(EvenAxis::per_octave == 8);
+inline Octaves octaves_of(Pack x) {
   constexpr int mantissa_bits = 52;
-  constexpr double low = axis.low(), high = axis.high();
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
   // Behind the exponent of 2^55 the double spacing is eight: the mantissa counts octaves.
   constexpr std::uint64_t spacing_eight = std::uint64_t{1023 + mantissa_bits + 3} << mantissa_bits;
-  const Bits bits = bits_of(smaller(from_low ? x : larger(x, low), high));
-  const Pack octaves_of_eight =
-      pack_of((bits >> mantissa_bits) +
-              (spacing_eight - static_cast<std::uint64_t>(1023 + lowest_exponent))) -
-      0x1p55;
-  const Pack t = pack_of((bits & mantissa) + one) - 1.0;
-  const Pack bend = cubic ? second + t * third : Pack(second);
-  return {octaves_of_eight + t * (first + t * bend), t};
+  const Bits bits = bits_of(x);
+  return {pack_of((bits >> mantissa_bits) + spacing_eight) - (0x1p55 + 8.0 * 1023),
+          pack_of((bits & mantissa) + one) - 1.0};
 }
 
-/// Rows of InfluenceTables::anywhere.
-struct LineRows {
-  Pack first_cell;  ///< index of it in the table
-  Pack fraction;    ///< of the way to the next row
-};
-
-inline LineRows line_rows_of(Pack place) {
-  const Pack row = whole_part(place);
-  return {row * static_cast<double>(InfluenceTables::columns) + index_origin, place - row};
+/// The place on any LogAxis, from x = 1 on; that of a quotient is the difference of two.
+inline Pack place_from_one(Pack x) {
+  static_assert(LogAxis::per_octave == 8);
+  const Octaves o = octaves_of(x);
+  const Pack t = o.within;
+  return o.whole + t * (LogAxis::first + t * (LogAxis::second + t * (LogAxis::third + t * LogAxis::fourth)));
 }
+
 inline LineRows line_rows(Pack tau) {
-  constexpr EvenAxis axis = InfluenceTables::line_rows;
-  return line_rows_of(even_places<axis.lowest_exponent, axis.octaves, axis.cubic>(tau).place);
+  constexpr double origin = InfluenceTables::line_rows.origin();
+  return line_rows_at(place_from_one(tau) + origin);
 }
 
 /// Where the table is between two columns: J in both, as far between the rows as wanted.
 struct BetweenColumns {
-  Pack here, rise;            ///< to the next column
+  Pack here, rise;            ///< to the next column, away from the line's end
   Pack here_rise, next_rise;  ///< of both to the next row
   Pack fraction;              ///< of the way to the next column
 };
 
-/// xi - 1 >= -1, and the place of |xi - 1| + from_end.low() on the columns' axis.
-WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineRows& rows, Pack from_end,
-                                           Pack place_from_end) {
-  const Pack place = static_cast<double>(InfluenceTables::to_middle) + with_sign(place_from_end, from_end);
-  const Pack column = whole_part(place);
-  const Neighbours cell = pick(tables.anywhere, indices_behind_origin(rows.first_cell + column));
+/// xi - 1 >= -1.
+WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineRows& rows, Pack from_end) {
+  constexpr OctaveAxis axis = InfluenceTables::from_end;
+  constexpr int mantissa_bits = 52;
+  constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
+  constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
+  constexpr double least = axis.node(0), high = std::bit_cast<double>(end - 1);
+  constexpr int shift = mantissa_bits - axis.bits_per_octave;
+  constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
+  constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
+  constexpr std::uint64_t outside = (0 - (first >> shift)) & 0xffffffff;  // indices are the lower halves
+  constexpr std::uint64_t inside = outside + InfluenceTables::inside;
+  constexpr double outside_bits = std::bit_cast<double>(outside), inside_bits = std::bit_cast<double>(inside);
+  const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));
+  const Bits side = bits_of(select(from_end < 0.0, inside_bits, outside_bits));
+  const Pack fraction = pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0;
+  const Neighbours cell = pick(tables.anywhere, indices((bits >> shift) + side + rows.first_cell));
   const Pack here = first_of(cell.at), next = first_of(cell.behind);
   const Pack here_rise = second_of(cell.at) - here, next_rise = second_of(cell.behind) - next;
   const Pack at_here = here + rows.fraction * here_rise;
-  return {at_here, next + rows.fraction * next_rise - at_here, here_rise, next_rise, place - column};
+  return {at_here, next + rows.fraction * next_rise - at_here, here_rise, next_rise, fraction};
 }
 
 /// InfluenceTables::at: J(tau, xi), xi >= 0, at line_rows(tau).
 WRC_IN_LOOP Pack line_potential_at(const StripTables& tables, const LineRows& rows, Pack xi) {
-  constexpr EvenAxis axis = InfluenceTables::from_end;
-  constexpr double least = axis.low();
-  const Pack from_end = xi - 1.0;
-  const Pack place =
-      even_places<axis.lowest_exponent, axis.octaves, axis.cubic, true>(magnitude(from_end) + least).place;
-  const BetweenColumns j = between_columns(tables, rows, from_end, place);
+  const BetweenColumns j = between_columns(tables, rows, xi - 1.0);
   return j.here + j.fraction * j.rise;
 }
-WRC_IN_LOOP Pack line_potential_at(const StripTables& tables, Pack tau, Pack xi) {
-  return line_potential_at(tables, line_rows(tau), xi);
-}
 
-/// J(tau, xi) for xi mostly near 0.
-inline Pack line_potential_near(const StripTables& tables, const MiddlePlane<Pack>& middle, Pack tau,
-                                Pack xi) {
+/// J(tau, xi) for xi mostly near 0; `rows` are asked for where the table is read.
+template <class Rows>
+WRC_IN_LOOP Pack line_potential_near(const StripTables& tables, const MiddlePlane<Pack>& middle, Pack xi,
+                                     const Rows& rows) {
   const Pack towards_line = middle.inverse_to_end * middle.inverse_to_end;
   const Pack y = xi * xi * towards_line;
   const Pack near = near_middle_plane(middle.potential, towards_line, y);
   if (!any(y > beside_middle_plane)) return near;
-  return near + part_off_middle_plane(y) * (line_potential_at(tables, tau, xi) - near);
+  return near + part_off_middle_plane(y) * (line_potential_at(tables, rows(), xi) - near);
 }
 
 }  // namespace

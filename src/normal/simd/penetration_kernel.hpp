@@ -81,7 +81,7 @@ void displacements_at_kernel(const PointTask& task, const StripArrays& strips, d
     for (std::int32_t n = 8; n >= 1; --n) series = t2 * (series + 1.0 / (2 * n * (2 * n + 1)));
     const Pack tau = magnitude(middle) / l;
     const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
-    const Indices cubic = indices(4.0 * place.interval);
+    const Indices cubic = indices(place.interval << 2);
     const Neighbours low = pick(task.line_cubics, cubic), high = pick(task.line_cubics + 2, cubic);
     Pack line =
         low.at + place.fraction * (low.behind + place.fraction * (high.at + place.fraction * high.behind));

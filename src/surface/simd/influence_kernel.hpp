@@ -1,5 +1,6 @@
-/// Displacement of a curved surface by strips of semi-elliptic pressure. A pack sees as many sources as the
-/// processor's vector holds, from two points at a time.
+/// Displacement of a curved surface by strips of semi-elliptic pressure. What is fixed for a pair of strips
+/// is found once (SurfacePairs). Middles are seen a vector of sources at a time from two points, edges a
+/// vector of edges at a time from one source: their sums need not be collected from lanes.
 #pragma once
 
 #include "normal/simd/line_tables.hpp"
@@ -8,150 +9,144 @@
 namespace wrc::simd {
 namespace {
 
-/// Elements of the sources from `first` on, for both points.
+/// Half widths away from a strip: beyond, what its width adds to its middle's value is below 1e-3 of it.
+constexpr double near_strip = 17.0;
+
+/// The same elements for both vectors.
 inline Pack for_both(const double* of, std::int32_t first) {
   const Native a = load_lanes(of + first);
   return {a, a};
 }
 
-/// Two points of the surface.
-struct TwoPoints {
-  Pack place, x, ny, nz;
-};
-
-inline TwoPoints two_points(const SurfacePoints& points, std::int32_t a, std::int32_t b) {
-  const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
-  return {both(points.place), both(points.x), both(points.ny), both(points.nz)};
+/// Hands on numbers two by two; of an odd count the last is seen twice.
+template <class Take>
+WRC_IN_LOOP void two_by_two(std::int32_t count, const Take& take) {
+  for (std::int32_t a = 0; a < count; a += 2) take(a, a + 1 < count ? a + 1 : a);
 }
 
-/// Cosine between the points' directions and those of the sources.
-inline Pack cosine_to(const SurfaceSources& sources, std::int32_t first, const TwoPoints& points) {
-  return points.ny * for_both(sources.ny, first) + points.nz * for_both(sources.nz, first);
-}
-
-/// What the sources from `first` on do to points that are the middles of strips.
-template <bool skewed>
-WRC_IN_LOOP Pack influence_on(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t first,
-                              const TwoPoints& points) {
-  // Half widths away from a strip: beyond, what its width adds to its middle's value is below 1e-3 of it.
-  constexpr double near = 17.0;
-  const Pack inverse = for_both(sources.inverse_length, first);
-  const Pack half_width = for_both(sources.half_width, first);
-  const Pack distance = magnitude(for_both(sources.place, first) - points.place) * inverse;
-  const Mask apart = distance > 0.0;
-  const Pack tau = select(apart, distance, 1.0);
-  const MiddlePlane<Pack> middle = read_middle_plane(tables.line, tau);
-  Pack seen = middle.potential;
-  if constexpr (skewed)
-    seen = line_potential_near(tables.line, middle, tau,
-                               magnitude(for_both(sources.centre, first) - points.x) * inverse);
-  const Mask is_near = distance < near * half_width;
-  if (any(is_near)) {
-    seen += select(is_near & apart, width_correction(half_width / tau, middle.inverse_to_end), 0.0);
-    if (any(!apart)) seen = select(apart, seen, read(tables.own_middle, half_width));
+/// Kernels::surface_pairs.
+inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& columns,
+                          const SurfacePairs& pairs) {
+  constexpr double origin = InfluenceTables::line_rows.origin();
+  // A vector may begin at any column.
+  for (std::int32_t first = 0; first < columns.count + native_lanes - 1; first += native_lanes) {
+    const Pack place = for_both(columns.place, first), half = 0.5 * for_both(columns.width, first);
+    const Pack ny = for_both(columns.ny, first), nz = for_both(columns.nz, first);
+    two_by_two(rows.count, [&](std::int32_t a, std::int32_t b) {
+      const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
+      const auto keep = [&](Pack x, double* to) {
+        store_lanes(to + a * pairs.stride + first, x.a);
+        store_lanes(to + b * pairs.stride + first, x.b);
+      };
+      const Pack distance = magnitude(place - both(rows.place));
+      const Mask apart = distance > 0.0;
+      const Mask near = apart & (distance < near_strip * half);
+      keep(place_from_one(distance) + origin, pairs.axis_place);
+      keep(select(apart, both(rows.ny) * ny + both(rows.nz) * nz, 0.0), pairs.cosine);
+      Pack correction = 0.0;
+      if (any(near))
+        correction = select(near, width_correction(half / select(near, distance, 1.0), Pack(1.0)), 0.0);
+      keep(correction, pairs.correction);
+    });
   }
-  return for_both(sources.factor, first) * seen * cosine_to(sources, first, points);
 }
 
 template <bool skewed>
-void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePoints& points,
-                    double* rows, std::int64_t stride) {
-  for (std::int32_t a = 0; a < points.count; a += 2) {
-    const std::int32_t b = a + 1 < points.count ? a + 1 : a;  // an odd one is seen twice
-    const TwoPoints two = two_points(points, a, b);
-    double *const row_a = rows + a * stride, *const row_b = rows + b * stride;
-    for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
-      const Pack on = influence_on<skewed>(tables, sources, first, two);
-      store_lanes(row_a + first, on.a);
-      store_lanes(row_b + first, on.b);
-    }
+void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePairs& pairs,
+                    const SurfacePoints& points, double* rows, std::int64_t stride) {
+  for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
+    const Native inverse = load_lanes(sources.inverse_length + first);
+    const Native place = load_lanes(sources.place + first), centre = load_lanes(sources.centre + first);
+    const Native factor = load_lanes(sources.factor + first);
+    const Native inverse_place = skewed ? place_from_one({inverse, inverse}).a : inverse;
+    two_by_two(points.count, [&](std::int32_t a, std::int32_t b) {
+      const std::int64_t row_a = points.row[a] * pairs.stride + first;
+      const std::int64_t row_b = points.row[b] * pairs.stride + first;
+      const auto twice = [](Native x) { return Pack(x, x); };
+      const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
+      const auto of_pairs = [&](const double* of) {
+        return Pack(load_lanes(of + row_a), load_lanes(of + row_b));
+      };
+      const Pack tau = magnitude(twice(place) - both(points.place)) * twice(inverse);
+      const MiddlePlane<Pack> middle = read_middle_plane(tables.line, tau);
+      Pack seen = middle.potential;
+      if constexpr (skewed)
+        seen = line_potential_near(
+            tables.line, middle, magnitude(twice(centre) - both(points.x)) * twice(inverse),
+            [&] { return line_rows_at(of_pairs(pairs.axis_place) + twice(inverse_place)); });
+      seen += of_pairs(pairs.correction) * middle.inverse_to_end;
+      const Pack on = twice(factor) * of_pairs(pairs.cosine) * seen;
+      store_lanes(rows + a * stride + first, on.a);
+      store_lanes(rows + b * stride + first, on.b);
+    });
   }
 }
 
 /// Kernels::surface_influence.
 inline void surface_influence(const SurfaceTables& tables, const SurfaceSources& sources,
-                              const SurfacePoints& points, bool skewed, double* rows, std::int64_t stride) {
-  (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, points, rows, stride);
+                              const SurfacePairs& pairs, const SurfacePoints& points, bool skewed,
+                              double* rows, std::int64_t stride) {
+  (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, pairs, points, rows, stride);
 }
 
-/// What the sources do to two points, in most_lanes parts whatever the width of a vector.
-struct Parts {
-  static constexpr std::int32_t vectors = most_lanes / native_lanes;
-  Pack of[vectors];
-};
-
-/// Adds up the parts.
-inline void sum_up(const Parts& sum, double& on_a, double& on_b) {
-  double part_a[most_lanes], part_b[most_lanes];
-  for (std::int32_t k = 0; k < Parts::vectors; ++k) {
-    store_lanes(part_a + k * native_lanes, sum.of[k].a);
-    store_lanes(part_b + k * native_lanes, sum.of[k].b);
-  }
-  for (std::int32_t half = most_lanes / 2; half > 0; half /= 2)
-    for (std::int32_t k = 0; k < half; ++k) {
-      part_a[k] += part_a[k + half];
-      part_b[k] += part_b[k + half];
-    }
-  on_a = part_a[0];
-  on_b = part_b[0];
-}
-
-/// What the other sources do to the edges of two strips. Both ends of a strip are equally far from a source
-/// but along x.
-template <bool both_ends>
-WRC_IN_LOOP void displace_edges(const SurfaceTables& tables, const SurfaceSources& sources,
-                                const TwoPoints& middles, const Pack& half_length, Parts& leading,
-                                Parts& trailing) {
-  for (std::int32_t k = 0; k < Parts::vectors; ++k) leading.of[k] = trailing.of[k] = 0.0;
-  for (std::int32_t base = 0; base < sources.count; base += most_lanes)
-    for (std::int32_t k = 0; k < Parts::vectors; ++k) {
-      const std::int32_t first = base + k * native_lanes;
-      if (first >= sources.count) break;
-      const Pack inverse = for_both(sources.inverse_length, first);
-      const Pack tau = magnitude(for_both(sources.place, first) - middles.place) * inverse;
-      const LineRows rows = line_rows(tau);
-      const Pack by_unit = for_both(sources.factor, first) * cosine_to(sources, first, middles);
-      const Pack factor = select(tau > 0.0, by_unit, 0.0);
-      const Pack offset = middles.x - for_both(sources.centre, first);
-      const auto by = [&](const Pack& x) {
-        return factor * line_potential_at(tables.line, rows, magnitude(x) * inverse);
-      };
-      leading.of[k] += by(offset + half_length);
-      if constexpr (both_ends) trailing.of[k] += by(offset - half_length);
-    }
-}
-
-template <bool both_ends>
-void displace_all_edges(const SurfaceTables& tables, const SurfaceSources& sources,
-                        const SurfaceEdges& edges) {
-  // What a strip does to its own edges first.
-  for (std::int32_t a = 0; a < sources.count; a += lanes) {
-    const Pack own =
-        load_pack(sources.factor + a) * read(tables.line.edge_under, load_pack(sources.half_width + a));
-    store_pack(edges.leading + a, own);
-    if constexpr (both_ends) store_pack(edges.trailing + a, own);
-  }
-  const SurfacePoints middles{sources.count, sources.place, sources.centre, sources.ny, sources.nz};
-  for (std::int32_t a = 0; a < sources.count; a += 2) {
-    const std::int32_t b = a + 1 < sources.count ? a + 1 : a;  // an odd one is seen twice
-    const Pack half_length(broadcast(edges.half_length[a]), broadcast(edges.half_length[b]));
-    Parts leading, trailing;
-    displace_edges<both_ends>(tables, sources, two_points(middles, a, b), half_length, leading, trailing);
-    const auto add = [a, b](const Parts& parts, double* to) {
-      double on_a, on_b;
-      sum_up(parts, on_a, on_b);
-      to[a] += on_a;
-      if (b != a) to[b] += on_b;
-    };
-    add(leading, edges.leading);
-    if constexpr (both_ends) add(trailing, edges.trailing);
+/// Kernels::surface_own_influence.
+inline void surface_own_influence(const SurfaceTables& tables, const SurfaceSources& sources, double* rows,
+                                  std::int64_t stride) {
+  for (std::int32_t first = 0; first < sources.count; first += lanes) {
+    double own[lanes];
+    store_pack(own, load_pack(sources.factor + first) *
+                        read(tables.own_middle, load_pack(sources.half_width + first)));
+    for (std::int32_t k = 0; k < lanes && first + k < sources.count; ++k)
+      rows[(first + k) * (stride + 1)] = own[k];
   }
 }
 
-/// Kernels::surface_edges.
+/// What source j does to edges at x, of strips whose pairs with it begin at `pair`.
+WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t j,
+                              double inverse_place, const SurfacePairs& pairs, std::int64_t pair, Pack x) {
+  const Native axis_place = load_lanes(pairs.axis_place + pair), cosine = load_lanes(pairs.cosine + pair);
+  const LineRows rows = line_rows_at(Pack(axis_place, axis_place) + inverse_place);
+  const Pack xi = magnitude(x - sources.centre[j]) * sources.inverse_length[j];
+  return Pack(cosine, cosine) * sources.factor[j] * line_potential_at(tables.line, rows, xi);
+}
+
+/// Kernels::surface_edges. Both edges of as many strips as a vector holds; where they are the same, a source
+/// and the next one at a time.
 inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sources,
-                          const SurfaceEdges& edges) {
-  (edges.trailing ? displace_all_edges<true> : displace_all_edges<false>)(tables, sources, edges);
+                          const SurfacePairs& pairs, const SurfaceEdges& edges) {
+  // What a strip does to its own edges first.
+  for (std::int32_t a = 0; a < sources.count; a += lanes)
+    store_pack(edges.leading + a, load_pack(sources.factor + a) *
+                                      read(tables.line.edge_under, load_pack(sources.half_width + a)));
+  if (edges.trailing)
+    for (std::int32_t a = 0; a < sources.count; a += lanes)
+      store_pack(edges.trailing + a, load_pack(edges.leading + a));
+  for (std::int32_t base = 0; base < sources.count; base += most_lanes) {
+    double inverse_place[most_lanes];
+    for (std::int32_t k = 0; k < most_lanes; k += lanes)
+      store_pack(inverse_place + k, place_from_one(load_pack(sources.inverse_length + base + k)));
+    const std::int32_t end = base + most_lanes < sources.count ? base + most_lanes : sources.count;
+    for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
+      const Native centre = load_lanes(sources.centre + first), l = load_lanes(edges.half_length + first);
+      if (edges.trailing) {
+        Pack sum(load_lanes(edges.leading + first), load_lanes(edges.trailing + first));
+        const Pack x(centre + l, centre - l);
+        for (std::int32_t j = base; j < end; ++j)
+          sum += displaced_by(tables, sources, j, inverse_place[j - base], pairs,
+                              edges.row[j] * pairs.stride + first, x);
+        store_lanes(edges.leading + first, sum.a);
+        store_lanes(edges.trailing + first, sum.b);
+      } else {
+        Native sum = load_lanes(edges.leading + first);
+        const Pack x(centre + l, centre + l);
+        for (std::int32_t j = base; j < end; ++j)
+          sum = sum + displaced_by(tables, sources, j, inverse_place[j - base], pairs,
+                                   edges.row[j] * pairs.stride + first, x)
+                          .a;
+        store_lanes(edges.leading + first, sum);
+      }
+    }
+  }
 }
 
 }  // namespace

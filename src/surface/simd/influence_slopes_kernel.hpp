@@ -3,8 +3,7 @@
 /// tables are read with the slope of the interval they are read in: that of the number itself.
 #pragma once
 
-#include "normal/simd/line_tables.hpp"
-#include "surface/simd/tasks.hpp"
+#include "surface/simd/influence_kernel.hpp"
 
 namespace wrc::simd {
 namespace {
@@ -80,38 +79,40 @@ inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sl
           between(second_of(twins.at), second_of(twins.behind))};
 }
 
-/// even_places() of the same.
-template <int lowest_exponent, int octaves, bool cubic>
-Sloped even_place(const Sloped& x) {
-  constexpr EvenAxis axis{lowest_exponent, octaves, cubic};
-  constexpr double low = axis.low(), high = axis.high();
-  constexpr double first = axis.first(), second = 2.0 * axis.second(), third = 3.0 * axis.third();
+/// Place on the rows' axis, of a distance in half lengths: the difference of two places, as in
+/// influence_kernel.hpp.
+inline Sloped row_place(Pack distance, Pack inverse_length) {
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
-  const EvenPlaces at = even_places<lowest_exponent, octaves, cubic>(x.v);
-  const Mask inside = (x.v >= low) & (x.v < high);
-  const Pack octave = pack_of(bits_of(select(inside, x.v, low)) & exponent);
-  const Pack slope = first + at.within * (second + third * at.within);
-  return chained(x, at.place, select(inside, slope / octave, 0.0));
+  constexpr double origin = InfluenceTables::line_rows.origin(), last = InfluenceTables::line_rows.last();
+  const Mask some = inverse_length > 0.0;  // and not behind the last source
+  const Pack inverse = select(some, inverse_length, 1.0);
+  const Pack t = octaves_of(inverse).within, octave = pack_of(bits_of(inverse) & exponent);
+  const Pack slope = (LogAxis::first + t * (2.0 * LogAxis::second +
+                                            t * (3.0 * LogAxis::third + t * (4.0 * LogAxis::fourth)))) /
+                     octave;
+  const Pack place = place_from_one(distance) + origin + place_from_one(inverse);
+  const Mask inside = (place > 0.0) & (place < last);
+  return {place, select(inside, Pack(0.0) - slope * inverse * inverse, 0.0), 0.0};
 }
 
 /// line_potential_at() of the same, xi >= 0.
-inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& tau, const Sloped& xi) {
-  constexpr EvenAxis rows_axis = InfluenceTables::line_rows, axis = InfluenceTables::from_end;
-  const Sloped row = even_place<rows_axis.lowest_exponent, rows_axis.octaves, rows_axis.cubic>(tau);
-  const LineRows rows = line_rows_of(row.v);
-  constexpr double least = axis.low();
+inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const Sloped& xi) {
+  constexpr OctaveAxis axis = InfluenceTables::from_end;
+  constexpr double least = axis.node(0);
+  const LineRows rows = line_rows_at(row.v);
   const Pack from_end = xi.v - 1.0, sign = with_sign(1.0, from_end);
-  const Sloped distance{magnitude(from_end) + least, sign * xi.l, sign * xi.x};
-  const Sloped column = even_place<axis.lowest_exponent, axis.octaves, axis.cubic>(distance);
-  const BetweenColumns j = between_columns(tables, rows, from_end, column.v);
-  const Pack by_row = j.here_rise + j.fraction * (j.next_rise - j.here_rise), by_column = sign * j.rise;
-  return {j.here + j.fraction * j.rise, by_row * row.l + by_column * column.l,
-          by_row * row.x + by_column * column.x};
+  const BetweenColumns j = between_columns(tables, rows, from_end);
+  const Pack per_distance =
+      fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(magnitude(from_end) + least);
+  const Pack by_row = j.here_rise + j.fraction * (j.next_rise - j.here_rise);
+  const Pack by_xi = sign * j.rise * per_distance;
+  return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_row * row.x + by_xi * xi.x};
 }
 
 /// A pack of sources as a point sees them.
 struct SeenSources {
   Sloped tau, xi, half_width, factor;
+  Sloped row;  ///< place on the rows' axis
   Mask own;
 };
 
@@ -120,7 +121,9 @@ inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t firs
   const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
   const auto over_length = [&](Pack a) { return Sloped{a * inverse, zero - a * inverse * inverse, zero}; };
   SeenSources s;
-  s.tau = over_length(magnitude(load_pack(sources.place + first) - Pack(point.place)));
+  const Pack distance = magnitude(load_pack(sources.place + first) - Pack(point.place));
+  s.tau = over_length(distance);
+  s.row = row_place(distance, inverse);
   const Pack offset = Pack(point.x) - load_pack(sources.centre + first);
   s.xi = over_length(magnitude(offset));
   s.xi.x = select(offset < zero, zero - inverse, inverse);
@@ -140,7 +143,6 @@ inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlope
 /// Kernels::surface_influence_slopes.
 inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
                                      const SurfacePoint& point, const SurfaceSlopes& slopes) {
-  constexpr double near = 17.0;  // as in surface_influence
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
     const Sloped tau = select(s.own, 1.0, s.tau);
@@ -150,8 +152,8 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
     const Sloped close = near_middle_plane(middle.potential, towards_line, y);
     Sloped seen = close;
     if (any(y.v > beside_middle_plane))
-      seen = close + part_off_middle_plane(y) * (line_potential_sloped(tables.line, tau, s.xi) - close);
-    const Mask is_near = s.tau.v < near * s.half_width.v;
+      seen = close + part_off_middle_plane(y) * (line_potential_sloped(tables.line, s.row, s.xi) - close);
+    const Mask is_near = s.tau.v < near_strip * s.half_width.v;
     if (any(is_near)) {
       const Sloped correction = width_correction(s.half_width / tau, middle.inverse_to_end);
       seen = select(is_near & !s.own, seen + correction, seen);
@@ -166,7 +168,7 @@ inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSource
                                 const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
-    Sloped seen = line_potential_sloped(tables.line, s.tau, s.xi);
+    Sloped seen = line_potential_sloped(tables.line, s.row, s.xi);
     if (any(s.own)) seen = select(s.own, read_sloped(tables.line.edge_under, s.half_width), seen);
     store_sloped(s.factor * seen, first, slopes);
   }

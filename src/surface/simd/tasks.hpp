@@ -19,6 +19,23 @@ struct Shared;
 
 namespace simd {
 
+/// Strips as they lie on the surface. Arrays have whole packs of elements and a pack more, zeros behind the
+/// last.
+struct SurfaceStrips {
+  std::int32_t count;
+  const double *place, *width;  ///< arc length of the middle [m]; [m]
+  const double *ny, *nz;        ///< directions
+};
+
+/// What does not change while strips press more or less: a row for each strip of a list, over strips.
+struct SurfacePairs {
+  double*
+      axis_place;  ///< of the distance over 1 m on the axis of the table's rows; a length's is taken from it
+  double* cosine;  ///< between the directions; 0 of a strip with itself
+  double* correction;   ///< of width_correction() (normal/simd/line_tables.hpp), without inverse_to_end
+  std::int64_t stride;  ///< from row to row
+};
+
 /// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the
 /// last with factor 0 and inverse_length 0.
 struct SurfaceSources {
@@ -28,7 +45,6 @@ struct SurfaceSources {
   const double* inverse_length;  ///< 1 / l [1/m]
   const double* half_width;      ///< half the width over l [-]
   const double* factor;          ///< what the displacement is multiplied by
-  const double *ny, *nz;         ///< directions
 };
 
 /// Tables of the influence function (normal/elasticity/influence_tables.hpp).
@@ -39,17 +55,19 @@ struct SurfaceTables {
 
 /// A point of the surface that sees the sources.
 struct SurfacePoint {
-  double place, x, ny, nz;
+  double place, x;
 };
 
-/// Several of them.
+/// Middles of several strips, and their rows of pairs with the sources.
 struct SurfacePoints {
   std::int32_t count;
-  const double *place, *x, *ny, *nz;
+  const std::int32_t* row;
+  const double *place, *x;
 };
 
 /// Edges of the sources themselves: x = centre +- half length, and what is found there. Whole packs.
 struct SurfaceEdges {
+  const std::int32_t* row;     ///< of each strip's pairs with the sources
   const double* half_length;   ///< [m]
   double *leading, *trailing;  ///< displacements; trailing nullptr: as the leading ones, not asked for
 };
