@@ -80,7 +80,7 @@ double approach_of(const WheelWork& w) {
   return most;
 }
 
-/// The strips' squared lengths at a height. In Hertz's contact they grow in proportion to it, all alike.
+/// The strips' squared lengths at a height.
 struct Lengths {
   double height = 0.0;
   std::int32_t count = 0;
@@ -89,24 +89,19 @@ struct Lengths {
 };
 
 /// Moves the start of a solve at `height` to where the lengths of the last one, at `last`, lead: along the
-/// line through those of the one before, or as Hertz's do.
+/// line through those of the one before.
 void lead_on(const Lengths& before, double last, double height, const WheelWork& w, SurfaceStart& start) {
   const Overlaps& o = w.overlaps;
   const double* const squared = w.pressure.length_squared;
-  const bool on_line = before.count > 0 && before.height != last;
-  const double approach = approach_of(w);
-  if (!start.set || !(approach > 0.0)) return;
-  double longest = 0.0;
-  for (std::int32_t i = 0; i < o.count; ++i) longest = larger(longest, squared[i]);
-  const double share = on_line ? smaller(larger((height - last) / (last - before.height), -1.0), 1.0) : 0.0;
+  start.led = start.set && before.count > 0 && before.height != last;
+  if (!start.led) return;
+  const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
   for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
     while (b < before.count && before.strip[b] < j) ++b;
-    const bool both = on_line && b < before.count && before.strip[b] == j && before.squared[b] > 0.0;
-    if (!(squared[i] > 0.0) || (on_line && !both)) continue;
-    const double grown =
-        both ? share * (squared[i] - before.squared[b]) : (height - last) / approach * longest;
-    start.length_squared[j] = larger(squared[i] + grown, 0.5 * squared[i]);
+    if (b == before.count) break;
+    if (before.strip[b] != j || !(squared[i] > 0.0) || !(before.squared[b] > 0.0)) continue;
+    start.length_squared[j] = larger(squared[i] + share * (squared[i] - before.squared[b]), 0.5 * squared[i]);
   }
 }
 

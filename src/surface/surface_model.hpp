@@ -119,6 +119,7 @@ struct SurfaceState {
   double height = 0.0;  ///< of the wheel [m], where the load was given
   double length_squared[most_strips_of_a_rail] = {};
   double shift[most_strips_of_a_rail] = {};
+  double depth[most_strips_of_a_rail] = {};  ///< overlaps [m]
   KeptStrips kept;
 };
 

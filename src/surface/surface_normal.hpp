@@ -34,7 +34,9 @@ namespace wrc {
 struct SurfaceStart {
   double* length_squared = nullptr;  ///< for every strip of the rail [m^2]
   double* shift = nullptr;           ///< c_j less the overlap's centre [m]
+  double* depth = nullptr;           ///< of the overlap [m]
   bool set = false;
+  bool led = false;  ///< lengths are those expected at the next depths already, not those found at `depth`
 };
 
 struct SurfaceNormalOptions {

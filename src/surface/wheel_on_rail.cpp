@@ -133,7 +133,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
   const Fault outside = place_rail(model, in, w);
   warm = warm && state.set > 0.0;
-  SurfaceStart start{state.length_squared, state.shift, warm};
+  SurfaceStart start{state.length_squared, state.shift, state.depth, warm};
   out = {};
   Fault fault;
   if (in.load_prescribed) {

@@ -41,6 +41,14 @@ struct TurnedGap {
   std::vector<double> length_squared, level, centre, strength;
 
   SurfaceNormalResult solve(double compliance) {
+    start = {};
+    return solve_from_start(compliance);
+  }
+
+  SurfaceStart start;
+  std::vector<double> L, shift, deep;
+
+  SurfaceNormalResult solve_from_start(double compliance, const SurfaceNormalOptions& options = {}) {
     static const auto influence = [] {
       auto made = std::make_unique<InfluenceTables>();
       tabulate(*made);
@@ -61,10 +69,11 @@ struct TurnedGap {
     overlaps.ny = none.data();
     overlaps.nz = one.data();
     for (auto* a : {&length_squared, &level, &centre, &strength}) a->assign(n, 0.0);
-    std::vector<double> workspace(static_cast<std::size_t>(surface_normal_doubles(count))), L(n), shift(n);
-    SurfaceStart start{L.data(), shift.data(), false};
+    std::vector<double> workspace(static_cast<std::size_t>(surface_normal_doubles(count)));
+    for (auto* a : {&L, &shift, &deep}) a->resize(n);
+    start = {L.data(), shift.data(), deep.data(), start.set, start.led};
     return solve_surface_normal(rail, overlaps, *influence, kernels_for(best_instruction_set()), compliance,
-                                {}, workspace.data(), start,
+                                options, workspace.data(), start,
                                 {length_squared.data(), level.data(), centre.data(), strength.data()});
   }
 };
@@ -94,6 +103,38 @@ TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
       const double product = 0.2 * (a2 - b2) * std::sin(angle) * std::cos(angle);
       EXPECT_NEAR(moment / load, product, 2e-2 * std::fmax(a2, b2) / 5.0);
     }
+}
+
+// Lowered and moved along the rail at once, by what a wheel does in a millisecond or two.
+TEST(SurfaceNormal, AWarmStartFollowsItsOverlaps) {
+  const double compliance = test::steel.normal_compliance(), A = 1.0, B = 1.5;
+  constexpr struct {
+    double deeper, aside, left;  // [m], [m], of what moves otherwise: strips at the rim enter and leave
+  } motions[] = {{2e-6, 0.0, 0.15}, {-2e-6, 0.0, 0.15}, {0.0, 50e-6, 0.4}, {1e-6, -50e-6, 0.25}};
+  for (const auto& motion : motions) {
+    SCOPED_TRACE(testing::Message() << motion.deeper << " m deeper, " << motion.aside << " m aside");
+    enum { anew, as_before, followed, ways };
+    double load[ways], moved[ways];
+    for (const int way : {anew, as_before, followed}) {
+      TurnedGap gap(A, B, 0.0, 60e-6);
+      ASSERT_TRUE(gap.solve(compliance).converged);
+      for (std::size_t i = 0; i < gap.depth.size(); ++i)
+        gap.depth[i] += motion.deeper + 2.0 * B * motion.aside * gap.place[i];
+      gap.start.set = way != anew;
+      gap.start.led = way == as_before;
+      const TurnedGap before = gap;
+      ASSERT_TRUE(gap.solve_from_start(compliance).converged);
+      load[way] = 0.0;
+      for (const double q : gap.strength) load[way] += q;
+      // part of the area that the first sweep moves: the largest at which that is not the last one
+      moved[way] = 1.0;
+      for (TurnedGap again = before;; again = before, moved[way] *= 0.9)
+        if (again.solve_from_start(compliance, {.tolerance = moved[way]}).sweeps > 1) break;
+    }
+    std::printf("first sweep moves %.4f, without %.4f\n", moved[followed], moved[as_before]);
+    EXPECT_LT(moved[followed], motion.left * moved[as_before]);
+    for (const int way : {as_before, followed}) EXPECT_NEAR(load[way], load[anew], 1e-7 * load[anew]);
+  }
 }
 
 }  // namespace

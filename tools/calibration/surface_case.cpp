@@ -98,7 +98,7 @@ class Pair {
     for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = take(most);
     std::vector<double> normal(static_cast<std::size_t>(surface_normal_doubles(o.capacity)));
     auto state = std::make_unique<SurfaceState>();
-    SurfaceStart start{state->length_squared, state->shift, false};
+    SurfaceStart start{state->length_squared, state->shift, state->depth};
     solve_surface_normal(model_->rail, o, *model_->influence, *model_->kernels,
                          model_->material.normal_compliance(), {}, normal.data(), start, p);
     std::vector<SurfaceStrip> found;
