@@ -27,7 +27,7 @@ Size size_of(std::int32_t strips) {
 }
 
 struct Scratch {
-  double *matrix, *r, *s, *x;
+  double *matrix, *x;
   double *earlier_level, *earlier_shift;  ///< rows before they were smoothed
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;
   double* growing;    ///< growth times strength
@@ -41,8 +41,6 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = take(size.rows * size.stride);
-  w.r = take(size.stride);
-  w.s = take(size.stride);
   w.x = take(static_cast<std::int64_t>(size.rows) * inputs);
   w.earlier_level = take(most_within_reach * size.stride);
   w.earlier_shift = take(most_within_reach * size.stride);
@@ -275,7 +273,7 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
     w.matrix[a * size.stride + a] = 1.0;
   }
-  kernels.eliminate({size.rows, size.stride, w.matrix, w.r, w.s});
+  kernels.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
   substitute(size, w);
   const auto changed = [&](std::int32_t row, double value) {
     PlaceDual number = value;

@@ -54,12 +54,14 @@ struct EdgeTask {
 };
 
 /// Equations A x = r, A x = s: the rows of A, rows and columns filled up to `size`, a multiple of four, by
-/// those of the unit matrix; each row is followed by its element of r and that of s.
+/// those of the unit matrix; each row is followed by its element of r and that of s. Or, where neither is
+/// asked for, by as many right-hand sides as there is room for, for the caller to substitute back: the
+/// rows are left as those of a triangle, the inverses of the pivots on its diagonal.
 struct EliminationTask {
   std::int32_t size;
-  std::int64_t stride;  ///< from row to row; elimination_stride(size)
+  std::int64_t stride;  ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
   double* matrix;       ///< destroyed
-  double *r, *s;        ///< the solutions; room for `stride`
+  double *r, *s;        ///< the solutions, room for `stride`; or both nullptr
 };
 
 /// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an

@@ -30,6 +30,13 @@ inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& column
   constexpr double origin = InfluenceTables::line_rows.origin();
   // A vector may begin at any column.
   for (std::int32_t first = 0; first < columns.count + native_lanes - 1; first += native_lanes) {
+    if (first >= columns.count) {
+      double* const arrays[] = {pairs.axis_place, pairs.cosine, pairs.correction};
+      for (double* const to : arrays)
+        for (std::int32_t a = 0; a < rows.count; ++a)
+          store_lanes(to + a * pairs.stride + first, broadcast(0.0));
+      break;
+    }
     const Pack place = for_both(columns.place, first), half = 0.5 * for_both(columns.width, first);
     const Pack ny = for_both(columns.ny, first), nz = for_both(columns.nz, first);
     two_by_two(rows.count, [&](std::int32_t a, std::int32_t b) {
