@@ -28,8 +28,9 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 /// random poses: takes away half of what the last step does to strengths.
 constexpr double strength_follows = 0.3;
 constexpr std::int32_t fewest_pairs = 12;
-/// Part of the area that the first sweep from an earlier solution may move; beyond, a start from the overlaps
-/// is nearer.
+/// Part of the area that an earlier solution may be moved by to follow the overlaps, and by the first sweep
+/// from there; beyond, a start from the overlaps is nearer, and leads to another solution less often where
+/// there are two.
 constexpr double farthest_start = 0.3;
 constexpr double anywhere = 1e300;
 /// Parts of the growth of an overlap, in the mean and beside that, that a solution's lengths follow.
@@ -590,8 +591,9 @@ void start_from_overlaps(const Problem& problem, const Overlaps& o, const Surfac
 /// Moves the lengths of an earlier solution as its overlaps have moved since. In Hertz's contact of equal
 /// curvatures squared lengths grow in proportion to a depth that grows everywhere, and twice as much with
 /// what is shifted: overlaps of a pose beside the last one tell how much of either there is. The parts are
-/// those that leave the fewest sweeps on poses of wheel and rail a millisecond apart.
-void follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSet& s) {
+/// those that leave the fewest sweeps on poses of wheel and rail a millisecond apart. Returns whether they
+/// have moved so little that the earlier solution is a start.
+bool follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSet& s) {
   double longest = 0.0, deepest = 0.0, weights = 0.0, mean = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
@@ -601,15 +603,20 @@ void follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSe
     weights += weight;
     mean += weight * (s.depth[i] - before);
   }
-  if (!(deepest > 0.0)) return;
+  if (!(deepest > 0.0)) return true;
   mean = mean / weights;
   const double per = longest / deepest;
+  double moved = 0.0, area = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
     const double grown = s.depth[i] - start.depth[o.strip[i]];
     const double next = s.L[i] + per * (follows_mean * mean + follows_rest * (grown - mean));
-    s.L[i] = smaller(larger(next, 0.25 * s.L[i]), 4.0 * s.L[i]);
+    const double limited = smaller(larger(next, 0.25 * s.L[i]), 4.0 * s.L[i]);
+    moved += s.width[i] * magnitude(limited - s.L[i]);
+    area += s.width[i] * limited;
+    s.L[i] = limited;
   }
+  return moved <= farthest_start * area;
 }
 
 }  // namespace
@@ -648,8 +655,8 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
   if (o.count == 0) {
     result.converged = true;
   } else {
+    if (started && !start.led) started = follow_overlaps(o, start, s);
     if (started) {
-      if (!start.led) follow_overlaps(o, start, s);
       result = sweep_to(problem, s, options.tolerance, farthest_start, options, w);
       started = result.converged;
     }
