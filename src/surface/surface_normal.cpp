@@ -28,10 +28,10 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 /// random poses: takes away half of what the last step does to strengths.
 constexpr double strength_follows = 0.3;
 constexpr std::int32_t fewest_pairs = 12;
-/// Part of the area that an earlier solution may be moved by to follow the overlaps, and by the first sweep
-/// from there; beyond, a start from the overlaps is nearer, and leads to another solution less often where
-/// there are two.
-constexpr double farthest_start = 0.3;
+/// Part of the area that the first sweep from an earlier solution may move, and that it may be moved by
+/// before to follow the overlaps; beyond, a start from the overlaps is nearer, and leads to another solution
+/// less often where there are two.
+constexpr double farthest_start = 0.3, farthest_followed = 0.5;
 constexpr double anywhere = 1e300;
 /// Parts of the growth of an overlap, in the mean and beside that, that a solution's lengths follow.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
@@ -616,7 +616,7 @@ bool follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSe
     area += s.width[i] * limited;
     s.L[i] = limited;
   }
-  return moved <= farthest_start * area;
+  return moved <= farthest_followed * area;
 }
 
 }  // namespace
