@@ -305,11 +305,16 @@ struct Indices {
 };
 /// x + index_origin counts ones in its mantissa.
 constexpr double index_origin = 4503599627370496.0;  // 2^52
-inline Indices indices(Bits whole) {
-  Indices i;
+inline void keep_indices(Bits whole, Indices& i) {
   __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
   __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
-  __asm__("" : "+m"(i));  // by way of memory: gcc pulls each lane out of the vector, at three times the cost
+}
+/// Lets what follows read them from memory: gcc pulls each lane out of the vector, at three times the cost.
+inline void by_way_of_memory(Indices& i) { __asm__("" : "+m"(i)); }
+inline Indices indices(Bits whole) {
+  Indices i;
+  keep_indices(whole, i);
+  by_way_of_memory(i);
   return i;
 }
 inline Indices indices(Pack whole) { return indices(bits_of(whole + index_origin)); }

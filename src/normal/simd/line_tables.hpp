@@ -49,13 +49,32 @@ struct MiddlePlane {
   Number potential, inverse_to_end;
 };
 
-inline MiddlePlane<Pack> read_middle_plane(const StripTables& tables, Pack tau) {
+/// Where to read their table; to be found for several places before any is read, so that none waits for its
+/// index.
+struct MiddlePlaneCells {
+  Indices first;
+  Pack fraction;  ///< of the way to the next
+};
+
+WRC_IN_LOOP void find_cells(Pack tau, MiddlePlaneCells& cells) {
   constexpr OctaveAxis axis = InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
-  const Neighbours twins = pick(tables.on_middle_plane, indices(place.interval));
-  const auto between = [&](Pack at, Pack behind) { return at + place.fraction * (behind - at); };
+  keep_indices(place.interval, cells.first);
+  cells.fraction = place.fraction;
+}
+
+WRC_IN_LOOP MiddlePlane<Pack> read_middle_plane(const StripTables& tables, const MiddlePlaneCells& cells) {
+  const Neighbours twins = pick(tables.on_middle_plane, cells.first);
+  const auto between = [&](Pack at, Pack behind) { return at + cells.fraction * (behind - at); };
   return {between(first_of(twins.at), first_of(twins.behind)),
           between(second_of(twins.at), second_of(twins.behind))};
+}
+
+inline MiddlePlane<Pack> read_middle_plane(const StripTables& tables, Pack tau) {
+  MiddlePlaneCells cells;
+  find_cells(tau, cells);
+  by_way_of_memory(cells.first);
+  return read_middle_plane(tables, cells);
 }
 
 /// J(tau, xi) for xi mostly near 0: the middle plane's with the leading effects of xi, which are right both
@@ -133,8 +152,14 @@ struct BetweenColumns {
   Pack fraction;              ///< of the way to the next column
 };
 
+/// Where to read it, as MiddlePlaneCells.
+struct LineCells {
+  Indices first;
+  Pack fraction, row_fraction;  ///< of the way to the next column, to the next row
+};
+
 /// xi - 1 >= -1.
-WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineRows& rows, Pack from_end) {
+WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cells) {
   constexpr OctaveAxis axis = InfluenceTables::from_end;
   constexpr int mantissa_bits = 52;
   constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
@@ -148,12 +173,23 @@ WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const Line
   constexpr double outside_bits = std::bit_cast<double>(outside), inside_bits = std::bit_cast<double>(inside);
   const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));
   const Bits side = bits_of(select(from_end < 0.0, inside_bits, outside_bits));
-  const Pack fraction = pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0;
-  const Neighbours cell = pick(tables.anywhere, indices((bits >> shift) + side + rows.first_cell));
+  keep_indices((bits >> shift) + side + rows.first_cell, cells.first);
+  cells.fraction = pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0;
+  cells.row_fraction = rows.fraction;
+}
+
+WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineCells& cells) {
+  const Neighbours cell = pick(tables.anywhere, cells.first);
   const Pack here = first_of(cell.at), next = first_of(cell.behind);
   const Pack here_rise = second_of(cell.at) - here, next_rise = second_of(cell.behind) - next;
-  const Pack at_here = here + rows.fraction * here_rise;
-  return {at_here, next + rows.fraction * next_rise - at_here, here_rise, next_rise, fraction};
+  const Pack at_here = here + cells.row_fraction * here_rise;
+  return {at_here, next + cells.row_fraction * next_rise - at_here, here_rise, next_rise, cells.fraction};
+}
+WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineRows& rows, Pack from_end) {
+  LineCells cells;
+  find_cells(rows, from_end, cells);
+  by_way_of_memory(cells.first);
+  return between_columns(tables, cells);
 }
 
 /// InfluenceTables::at: J(tau, xi), xi >= 0, at line_rows(tau).

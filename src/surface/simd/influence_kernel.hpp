@@ -12,16 +12,19 @@ namespace {
 /// Half widths away from a strip: beyond, what its width adds to its middle's value is below 1e-3 of it.
 constexpr double near_strip = 17.0;
 
+/// Packs whose places in a table are found before any is read.
+constexpr std::int32_t found_ahead = most_lanes;
+
 /// The same elements for both vectors.
 inline Pack for_both(const double* of, std::int32_t first) {
   const Native a = load_lanes(of + first);
   return {a, a};
 }
 
-/// Hands on numbers two by two; of an odd count the last is seen twice.
+/// Hands on numbers from .. end - 1 two by two; of an odd count the last is seen twice.
 template <class Take>
-WRC_IN_LOOP void two_by_two(std::int32_t count, const Take& take) {
-  for (std::int32_t a = 0; a < count; a += 2) take(a, a + 1 < count ? a + 1 : a);
+WRC_IN_LOOP void two_by_two(std::int32_t from, std::int32_t end, const Take& take) {
+  for (std::int32_t a = from; a < end; a += 2) take(a, a + 1 < end ? a + 1 : a);
 }
 
 /// Kernels::surface_pairs.
@@ -39,7 +42,7 @@ inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& column
     }
     const Pack place = for_both(columns.place, first), half = 0.5 * for_both(columns.width, first);
     const Pack ny = for_both(columns.ny, first), nz = for_both(columns.nz, first);
-    two_by_two(rows.count, [&](std::int32_t a, std::int32_t b) {
+    two_by_two(0, rows.count, [&](std::int32_t a, std::int32_t b) {
       const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
       const auto keep = [&](Pack x, double* to) {
         store_lanes(to + a * pairs.stride + first, x.a);
@@ -66,26 +69,34 @@ void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, 
     const Native place = load_lanes(sources.place + first), centre = load_lanes(sources.centre + first);
     const Native factor = load_lanes(sources.factor + first);
     const Native inverse_place = skewed ? place_from_one({inverse, inverse}).a : inverse;
-    two_by_two(points.count, [&](std::int32_t a, std::int32_t b) {
-      const std::int64_t row_a = points.row[a] * pairs.stride + first;
-      const std::int64_t row_b = points.row[b] * pairs.stride + first;
-      const auto twice = [](Native x) { return Pack(x, x); };
-      const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
-      const auto of_pairs = [&](const double* of) {
-        return Pack(load_lanes(of + row_a), load_lanes(of + row_b));
-      };
-      const Pack tau = magnitude(twice(place) - both(points.place)) * twice(inverse);
-      const MiddlePlane<Pack> middle = read_middle_plane(tables.line, tau);
-      Pack seen = middle.potential;
-      if constexpr (skewed)
-        seen = line_potential_near(
-            tables.line, middle, magnitude(twice(centre) - both(points.x)) * twice(inverse),
-            [&] { return line_rows_at(of_pairs(pairs.axis_place) + twice(inverse_place)); });
-      seen += of_pairs(pairs.correction) * middle.inverse_to_end;
-      const Pack on = twice(factor) * of_pairs(pairs.cosine) * seen;
-      store_lanes(rows + a * stride + first, on.a);
-      store_lanes(rows + b * stride + first, on.b);
-    });
+    const auto twice = [](Native x) { return Pack(x, x); };
+    for (std::int32_t base = 0; base < points.count; base += 2 * found_ahead) {
+      const std::int32_t end = base + 2 * found_ahead < points.count ? base + 2 * found_ahead : points.count;
+      MiddlePlaneCells cells[found_ahead];
+      two_by_two(base, end, [&](std::int32_t a, std::int32_t b) {
+        const Pack at(broadcast(points.place[a]), broadcast(points.place[b]));
+        find_cells(magnitude(twice(place) - at) * twice(inverse), cells[(a - base) / 2]);
+      });
+      two_by_two(base, end, [&](std::int32_t a, std::int32_t b) {
+        const std::int64_t row_a = points.row[a] * pairs.stride + first;
+        const std::int64_t row_b = points.row[b] * pairs.stride + first;
+        const auto of_pairs = [&](const double* of) {
+          return Pack(load_lanes(of + row_a), load_lanes(of + row_b));
+        };
+        const MiddlePlane<Pack> middle = read_middle_plane(tables.line, cells[(a - base) / 2]);
+        Pack seen = middle.potential;
+        if constexpr (skewed) {
+          const Pack x(broadcast(points.x[a]), broadcast(points.x[b]));
+          seen = line_potential_near(tables.line, middle, magnitude(twice(centre) - x) * twice(inverse), [&] {
+            return line_rows_at(of_pairs(pairs.axis_place) + twice(inverse_place));
+          });
+        }
+        seen += of_pairs(pairs.correction) * middle.inverse_to_end;
+        const Pack on = twice(factor) * of_pairs(pairs.cosine) * seen;
+        store_lanes(rows + a * stride + first, on.a);
+        store_lanes(rows + b * stride + first, on.b);
+      });
+    }
   }
 }
 
@@ -108,17 +119,24 @@ inline void surface_own_influence(const SurfaceTables& tables, const SurfaceSour
   }
 }
 
-/// What source j does to edges at x, of strips whose pairs with it begin at `pair`.
-WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t j,
-                              double inverse_place, const SurfacePairs& pairs, std::int64_t pair, Pack x) {
-  const Native axis_place = load_lanes(pairs.axis_place + pair), cosine = load_lanes(pairs.cosine + pair);
+/// Where to read what source j does to edges at x, of strips whose pairs with it begin at `pair`.
+WRC_IN_LOOP void find_source(const SurfaceSources& sources, std::int32_t j, double inverse_place,
+                             const SurfacePairs& pairs, std::int64_t pair, Pack x, LineCells& cells) {
+  const Native axis_place = load_lanes(pairs.axis_place + pair);
   const LineRows rows = line_rows_at(Pack(axis_place, axis_place) + inverse_place);
   const Pack xi = magnitude(x - sources.centre[j]) * sources.inverse_length[j];
-  return Pack(cosine, cosine) * sources.factor[j] * line_potential_at(tables.line, rows, xi);
+  find_cells(rows, xi - 1.0, cells);
 }
 
-/// Kernels::surface_edges. Both edges of as many strips as a vector holds; where they are the same, a source
-/// and the next one at a time.
+/// What it does.
+WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t j,
+                              const SurfacePairs& pairs, std::int64_t pair, const LineCells& cells) {
+  const Native cosine = load_lanes(pairs.cosine + pair);
+  const BetweenColumns between = between_columns(tables.line, cells);
+  return Pack(cosine, cosine) * sources.factor[j] * (between.here + between.fraction * between.rise);
+}
+
+/// Kernels::surface_edges. Both edges of as many strips as a vector holds.
 inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sources,
                           const SurfacePairs& pairs, const SurfaceEdges& edges) {
   // What a strip does to its own edges first.
@@ -128,28 +146,28 @@ inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sou
   if (edges.trailing)
     for (std::int32_t a = 0; a < sources.count; a += lanes)
       store_pack(edges.trailing + a, load_pack(edges.leading + a));
-  for (std::int32_t base = 0; base < sources.count; base += most_lanes) {
+  for (std::int32_t base = 0; base < sources.count; base += found_ahead) {
     double inverse_place[most_lanes];
-    for (std::int32_t k = 0; k < most_lanes; k += lanes)
+    for (std::int32_t k = 0; k < found_ahead; k += lanes)
       store_pack(inverse_place + k, place_from_one(load_pack(sources.inverse_length + base + k)));
-    const std::int32_t end = base + most_lanes < sources.count ? base + most_lanes : sources.count;
+    const std::int32_t end = base + found_ahead < sources.count ? base + found_ahead : sources.count;
     for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
       const Native centre = load_lanes(sources.centre + first), l = load_lanes(edges.half_length + first);
+      const Pack x(centre + l, edges.trailing ? centre - l : centre + l);
+      LineCells cells[found_ahead];
+      const auto pair = [&](std::int32_t j) { return edges.row[j] * pairs.stride + first; };
+      for (std::int32_t j = base; j < end; ++j)
+        find_source(sources, j, inverse_place[j - base], pairs, pair(j), x, cells[j - base]);
       if (edges.trailing) {
         Pack sum(load_lanes(edges.leading + first), load_lanes(edges.trailing + first));
-        const Pack x(centre + l, centre - l);
         for (std::int32_t j = base; j < end; ++j)
-          sum += displaced_by(tables, sources, j, inverse_place[j - base], pairs,
-                              edges.row[j] * pairs.stride + first, x);
+          sum += displaced_by(tables, sources, j, pairs, pair(j), cells[j - base]);
         store_lanes(edges.leading + first, sum.a);
         store_lanes(edges.trailing + first, sum.b);
       } else {
         Native sum = load_lanes(edges.leading + first);
-        const Pack x(centre + l, centre + l);
         for (std::int32_t j = base; j < end; ++j)
-          sum = sum + displaced_by(tables, sources, j, inverse_place[j - base], pairs,
-                                   edges.row[j] * pairs.stride + first, x)
-                          .a;
+          sum = sum + displaced_by(tables, sources, j, pairs, pair(j), cells[j - base]).a;
         store_lanes(edges.leading + first, sum);
       }
     }
