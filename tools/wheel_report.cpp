@@ -2,8 +2,8 @@
 ///
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
-///     wheel_report branches YAW LOW HIGH  forces over the height between two vertical loads [mrad, kN]: anew, from the last
-///                                         solution downwards and upwards, and exact; for tools/draw_branches.py
+///     wheel_report branches Y YAW LOW HIGH  forces over the height between two vertical loads [mm, mrad, kN]: anew, from
+///                                         the last solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
 ///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels of one model in a batch
 ///
@@ -299,7 +299,7 @@ int lines(const Csv& file) {
 
 /// The flange under a yaw, between the heights of two vertical loads: rows of forces. Two solutions at one
 /// height show where going down and going up from the last solution differ.
-int branches(const Csv& file, double yaw, double low, double high) {
+int branches(const Csv& file, double y, double yaw, double low, double high) {
   constexpr int steps = 400, exact_heights = 25;
   Pairs pairs(file);
   PairOptions options;
@@ -308,7 +308,7 @@ int branches(const Csv& file, double yaw, double low, double high) {
   wrc_contact* const contact = pairs.of(options).contact();
   wrc_wheel_input input = wrc_wheel_input_default();
   input.friction.coefficient = 0.0;
-  input.wheel.y = 6.6e-3;
+  input.wheel.y = y;
   input.wheel.yaw = yaw;
   const double top = height_for(contact, input, low), bottom = height_for(contact, input, high);
   std::printf("way,z_um,lateral_N,vertical_N,status\n");
@@ -485,8 +485,9 @@ int main(int argc, char** argv) {
       return poses(file, argc > 2 ? std::atol(argv[2]) : 20000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "lines") return lines(file);
-    if (what == "branches" && argc > 4)
-      return branches(file, 1e-3 * std::atof(argv[2]), 1e3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]));
+    if (what == "branches" && argc > 5)
+      return branches(file, 1e-3 * std::atof(argv[2]), 1e-3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]),
+                      1e3 * std::atof(argv[5]));
     if (what == "loads")
       return loads(file, argc > 2 ? std::atol(argv[2]) : 2000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
@@ -497,7 +498,7 @@ int main(int argc, char** argv) {
   }
   std::fprintf(
       stderr,
-      "usage: wheel_report poses [COUNT [SEED]] | lines | branches YAW LOW HIGH | loads [COUNT [SEED]] | "
+      "usage: wheel_report poses [COUNT [SEED]] | lines | branches Y YAW LOW HIGH | loads [COUNT [SEED]] | "
       "times [STEPS]\n");
   return 2;
 }

@@ -36,6 +36,7 @@ struct SurfacePoints;
 struct SurfaceEdges;
 struct SurfaceSlopes;
 struct SlopesRowTask;
+struct NearLinesTask;
 struct SectionStripsTask;
 struct OutlineTask;
 struct StripNumbersTask;
@@ -109,6 +110,7 @@ struct Kernels {
   void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                               const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   void (*slopes_row)(const simd::SlopesRowTask& task);
+  void (*near_lines)(const simd::NearLinesTask& task);
   /// Places strips between sections of a rail. Returns how steeply any of them falls along its normal, within
   /// task.within of there.
   double (*section_strips)(const simd::SectionStripsTask& task);

@@ -12,6 +12,7 @@
 #include "normal/simd/penetration_kernel.hpp"
 #include "surface/simd/influence_kernel.hpp"
 #include "surface/simd/influence_slopes_kernel.hpp"
+#include "surface/simd/near_lines_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
@@ -53,6 +54,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_influence_slopes = sloped::surface_influence_slopes,
       .surface_edge_slopes = sloped::surface_edge_slopes,
       .slopes_row = slopes_row_kernel,
+      .near_lines = near_lines_kernel,
       .section_strips = section_strips_kernel,
       .outline = outline_kernel,
       .cross_rays = cross_rays_kernel,

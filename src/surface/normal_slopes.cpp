@@ -14,7 +14,7 @@ constexpr std::int32_t inputs = place_inputs;
 constexpr std::int32_t directions = simd::SlopesRowTask::directions;
 static_assert(directions >= 2 + 2 * inputs);
 /// No strip has more others within its reach on one side.
-constexpr std::int32_t most_within_reach = 16;
+constexpr std::int32_t most_within_reach = 36;
 
 struct Size {
   std::int32_t rows;    ///< three for each strip, a multiple of four
@@ -28,7 +28,7 @@ Size size_of(std::int32_t strips) {
 
 struct Scratch {
   double *matrix, *x;
-  double *earlier_level, *earlier_shift;  ///< rows before they were smoothed
+  double* earlier;  ///< rows before means were taken of them
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;
   double* growing;    ///< growth times strength
   double* direction;  ///< of each strip: ny, nz, and how they change with the inputs; zeros
@@ -42,8 +42,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = take(size.rows * size.stride);
   w.x = take(static_cast<std::int64_t>(size.rows) * inputs);
-  w.earlier_level = take(most_within_reach * size.stride);
-  w.earlier_shift = take(most_within_reach * size.stride);
+  w.earlier = take(most_within_reach * size.stride);
   double** const of_strips[] = {
       &w.place,        &w.centre, &w.inverse_length, &w.half_width,     &w.factor,   &w.ny,
       &w.nz,           &w.l,      &w.growth,         &w.growing,        &w.level,    &w.wanted_level,
@@ -140,71 +139,103 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
   }
 }
 
-/// Takes the means over neighbours, and makes of them the equations of L and c.
-void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
-  const std::int32_t n = s.count;
-  const std::int64_t stride = size.stride;
-  std::int32_t from = 0;
-  for (std::int32_t a = 0; a < n; ++a) {
-    const double reach = smoothing_reach(s.width[a]);
-    while (from < a && (w.place[a] - w.place[from] >= reach || a - from >= most_within_reach)) ++from;
-    double* const level_row = w.matrix + (n + a) * stride;
-    double* const shift_row = w.matrix + (2 * n + a) * stride;
-    const std::int64_t slot = a % most_within_reach * stride;
-    std::copy_n(level_row, stride, w.earlier_level + slot);
-    std::copy_n(shift_row, stride, w.earlier_shift + slot);
-    double weights = 0.0, level = 0.0, shift = 0.0;
-    std::int32_t end = from;
-    for (; end < n && end - from < 2 * most_within_reach; ++end) {
-      const double near = smoothing_weight((w.place[end] - w.place[a]) / reach);
-      if (w.place[end] - w.place[a] >= reach) break;
-      const double weight = near * s.width[end] * s.strength[end];
-      weights += weight;
-      level += weight * w.wanted_level[end];
-      shift += weight * w.wanted_shift[end];
+/// A number read off those of the strips from `from` on: how it changes with them, and with the weights their
+/// strengths give them.
+struct Reading {
+  double value;
+  std::int32_t from, several;
+  double by_value[2 * most_within_reach], by_strength[2 * most_within_reach];
+};
+
+/// Mean of strip a's neighbours (level_reach), or their line (shift_reach, Kernels::near_lines).
+template <bool line>
+void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* wanted, Reading& r) {
+  const double reach = line ? shift_reach(s.width[a]) : level_reach(s.width[a]);
+  r.from = a;
+  while (r.from > 0 && a - r.from < most_within_reach && w.place[a] - w.place[r.from - 1] < reach) --r.from;
+  double y[2 * most_within_reach], near[2 * most_within_reach];
+  double weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
+  r.several = 0;
+  for (std::int32_t b = r.from; b < s.count && r.several < 2 * most_within_reach; ++b, ++r.several) {
+    const double at = (w.place[b] - w.place[a]) / reach;
+    if (at >= 1.0) break;
+    y[r.several] = at;
+    near[r.several] = smoothing_weight(at) * s.width[b];
+    const double weight = near[r.several] * s.strength[b];
+    weights += weight;
+    v += weight * wanted[b];
+    if constexpr (line) {
+      y1 += weight * at;
+      y2 += weight * at * at;
+      yv += weight * at * wanted[b];
     }
-    const bool lone = !(weights > 0.0);
-    const double per = lone ? 0.0 : 1.0 / weights;
-    level = lone ? w.wanted_level[a] : level * per;
-    shift = lone ? w.wanted_shift[a] : shift * per;
-    const double L = w.l[a] * w.l[a];
-    const bool follows = magnitude(shift) < longest_shift;
-    if (!follows) std::fill_n(shift_row, stride, 0.0);
-    const double per_level = L / level;  // L level - q = 0, over the level
-    const double* of_level[2 * most_within_reach];
-    const double* of_shift[2 * most_within_reach];
-    double share[2 * most_within_reach];
-    const std::int32_t several = end - from;
-    for (std::int32_t i = 0; i < several; ++i) {
-      const std::int32_t b = from + i;
-      const double near = smoothing_weight((w.place[b] - w.place[a]) / reach) * s.width[b];
-      share[i] = lone ? (a == b ? 1.0 : 0.0) : near * s.strength[b] * per;
-      const std::int64_t earlier = b % most_within_reach * stride;
-      of_level[i] = b <= a ? w.earlier_level + earlier : w.matrix + (n + b) * stride;
-      of_shift[i] = b <= a ? w.earlier_shift + earlier : w.matrix + (2 * n + b) * stride;
+  }
+  if (!(weights > 0.0)) {
+    r.value = line ? 0.0 : wanted[a];
+    for (std::int32_t i = 0; i < r.several; ++i) {
+      r.by_value[i] = !line && r.from + i == a ? 1.0 : 0.0;
+      r.by_strength[i] = 0.0;
+    }
+    return;
+  }
+  const double per = 1.0 / weights, mean = v * per, mean_y = y1 * per;
+  const double spread = y2 * per - mean_y * mean_y + least_line_spread;
+  const double slope = line ? (yv * per - mean_y * mean) / spread : 0.0;
+  r.value = mean - mean_y * slope;
+  for (std::int32_t i = 0; i < r.several; ++i) {
+    const double aside = y[i] - mean_y, lever = line ? 1.0 - mean_y * aside / spread : 1.0;
+    const double off = wanted[r.from + i] - mean - slope * aside;  // the line
+    r.by_value[i] = near[i] * s.strength[r.from + i] * per * lever;
+    r.by_strength[i] = near[i] * per * (off * lever + mean_y * slope * least_line_spread / spread);
+  }
+}
+
+/// Makes of a number's rows of the matrix, which begin at `first`, those of what is read off its neighbours,
+/// times a factor of that.
+template <bool line, class Factor>
+void read_rows(const PressedStrips& s, const Size& size, std::int32_t first, const double* wanted,
+               double* value, const Factor& factor_of, Scratch& w) {
+  const std::int64_t stride = size.stride;
+  double* const rows = w.matrix + first * stride;
+  Reading r;
+  for (std::int32_t a = 0; a < s.count; ++a) {
+    read_near<line>(s, w, a, wanted, r);
+    value[a] = r.value;
+    const double factor = factor_of(a, r.value);
+    double* const row = rows + a * stride;
+    std::copy_n(row, stride, w.earlier + a % most_within_reach * stride);
+    const double* of[2 * most_within_reach];
+    for (std::int32_t i = 0; i < r.several; ++i) {
+      const std::int32_t b = r.from + i;
+      of[i] = b <= a ? w.earlier + b % most_within_reach * stride : rows + b * stride;
+      r.by_value[i] *= factor;
     }
     constexpr int pairs = 4;  // of columns at a time
     for (std::int64_t c = 0; c < stride; c += 2 * pairs) {
-      pairwise::Two levels[pairs] = {}, shifts[pairs] = {};
-      for (std::int32_t i = 0; i < several; ++i)
-        for (int k = 0; k < pairs; ++k) {
-          levels[k] += share[i] * pairwise::load(of_level[i] + c + 2 * k);
-          shifts[k] -= share[i] * pairwise::load(of_shift[i] + c + 2 * k);
-        }
-      for (int k = 0; k < pairs; ++k) {
-        levels[k] *= per_level;
-        pairwise::store(levels[k], level_row + c + 2 * k);
-        if (follows) pairwise::store(shifts[k], shift_row + c + 2 * k);
-      }
+      pairwise::Two sums[pairs] = {};
+      for (std::int32_t i = 0; i < r.several; ++i)
+        for (int k = 0; k < pairs; ++k) sums[k] += r.by_value[i] * pairwise::load(of[i] + c + 2 * k);
+      for (int k = 0; k < pairs; ++k) pairwise::store(sums[k], row + c + 2 * k);
     }
-    for (std::int32_t i = 0; i < several; ++i) {
-      const std::int32_t b = from + i;
-      const double near = smoothing_weight((w.place[b] - w.place[a]) / reach) * s.width[b];
-      level_row[b] += per_level * (near * per * (w.wanted_level[b] - level));
-      if (follows) shift_row[b] -= near * per * (w.wanted_shift[b] - shift);
-    }
+    for (std::int32_t i = 0; i < r.several; ++i) row[r.from + i] += factor * r.by_strength[i];
+  }
+}
+
+/// Makes the rows of levels and shifts the equations of L and c.
+void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
+  const std::int32_t n = s.count;
+  // L level - q = 0, over the level
+  read_rows<false>(
+      s, size, n, w.wanted_level, w.level,
+      [&w](std::int32_t a, double level) { return w.l[a] * w.l[a] / level; }, w);
+  read_rows<true>(
+      s, size, 2 * n, w.wanted_shift, w.shift,
+      [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
+  for (std::int32_t a = 0; a < n; ++a) {
+    double* const level_row = w.matrix + (n + a) * size.stride;
+    double* const shift_row = w.matrix + (2 * n + a) * size.stride;
     level_row[n + a] += 1.0;
-    level_row[a] -= 1.0 / level;
+    level_row[a] -= 1.0 / w.level[a];
     shift_row[2 * n + a] += 1.0;
     for (std::int32_t k = 0; k < inputs; ++k)
       shift_row[size.rows + k] += s.overlap[a].centre.d[static_cast<std::size_t>(k)];

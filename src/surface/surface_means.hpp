@@ -14,11 +14,19 @@ inline constexpr double least_edge_ratio = 0.2, most_edge_ratio = 5.0;
 
 inline constexpr double longest_shift = 10e-3;  ///< [m]
 
-/// Levels and shifts are means over the strips nearer than this to one of a width [m].
-inline double smoothing_reach(double width) {
+/// Levels are means over the strips nearer than this to one of a width [m].
+inline double level_reach(double width) {
   constexpr double length = 0.75e-3, widths = 1.9;
   return larger(length, widths * width);
 }
+
+/// Shifts lie on the line through those of the strips nearer than this [m]: in Hertz's contact, however it
+/// lies to the strips, they lie on one. Over shorter reaches shifts follow their neighbours to other
+/// solutions where places of the largest overlap are far apart from strip to strip (docs/accuracy.md).
+inline double shift_reach(double width) { return 7.0 * level_reach(width); }
+
+/// Least variance of the places of strips that have a line, over the squared reach: one strip has no slope.
+inline constexpr double least_line_spread = 2e-3;
 
 /// Weight at a distance t < 1 of the reach, beside width and strength: (1 - t^2)^3.
 inline double smoothing_weight(double t) {

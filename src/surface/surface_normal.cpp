@@ -18,7 +18,7 @@ constexpr double coarse_tolerance = 0.1;  ///< of the start on pairs of strips
 /// mean half length.
 constexpr double smooth_reach = 0.5;
 constexpr double length_slope = 0.45, narrow_slope = 0.5, smooth_length_part = 0.45;
-constexpr double shift_step = 2.1, smooth_shift_part = 0.52, rough_shift_part = 0.57;
+constexpr double shift_step = 1.2;
 /// Strips whose squared length a plain sweep changes by more than this part go the way of that sweep,
 /// whatever the acceleration says, and at most so many times as far. Where lobes meet or a strip at a rim
 /// grows, the residual has minima that are no solutions: there plain sweeps lead on, and the acceleration
@@ -50,14 +50,15 @@ struct Scratch {
   simd::SurfacePairs pairs;
   std::int32_t paired_count;
   double *place, *centre, *half_length, *inverse_length, *half_width, *width, *factor, *load_factor,
-      *strength, *ny, *nz;                                 ///< sources
-  double *outside_place, *outside_x;                       ///< points that see them
-  double *l, *wanted_level, *wanted_shift, *residual;      ///< residual: of L, then of the shifts
-  double *shape, *leading, *smooth_length, *smooth_shift;  ///< of make_steps
-  double *x[history + 1], *f[history + 1], *next;          ///< f: the step that a sweep asks for
-  double* strengths[history + 1];                          ///< q at x
-  double products[history + 1][history + 1];               ///< of the steps
-  double shares[history];                                  ///< of earlier sweeps in `next`
+      *strength, *ny, *nz;                             ///< sources
+  double *outside_place, *outside_x;                   ///< points that see them
+  double *l, *wanted_level, *wanted_shift, *residual;  ///< residual: of L, then of the shifts
+  double *load, *inverse_reach;                        ///< of means and lines: of the sources, of all strips
+  double *shape, *leading, *smooth_length;             ///< of make_steps
+  double *x[history + 1], *f[history + 1], *next;      ///< f: the step that a sweep asks for
+  double* strengths[history + 1];                      ///< q at x
+  double products[history + 1][history + 1];           ///< of the steps
+  double shares[history];                              ///< of earlier sweeps in `next`
   std::int32_t *active, *outside, *paired;
   std::int32_t* in;
 };
@@ -99,7 +100,8 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
                      &w.shape,
                      &w.leading,
                      &w.smooth_length,
-                     &w.smooth_shift})
+                     &w.load,
+                     &w.inverse_reach})
     *a = take(padded);
   w.residual = take(2 * padded);
   for (double*& a : w.x) a = take(2 * padded);
@@ -271,24 +273,6 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
   return kept;
 }
 
-/// Hands on the strips in contact that strip i takes means over, with their weights, whose sum is returned.
-/// `from`: where among them to begin, 0 for the first i, which must rise from call to call.
-template <class Take>
-double weigh_near(const StripSet& s, std::int32_t i, std::int32_t kept, std::int32_t& from, const Scratch& w,
-                  const Take& take) {
-  const double reach = smoothing_reach(s.width[i]);
-  while (from < kept && s.place[i] - w.place[from] >= reach) ++from;
-  double weights = 0.0;
-  for (std::int32_t b = from; b < kept; ++b) {
-    const double t = (w.place[b] - s.place[i]) / reach;
-    if (t >= 1.0) break;
-    const double weight = smoothing_weight(t) * s.width[w.active[b]] * w.strength[b];
-    weights += weight;
-    take(b, weight);
-  }
-  return weights;
-}
-
 /// Levels and centres the edges ask for, smoothed; leaves the residuals of L and of the shifts.
 void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept, bool skewed, Scratch& w) {
   std::fill_n(s.q, s.count, 0.0);
@@ -316,33 +300,34 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     residual[i] = -s.L[i];
     shift_residual[i] = 0.0;
   }
-  // Means over the strips within reach, weighted by their loads. Strips that are not in contact have the
-  // place they would enter with.
-  std::int32_t from = 0;
-  for (std::int32_t i = 0, a = 0; i < s.count; ++i) {
-    const bool in = a < kept && w.active[a] == i;
-    if (!in && !skewed) continue;
-    double level = 0.0, shift = 0.0;
-    const double weights = weigh_near(s, i, kept, from, w, [&](std::int32_t b, double weight) {
+  // weighted by loads
+  for (std::int32_t a = 0; a < kept; ++a) w.load[a] = w.strength[a] * s.width[w.active[a]];
+  for (std::int32_t a = 0, from = 0; a < kept; ++a) {
+    const std::int32_t i = w.active[a];
+    const double reach = level_reach(s.width[i]);
+    while (w.place[a] - w.place[from] >= reach) ++from;
+    double weights = 0.0, level = 0.0;
+    for (std::int32_t b = from; b < kept; ++b) {
+      const double t = (w.place[b] - w.place[a]) / reach;
+      if (t >= 1.0) break;
+      const double weight = smoothing_weight(t) * w.load[b];
+      weights += weight;
       level += weight * w.wanted_level[b];
-      shift += weight * w.wanted_shift[b];
-    });
-    const bool lone = !(weights > 0.0);
-    if (in) {
-      s.level[i] = lone ? w.wanted_level[a] : level / weights;
-      if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
     }
-    if (skewed) {
-      const double wanted = !lone ? shift / weights : in ? w.wanted_shift[a] : 0.0;
-      shift_residual[i] = smaller(larger(wanted, -longest_shift), longest_shift) - s.shift[i];
-    }
-    if (in) ++a;
+    s.level[i] = weights > 0.0 ? level / weights : w.wanted_level[a];
+    if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
   }
+  if (!skewed) return;
+  // strips that are not in contact have the place they would enter with
+  problem.kernels.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, kept, w.place, w.load,
+                              w.wanted_shift, shift_residual});
+  for (std::int32_t i = 0; i < s.count; ++i)
+    shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
 }
 
 /// Makes steps of what a plain sweep moves. Such a sweep takes away 0.45 of an error in squared
 /// lengths that is rough along the rail, more on strips shorter than wide, and 0.9 of a smooth one; of shifts
-/// 0.9 or more of what is smooth or as rough as strips, 0.5 of what lies between. What is smooth, v, is read
+/// most of what is smooth, and all that is not. What is smooth, v, is read
 /// off the moves f by (v - reach^2 v'') = f along each run of strips, with weights and for lengths in a scale
 /// that vanish towards the rims, as errors do; what is rough off means over neighbours. Steps so found leave
 /// 0.1 to 0.15 of the error. The numbers are fitted to slopes of sweeps at 85 solutions.
@@ -355,7 +340,7 @@ void make_steps(const StripSet& s, std::int32_t kept, bool skewed, double* steps
     w.shape[a] = l * root(l);
   }
   const double reach2 = smooth_reach * smooth_reach * mean / kept;
-  double coupled = 0.0, length = 0.0, shift = 0.0;  // to the strip before and of it
+  double coupled = 0.0, length = 0.0;  // to the strip before and of it
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
     double diagonal = w.shape[a] + coupled, next = 0.0;
@@ -369,30 +354,16 @@ void make_steps(const StripSet& s, std::int32_t kept, bool skewed, double* steps
     const double inverse = 1.0 / (diagonal + next);
     w.leading[a] = next * inverse;
     w.smooth_length[a] = length = (lengths[i] + coupled * length) * inverse;
-    w.smooth_shift[a] = shift = (w.shape[a] * shifts[i] + coupled * shift) * inverse;
     coupled = next;
   }
-  for (std::int32_t a = kept - 2; a >= 0; --a) {
-    w.smooth_length[a] += w.leading[a] * w.smooth_length[a + 1];
-    w.smooth_shift[a] += w.leading[a] * w.smooth_shift[a + 1];
-  }
-  if (skewed) {
-    std::int32_t from = 0;
-    for (std::int32_t a = 0; a < kept; ++a) {
-      const std::int32_t i = w.active[a];
-      double near = 0.0;
-      const double weights = weigh_near(
-          s, i, kept, from, w, [&](std::int32_t b, double weight) { near += weight * shifts[w.active[b]]; });
-      const double rough = weights > 0.0 ? shifts[i] - near / weights : 0.0;
-      w.smooth_shift[a] = smooth_shift_part * w.smooth_shift[a] + rough_shift_part * rough;
-    }
-  }
+  for (std::int32_t a = kept - 2; a >= 0; --a) w.smooth_length[a] += w.leading[a] * w.smooth_length[a + 1];
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
     const double h = w.half_width[a], smooth = w.shape[a] * w.smooth_length[a];
     lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
-    if (skewed) shifts[i] = shift_step * (shifts[i] - w.smooth_shift[a]);
   }
+  if (skewed)
+    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
 }
 
 /// Sum of a_i b_i, in eight parts.
@@ -469,6 +440,10 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
   if (!skewed) std::fill_n(s.shift, n, 0.0);  // which sweeps leave alone then; a start may bring others
   for (std::int32_t i = 0; i < n; ++i) w.in[i] = s.L[i] > 0.0;
   w.paired_count = no_strips;
+  if (skewed) {
+    std::fill(w.inverse_reach + n, w.inverse_reach + simd::whole_packs(n), 0.0);
+    for (std::int32_t i = 0; i < n; ++i) w.inverse_reach[i] = 1.0 / shift_reach(s.width[i]);
+  }
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300, area = 1.0, shift_weight = 0.0;
   const auto affordable = [&options](std::int32_t sweep, double work) {

@@ -205,7 +205,7 @@ TEST_P(WheelDerivatives, FiniteAtAnyPose) {
 TEST_P(WheelDerivatives, AxesAndReferenceOfTheHost) {
   wheel.reference = WRC_REFERENCE_WHEEL;
   wheel.angular_axes = WRC_AXES_BODY;
-  press(2e-3, 80e3);
+  press(2.2e-3, 80e3);
   input.damping = 0.1;
   expect_differences(differences_see);
 }

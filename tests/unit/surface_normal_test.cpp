@@ -11,6 +11,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/hertz_theory.hpp"
 #include "normal_gaps.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
@@ -103,6 +104,44 @@ TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
       const double product = 0.2 * (a2 - b2) * std::sin(angle) * std::cos(angle);
       EXPECT_NEAR(moment / load, product, 2e-2 * std::fmax(a2, b2) / 5.0);
     }
+}
+
+// Least squares, solved as the two equations that its definition gives; strips out of everything's reach have
+// 0.
+TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
+  constexpr int sources = 11, strips = 37;
+  constexpr double reach = 4e-3, least = 1e-3;
+  double source_place[sources], weight[sources], value[sources];
+  for (int b = 0; b < sources; ++b) {
+    source_place[b] = 0.5e-3 * b;
+    weight[b] = 1.0 + std::sin(3.0 * b);
+    value[b] = 2e-3 * std::cos(2.0 * b);
+  }
+  std::vector<double> place(64, 0.0), inverse(64, 1.0 / reach), at(64, -1.0);
+  for (int i = 0; i < strips; ++i) place[static_cast<std::size_t>(i)] = 0.4e-3 * i;
+  for (const InstructionSet set : {InstructionSet::baseline, best_instruction_set()}) {
+    kernels_for(set).near_lines(
+        {strips, place.data(), inverse.data(), least, sources, source_place, weight, value, at.data()});
+    for (int i = 0; i < strips; ++i) {
+      SCOPED_TRACE(i);
+      const double here = place[static_cast<std::size_t>(i)];
+      double w = 0.0, wy = 0.0, wyy = 0.0, wv = 0.0, wyv = 0.0;
+      for (int b = 0; b < sources; ++b) {
+        const double y = (source_place[b] - here) / reach;
+        if (std::fabs(y) >= 1.0) continue;
+        const double k = std::pow(1.0 - y * y, 3.0) * weight[b];
+        w += k;
+        wy += k * y;
+        wyy += k * y * y;
+        wv += k * value[b];
+        wyv += k * y * value[b];
+      }
+      wyy += least * w;  // a slope costs that much
+      const double wanted = w > 0.0 ? (wyy * wv - wy * wyv) / (w * wyy - wy * wy) : 0.0;
+      EXPECT_NEAR(at[static_cast<std::size_t>(i)], wanted, 1e-9 * std::fabs(wanted) + 1e-15);
+    }
+  }
+  EXPECT_EQ(at[strips - 1], 0.0);
 }
 
 // Lowered and moved along the rail at once, by what a wheel does in a millisecond or two.

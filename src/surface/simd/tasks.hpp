@@ -93,6 +93,17 @@ struct SlopesRowTask {
   static constexpr std::int32_t directions = 16;
 };
 
+/// Values at strips, of the line through those of the sources within reach: least squares with weights (1 -
+/// y^2)^3 times the sources' own, y the distance over the reach. 0 where none is within reach. Whole packs.
+struct NearLinesTask {
+  std::int32_t count;
+  const double *place, *inverse_reach;  ///< [m], [1/m]
+  double least_spread;                  ///< added to the variance of y
+  std::int32_t sources;
+  const double *source_place, *weight, *value;
+  double* at;
+};
+
 /// Strips of a rail between two sections (surface/varying_rail.hpp).
 struct SectionStripsTask {
   std::int32_t count;

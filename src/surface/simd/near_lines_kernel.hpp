@@ -1,0 +1,35 @@
+/// Lines through what neighbouring strips have, read at strips (surface/surface_means.hpp).
+#pragma once
+
+#include "base/pack.hpp"
+#include "surface/simd/tasks.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// Kernels::near_lines: one strip per lane, its sums in the order of the sources.
+inline void near_lines_kernel(const NearLinesTask& task) {
+  for (std::int32_t first = 0; first < task.count; first += lanes) {
+    const Pack place = load_pack(task.place + first), inverse = load_pack(task.inverse_reach + first);
+    Pack weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
+    for (std::int32_t b = 0; b < task.sources; ++b) {
+      const Pack y = (task.source_place[b] - place) * inverse;
+      const Pack near = larger(1.0 - y * y, 0.0);
+      const Pack weight = near * near * near * task.weight[b], of_y = weight * y;
+      weights += weight;
+      y1 += of_y;
+      y2 += of_y * y;
+      v += weight * task.value[b];
+      yv += of_y * task.value[b];
+    }
+    const Pack per = 1.0 / select(weights > 0.0, weights, 1.0);
+    const Pack mean_y = y1 * per, mean = v * per;
+    const Pack spread = y2 * per - mean_y * mean_y + task.least_spread;
+    const Pack at = mean - mean_y * (yv * per - mean_y * mean) / spread;
+    store_lanes(task.at + first, at.a);
+    store_lanes(task.at + first + native_lanes, at.b);
+  }
+}
+
+}  // namespace
+}  // namespace wrc::simd
