@@ -1,7 +1,8 @@
 /// wheel_report - how wrc_contact_wrench() fares on random poses, and what a call takes.
 ///
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
-///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad
+///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad;
+///                                         flanges at random poses
 ///     wheel_report branches Y YAW LOW HIGH  forces over the height between two vertical loads [mm, mrad, kN]: anew, from
 ///                                         the last solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
@@ -294,6 +295,31 @@ int lines(const Csv& file) {
                 1e-3 * load, line.steps, line.jump, line.flagged);
     spoilt += line.flagged;
   }
+  constexpr int flanges = 150, heights = 500;  // a few hundred nanometres apart: a jump is a bend, too
+  Random random(3);
+  long several = 0, flagged = 0, sharp = 0;
+  double jump = 0.0;
+  for (int n = 0; n < flanges; ++n) {
+    input.wheel.y = random.between(6.0e-3, 7.2e-3);
+    input.wheel.yaw = random.between(-26e-3, 26e-3);
+    input.wheel.roll = random.between(-2e-3, 2e-3);
+    const double top = height_for(contact, input, 5e3), bottom = height_for(contact, input, 60e3);
+    Line line;
+    for (int k = 0; k <= heights; ++k) {
+      input.wheel.z = top + (bottom - top) * k / heights;
+      line.take(wrc_contact_wrench(contact, &input, &wrench), wrench);
+    }
+    several += line.flagged > 0;
+    flagged += line.flagged;
+    sharp += line.jump > 1e-3;
+    jump = std::max(jump, line.jump);
+  }
+  std::printf(
+      "%d flanges, y 6.0 .. 7.2 mm, yaw to 26, roll to 2 mrad, 5 to 60 kN, %d heights each: %ld flagged on "
+      "%ld of them, "
+      "jumps above 1e-3 on %ld, largest %.1e\n",
+      flanges, heights, flagged, several, sharp, jump);
+  spoilt += flagged;
   return spoilt == 0 ? 0 : 1;
 }
 

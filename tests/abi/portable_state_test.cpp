@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,8 @@ TEST_F(PortableState, DISABLED_TheOtherProcess) {
 TEST_F(PortableState, AnotherProcessGoesOnWithTheSameBits) {
   create();
   go_on(5);
-  const std::string name = testing::TempDir() + "wrc_portable_" + std::to_string(std::rand());
+  const std::string name =
+      testing::TempDir() + "wrc_portable_" + std::to_string(std::random_device{}());  // beside other runs
   write_file(name + ".state", save());
   wheel.y = 4e-3;
   for (int i = 0; i < 5; ++i) wheel.y += 13e-6;
