@@ -36,6 +36,7 @@ struct SurfacePoints;
 struct SurfaceEdges;
 struct SurfaceSlopes;
 struct SlopesRowTask;
+struct BlendRowsTask;
 struct NearLinesTask;
 struct SectionStripsTask;
 struct OutlineTask;
@@ -110,6 +111,7 @@ struct Kernels {
   void (*surface_edge_slopes)(const simd::SurfaceTables& tables, const simd::SurfaceSources& sources,
                               const simd::SurfacePoint& point, const simd::SurfaceSlopes& slopes);
   void (*slopes_row)(const simd::SlopesRowTask& task);
+  void (*blend_rows)(const simd::BlendRowsTask& task);
   void (*near_lines)(const simd::NearLinesTask& task);
   /// Places strips between sections of a rail. Returns how steeply any of them falls along its normal, within
   /// task.within of there.

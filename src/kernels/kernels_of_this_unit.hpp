@@ -10,6 +10,7 @@
 #include "normal/simd/elimination_kernel.hpp"
 #include "normal/simd/influence_kernel.hpp"
 #include "normal/simd/penetration_kernel.hpp"
+#include "surface/simd/blend_rows_kernel.hpp"
 #include "surface/simd/influence_kernel.hpp"
 #include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/near_lines_kernel.hpp"
@@ -54,6 +55,7 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .surface_influence_slopes = sloped::surface_influence_slopes,
       .surface_edge_slopes = sloped::surface_edge_slopes,
       .slopes_row = slopes_row_kernel,
+      .blend_rows = blend_rows_kernel,
       .near_lines = near_lines_kernel,
       .section_strips = section_strips_kernel,
       .outline = outline_kernel,

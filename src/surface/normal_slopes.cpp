@@ -193,8 +193,8 @@ void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
 /// Makes of a number's rows of the matrix, which begin at `first`, those of what is read off its neighbours,
 /// times a factor of that.
 template <bool line, class Factor>
-void read_rows(const PressedStrips& s, const Size& size, std::int32_t first, const double* wanted,
-               double* value, const Factor& factor_of, Scratch& w) {
+void read_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, std::int32_t first,
+               const double* wanted, double* value, const Factor& factor_of, Scratch& w) {
   const std::int64_t stride = size.stride;
   double* const rows = w.matrix + first * stride;
   Reading r;
@@ -210,26 +210,20 @@ void read_rows(const PressedStrips& s, const Size& size, std::int32_t first, con
       of[i] = b <= a ? w.earlier + b % most_within_reach * stride : rows + b * stride;
       r.by_value[i] *= factor;
     }
-    constexpr int pairs = 4;  // of columns at a time
-    for (std::int64_t c = 0; c < stride; c += 2 * pairs) {
-      pairwise::Two sums[pairs] = {};
-      for (std::int32_t i = 0; i < r.several; ++i)
-        for (int k = 0; k < pairs; ++k) sums[k] += r.by_value[i] * pairwise::load(of[i] + c + 2 * k);
-      for (int k = 0; k < pairs; ++k) pairwise::store(sums[k], row + c + 2 * k);
-    }
+    kernels.blend_rows({r.several, stride, r.by_value, of, row});
     for (std::int32_t i = 0; i < r.several; ++i) row[r.from + i] += factor * r.by_strength[i];
   }
 }
 
 /// Makes the rows of levels and shifts the equations of L and c.
-void smooth(const PressedStrips& s, const Size& size, Scratch& w) {
+void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, Scratch& w) {
   const std::int32_t n = s.count;
   // L level - q = 0, over the level
   read_rows<false>(
-      s, size, n, w.wanted_level, w.level,
+      kernels, s, size, n, w.wanted_level, w.level,
       [&w](std::int32_t a, double level) { return w.l[a] * w.l[a] / level; }, w);
   read_rows<true>(
-      s, size, 2 * n, w.wanted_shift, w.shift,
+      kernels, s, size, 2 * n, w.wanted_shift, w.shift,
       [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
   for (std::int32_t a = 0; a < n; ++a) {
     double* const level_row = w.matrix + (n + a) * size.stride;
@@ -299,7 +293,7 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     std::fill(direction + 2 + 2 * inputs, direction + directions, 0.0);
   }
   fill(influence, kernels, s, size, w);
-  smooth(s, size, w);
+  smooth(kernels, s, size, w);
   for (std::int32_t a = 3 * n; a < size.rows; ++a) {
     std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
     w.matrix[a * size.stride + a] = 1.0;

@@ -93,6 +93,15 @@ struct SlopesRowTask {
   static constexpr std::int32_t directions = 16;
 };
 
+/// to = sum of share_i row_i; columns: whole vectors of eight. `to` may be one of the rows.
+struct BlendRowsTask {
+  std::int32_t count;
+  std::int64_t columns;
+  const double* share;
+  const double* const* row;
+  double* to;
+};
+
 /// Values at strips, of the line through those of the sources within reach: least squares with weights (1 -
 /// y^2)^3 times the sources' own, y the distance over the reach. 0 where none is within reach. Whole packs.
 struct NearLinesTask {

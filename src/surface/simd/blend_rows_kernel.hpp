@@ -1,0 +1,33 @@
+/// Sums of rows of a matrix (surface/normal_slopes.hpp).
+#pragma once
+
+#include "base/pack.hpp"
+#include "surface/simd/tasks.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// The next `vectors` vectors of the sum, in the order of the rows.
+template <int vectors>
+void blend_columns(const BlendRowsTask& task, std::int64_t first) {
+  Native sum[vectors];
+  for (int k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
+  for (std::int32_t i = 0; i < task.count; ++i) {
+    const Native share = broadcast(task.share[i]);
+    const double* const row = task.row[i] + first;
+    for (int k = 0; k < vectors; ++k) sum[k] = sum[k] + share * load_lanes(row + k * native_lanes);
+  }
+  for (int k = 0; k < vectors; ++k) store_lanes(task.to + first + k * native_lanes, sum[k]);
+}
+
+/// Kernels::blend_rows.
+inline void blend_rows_kernel(const BlendRowsTask& task) {
+  constexpr int vectors = 4;
+  std::int64_t first = 0;
+  for (; first + vectors * native_lanes <= task.columns; first += vectors * native_lanes)
+    blend_columns<vectors>(task, first);
+  for (; first < task.columns; first += native_lanes) blend_columns<1>(task, first);
+}
+
+}  // namespace
+}  // namespace wrc::simd
