@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws where the strips on the rail's surface have two solutions, from the rows of wheel_report.
 
-    wheel_report branches 21 30 46 | tools/draw_branches.py docs/pictures/branches.png
+    wheel_report branches 6.6 23 58 74 | tools/draw_branches.py docs/pictures/branches.png
 """
 import csv
 import sys

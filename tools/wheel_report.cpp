@@ -3,8 +3,9 @@
 ///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad;
 ///                                         flanges at random poses
-///     wheel_report branches Y YAW LOW HIGH  forces over the height between two vertical loads [mm, mrad, kN]: anew, from
-///                                         the last solution downwards and upwards, and exact; for tools/draw_branches.py
+///     wheel_report branches Y YAW LOW HIGH
+///                                         forces over the height between two vertical loads [mm, mrad, kN]: anew, from the last
+///                                         solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
 ///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels of one model in a batch
 ///
@@ -316,8 +317,7 @@ int lines(const Csv& file) {
   }
   std::printf(
       "%d flanges, y 6.0 .. 7.2 mm, yaw to 26, roll to 2 mrad, 5 to 60 kN, %d heights each: %ld flagged on "
-      "%ld of them, "
-      "jumps above 1e-3 on %ld, largest %.1e\n",
+      "%ld of them, jumps above 1e-3 on %ld, largest %.1e\n",
       flanges, heights, flagged, several, sharp, jump);
   spoilt += flagged;
   return spoilt == 0 ? 0 : 1;

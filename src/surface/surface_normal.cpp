@@ -15,7 +15,7 @@ constexpr std::int32_t history = 5;       ///< earlier sweeps the acceleration l
 constexpr std::int32_t most_rounds = 20;  ///< of strips entering and leaving within a sweep
 constexpr double coarse_tolerance = 0.1;  ///< of the start on pairs of strips
 /// How steps follow from what a plain sweep moves (see make_steps). Smooth: over more than this part of the
-/// mean half length.
+/// mean half length; shift_step: of shifts.
 constexpr double smooth_reach = 0.5;
 constexpr double length_slope = 0.45, narrow_slope = 0.5, smooth_length_part = 0.45;
 constexpr double shift_step = 1.2;
@@ -300,7 +300,7 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     residual[i] = -s.L[i];
     shift_residual[i] = 0.0;
   }
-  // weighted by loads
+  // Levels are means over the strips within reach, weighted by their loads.
   for (std::int32_t a = 0; a < kept; ++a) w.load[a] = w.strength[a] * s.width[w.active[a]];
   for (std::int32_t a = 0, from = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
@@ -318,7 +318,7 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
     if (s.level[i] > 0.0) residual[i] += w.strength[a] / s.level[i];
   }
   if (!skewed) return;
-  // strips that are not in contact have the place they would enter with
+  // Shifts lie on lines; strips that are not in contact have the place they would enter with.
   problem.kernels.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, kept, w.place, w.load,
                               w.wanted_shift, shift_residual});
   for (std::int32_t i = 0; i < s.count; ++i)
@@ -326,11 +326,11 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
 }
 
 /// Makes steps of what a plain sweep moves. Such a sweep takes away 0.45 of an error in squared
-/// lengths that is rough along the rail, more on strips shorter than wide, and 0.9 of a smooth one; of shifts
-/// most of what is smooth, and all that is not. What is smooth, v, is read
-/// off the moves f by (v - reach^2 v'') = f along each run of strips, with weights and for lengths in a scale
-/// that vanish towards the rims, as errors do; what is rough off means over neighbours. Steps so found leave
-/// 0.1 to 0.15 of the error. The numbers are fitted to slopes of sweeps at 85 solutions.
+/// lengths that is rough along the rail, more on strips shorter than wide, and 0.9 of a smooth one. What is
+/// smooth, v, is read off the moves f by (v - reach^2 v'') = f along each run of strips, with weights and in
+/// a scale that vanish towards the rims, as errors do. Steps so found leave 0.1 to 0.15 of the error; the
+/// numbers are fitted to slopes of sweeps at 85 solutions. Of shifts, which lie on lines, a sweep takes away
+/// most whatever the error's shape: one factor, with which the fewest sweeps are left under yawed flanges.
 void make_steps(const StripSet& s, std::int32_t kept, bool skewed, double* steps, Scratch& w) {
   double *const lengths = steps, *const shifts = steps + s.count;
   double mean = 0.0;

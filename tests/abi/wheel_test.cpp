@@ -243,11 +243,8 @@ TEST_F(WheelOnRail, NothingLeapsWhereTheLowestPointDoes) {
   }
 }
 
-// --------------------------------------------------------------------------------------------------
-// symmetries
-
-// Flange and gauge corner touch far apart along the track. Some of these heights had no solution found, and
-// others one of others one of two, when shifts of strips were means over the near ones.
+// Flange and gauge corner touch far apart along the track. When shifts of strips were means over the near
+// ones, no solution was found at some of these heights, and at others one of two.
 TEST_F(WheelOnRail, AYawedFlangeHasOneSolution) {
   take_reference_bodies();
   create();
@@ -280,6 +277,9 @@ TEST_F(WheelOnRail, AYawedFlangeHasOneSolution) {
     before[0] = force;
   }
 }
+
+// --------------------------------------------------------------------------------------------------
+// symmetries
 
 TEST_F(WheelOnRail, TheLeftWheelIsTheMirrorImageToTheLastBit) {
   for (const int32_t reference : {WRC_REFERENCE_WHEELSET, WRC_REFERENCE_WHEEL}) {

@@ -106,8 +106,7 @@ TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
     }
 }
 
-// Least squares, solved as the two equations that its definition gives; strips out of everything's reach have
-// 0.
+// Least squares, solved as the two equations that its definition gives; 0 where nothing is within reach.
 TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
   constexpr int sources = 11, strips = 37;
   constexpr double reach = 4e-3, least = 1e-3;

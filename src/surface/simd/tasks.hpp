@@ -93,7 +93,7 @@ struct SlopesRowTask {
   static constexpr std::int32_t directions = 16;
 };
 
-/// to = sum of share_i row_i; columns: whole vectors of eight. `to` may be one of the rows.
+/// to = sum of share_i row_i; columns: whole groups of eight.
 struct BlendRowsTask {
   std::int32_t count;
   std::int64_t columns;
