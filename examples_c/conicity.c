@@ -34,17 +34,17 @@ int main(int argc, char** argv) {
   for (int i = 0; i < COUNT; ++i) y[i] = 0.05e-3 * (i - COUNT / 2);
   for (int i = 0; i < AMPLITUDES; ++i) amplitude[i] = 0.5e-3 * (i + 1);
   for (int k = 0; k < 2; ++k) {
-    wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
+    wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
     where.count = COUNT;
     where.lateral = y;
     where.wheel_load = load[k];
-    wrc_contact_functions functions = wrc_contact_functions_default();
+    wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
     functions.radius_difference = dr[k];
     functions.angle_right = right[k];
     functions.angle_left = left[k];
     functions.y_wheel_right = y_wheel[k];
     functions.y_rail_right = y_rail[k];
-    check(wrc_profile_contact_functions(model, &where, &functions, text, sizeof text), text);
+    check(wrc_profile_wheelset_geometry(model, &where, &functions, text, sizeof text), text);
 
     wrc_conicity_problem problem = wrc_conicity_problem_default();
     problem.count = COUNT;

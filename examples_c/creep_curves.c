@@ -129,12 +129,12 @@ static wrc_contact* make_contact(const variant* v, wrc_model** model) {
   return contact;
 }
 
-static wrc_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const wrc_friction* friction) {
-  wrc_forces forces;
-  if (wrc_contact_tangential(contact, &ellipse, creepage, friction, &forces) < 0) {
+static wrc_planar_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const wrc_friction* friction) {
+  wrc_planar_forces forces;
+  if (wrc_planar_tangential(contact, &ellipse, creepage, friction, &forces) < 0) {
     char text[256];
     wrc_contact_last_error(contact, text, sizeof text);
-    fail("wrc_contact_tangential", text);
+    fail("wrc_planar_tangential", text);
   }
   return forces;
 }
@@ -175,7 +175,7 @@ static void write_creep_curves(const char* directory) {
       double worst = 0.0;
       for (int i = 0; i <= POINTS; ++i) {
         const wrc_creepage creepage = creepage_at(&sweeps[s], i);
-        const wrc_forces f = roll(contact, &creepage, &friction);
+        const wrc_planar_forces f = roll(contact, &creepage, &friction);
         const double fx = f.fx / limit, fy = f.fy / limit;
         fprintf(csv, "%s,\"%s\",%.6g,%.6g,%.6g,%.6g,%.6g\n", sweeps[s].name, variants[v].name,
                 position(&sweeps[s], i), fx, fy, f.mz / (limit * arm), f.power / (limit * unit[0]));
@@ -200,7 +200,7 @@ static void write_law(FILE* csv, const char* name, const char* method, int32_t b
     wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = 0.15 * (i / 120.0) * (i / 120.0); /* dense where the curve is steep */
     creepage.speed = 20.0;
-    const wrc_forces f = roll(contact, &creepage, friction);
+    const wrc_planar_forces f = roll(contact, &creepage, friction);
     fprintf(csv, "\"%s\",%.6g,%.6g\n", name, creepage.longitudinal, -f.fx / f.fn);
   }
   wrc_contact_destroy(contact);

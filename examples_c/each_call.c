@@ -28,16 +28,16 @@ static void* aligned(int which, uint64_t bytes, uint64_t alignment) {
 }
 
 static void stages(wrc_contact* contact) {
-  wrc_pose pose = wrc_pose_default();
-  wrc_motion motion = wrc_motion_default();
-  wrc_load load = wrc_load_default();
+  wrc_planar_pose pose = wrc_planar_pose_default();
+  wrc_planar_motion motion = wrc_planar_motion_default();
+  wrc_planar_load load = wrc_planar_load_default();
   wrc_friction friction = wrc_friction_default();
-  wrc_contact_point point;
+  wrc_planar_point point;
   wrc_creepage creepage;
-  wrc_normal_solution normal;
-  wrc_forces forces;
+  wrc_planar_normal_solution normal;
+  wrc_planar_forces forces;
   wrc_wear wear;
-  wrc_sensitivity by;
+  wrc_planar_derivatives by;
   wrc_step_sensitivity by_step;
   wrc_patch patch = wrc_patch_default();
   wrc_temperature temperature = wrc_temperature_default();
@@ -45,15 +45,15 @@ static void stages(wrc_contact* contact) {
   motion.speed = 20.0;
   motion.pitch_rate = -20.0 / 0.46 * 1.001;
   load.normal_force = 80e3;
-  DO(wrc_contact_geometry(contact, &pose, &point));
-  DO(wrc_contact_creepages(contact, &motion, &creepage));
-  DO(wrc_contact_normal(contact, NULL, &load, &normal)); /* NULL: the gap wrc_contact_geometry() found */
-  DO(wrc_contact_tangential(contact, NULL, &creepage, &friction, &forces));
+  DO(wrc_planar_geometry(contact, &pose, &point));
+  DO(wrc_planar_creepages(contact, &motion, &creepage));
+  DO(wrc_planar_normal(contact, NULL, &load, &normal)); /* NULL: the gap wrc_planar_geometry() found */
+  DO(wrc_planar_tangential(contact, NULL, &creepage, &friction, &forces));
   DO(wrc_contact_wear(contact, NULL, &wear)); /* NULL: the published laws */
   DO(wrc_contact_temperature(contact, NULL, &temperature));
   printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, worn %.3g mm^2/km, %.0f K warmer\n", 1e3 * point.y_rail,
          1e-6 * normal.peak_pressure, forces.fx, 1e9 * wear.worn_area_rate, temperature.rise);
-  DO(wrc_contact_sensitivities(contact, &by));
+  DO(wrc_planar_tangential_derivatives(contact, &by));
   DO(wrc_contact_step_sensitivities(contact, &by_step));
   DO(wrc_contact_patch(contact, 0, &patch));
   printf("        dFx / d longitudinal %.3g N, by load %.3g, patch 0 a %.2f mm\n", by.forces[0][0],
@@ -69,10 +69,10 @@ static void stages(wrc_contact* contact) {
   /* strips of one's own in place of the normal stage */
   const double y[3] = {-1e-3, 0.0, 1e-3}, width[3] = {1e-3, 1e-3, 1e-3}, half[3] = {4e-3, 5e-3, 4e-3};
   const double peak[3] = {0.8e9, 1e9, 0.8e9};
-  wrc_strips strips = wrc_strips_default();
+  wrc_planar_strips strips = wrc_planar_strips_default();
   strips.count = 3;
   strips.y = y, strips.width = width, strips.half_length = half, strips.peak = peak;
-  DO(wrc_contact_regularise(contact, &strips, &normal));
+  DO(wrc_planar_regularise(contact, &strips, &normal));
   const double in[WRC_FLAT_INPUTS] = {2e-3, 0.0, 0.0, 80e3, 1e-3, 0.0, 0.0, 0.3};
   double out[WRC_FLAT_OUTPUTS];
   DO(wrc_contact_step_flat(contact, in, out));
@@ -86,15 +86,15 @@ static void remembered(void) {
   config.non_steady = 1;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  wrc_input input = wrc_input_default();
-  wrc_output output = wrc_output_default();
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = wrc_planar_output_default();
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 1e-3;
   DO(wrc_model_create(&config, NULL, &model));
   DO(wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact));
   for (int step = 0; step < 3; ++step) {
-    DO(wrc_contact_roll(contact, 1e-3)); /* a millimetre further each */
-    DO(wrc_contact_step(contact, &input, &output));
+    DO(wrc_planar_roll(contact, 1e-3)); /* a millimetre further each */
+    DO(wrc_planar_step(contact, &input, &output));
   }
   printf("memory: Fx %.0f N after 3 mm\n", output.forces.fx);
   wrc_contact_destroy(contact);
@@ -123,12 +123,12 @@ static void wheel_on_rail(wrc_contact* contact) {
   wrc_ellipse ellipse;
   wrc_damage damage;
   wrc_temperature temperature = wrc_temperature_default();
-  static wrc_wrench_sensitivities slopes;
+  static wrc_wrench_derivatives slopes;
   static double pressure[512];
   input.wheel.z = 0.3e-3;
   input.wheel.velocity[0] = 20.0;
   input.wheel.angular_velocity[1] = -20.0 / 0.46;
-  DO(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &slopes));
+  DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes));
   DO(wrc_contact_region(contact, 0, &region));
   DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
   DO(wrc_contact_region_damage(contact, 0, &damage));

@@ -32,15 +32,15 @@ int main(void) {
   }
 
   /* The step: 80 kN, a wheelset that pulls, drifts and spins a little, 40 m/s. */
-  wrc_input input = wrc_input_default();
-  wrc_output output = wrc_output_default();
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = wrc_planar_output_default();
   input.pose.lateral = 2e-3;
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 0.8e-3;
   input.creepage.lateral = 0.3e-3;
   input.creepage.spin = 0.15;
   input.creepage.speed = 40.0;
-  int32_t status = wrc_contact_step(contact, &input, &output);
+  int32_t status = wrc_planar_step(contact, &input, &output);
 
   /* The same contact exactly, on 64 x 64 cells: its own pressure, creepages and friction. */
   wrc_exact_check_result exact = wrc_exact_check_result_default();
@@ -53,7 +53,7 @@ int main(void) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   } else {
-    const wrc_forces* forces = &output.forces;
+    const wrc_planar_forces* forces = &output.forces;
     printf("            %10s %10s %10s %10s %10s\n", "Fx [N]", "Fy [N]", "Mz [N m]", "power [W]", "adhesion");
     printf("real time   %10.0f %10.0f %10.2f %10.1f %10.3f\n", forces->fx, forces->fy, forces->mz,
            forces->power, forces->adhesion_fraction);

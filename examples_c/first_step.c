@@ -27,20 +27,20 @@ int main(void) {
   }
 
   /* One step. From here on nothing allocates. */
-  wrc_input input = wrc_input_default();
-  wrc_output output = wrc_output_default();
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = wrc_planar_output_default();
   input.load.normal_force = 80e3; /* N */
   input.creepage.longitudinal = 0.5e-3;
   input.creepage.speed = 40.0; /* m/s */
   input.friction.coefficient = 0.35;
-  const int32_t status = wrc_contact_step(contact, &input, &output);
+  const int32_t status = wrc_planar_step(contact, &input, &output);
   if (status != WRC_OK) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {
-    const wrc_normal_solution* normal = &output.normal;
-    const wrc_forces* forces = &output.forces;
+    const wrc_planar_normal_solution* normal = &output.normal;
+    const wrc_planar_forces* forces = &output.forces;
     printf("patch   %.1f x %.1f mm, approach %.1f um, peak pressure %.0f MPa\n", 1e3 * normal->length,
            1e3 * normal->width, 1e6 * normal->approach, 1e-6 * normal->peak_pressure);
     printf("forces  Fx %.0f N, Fy %.0f N, Mz %.1f N m, frictional power %.0f W\n", forces->fx, forces->fy,

@@ -31,8 +31,8 @@ typedef struct cycle {
 } cycle;
 
 static wrc_contact* contacts[wheels];
-static wrc_input inputs[wheels];
-static wrc_output outputs[wheels];
+static wrc_planar_input inputs[wheels];
+static wrc_planar_output outputs[wheels];
 static int32_t statuses[wheels];
 
 /* One model for all; even wheels are right ones. */
@@ -45,9 +45,9 @@ static int make_wheels(wrc_model** model) {
   for (int k = 0; k < wheels; ++k) {
     if (wrc_contact_create(*model, k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, NULL, &contacts[k]) < 0)
       return 0;
-    inputs[k] = wrc_input_default();
+    inputs[k] = wrc_planar_input_default();
     inputs[k].creepage.speed = 40.0;
-    outputs[k] = wrc_output_default();
+    outputs[k] = wrc_planar_output_default();
   }
   return 1;
 }

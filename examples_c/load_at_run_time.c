@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   wrc_ellipse ellipse;
   wrc_creepage creepage;
   wrc_friction friction;
-  wrc_forces forces;
+  wrc_planar_forces forces;
   wrc->ellipse_init(&ellipse);
   wrc->creepage_init(&creepage);
   wrc->friction_init(&friction);

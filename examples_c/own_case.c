@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
 
-  wrc_input input = wrc_input_default();
+  wrc_planar_input input = wrc_planar_input_default();
   input.pose.lateral = given.lateral;
   input.pose.yaw = given.yaw;
   input.load.normal_force = given.load;
@@ -229,16 +229,16 @@ int main(int argc, char** argv) {
   input.creepage.spin = given.creepage[2];
   input.creepage.speed = given.speed;
   input.friction.coefficient = given.friction;
-  wrc_output output = wrc_output_default();
-  const int32_t status = wrc_contact_step(contact, &input, &output);
+  wrc_planar_output output = wrc_planar_output_default();
+  const int32_t status = wrc_planar_step(contact, &input, &output);
   if (status != WRC_OK) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   }
   if (status >= 0) {
-    const wrc_contact_point point = output.point;
-    const wrc_normal_solution normal = output.normal;
-    const wrc_forces forces = output.forces;
+    const wrc_planar_point point = output.point;
+    const wrc_planar_normal_solution normal = output.normal;
+    const wrc_planar_forces forces = output.forces;
     const wrc_damage damage = output.damage;
     printf("contact point   wheel y = %.2f mm, rail y = %.2f mm, angle %.2f mrad, rolling radius %.2f mm\n",
            1e3 * point.y_wheel, 1e3 * point.y_rail, 1e3 * point.angle, 1e3 * point.rolling_radius);

@@ -207,8 +207,8 @@ static void print_number(const char* format, double value, int width) {
   }
 }
 
-static void print_result(const char* case_name, const char* model, const wrc_normal_solution* normal,
-                         const wrc_forces* forces, double reference_power, double paper_deviation) {
+static void print_result(const char* case_name, const char* model, const wrc_planar_normal_solution* normal,
+                         const wrc_planar_forces* forces, double reference_power, double paper_deviation) {
   printf("%-42s %-31s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
          1e3 * normal->ellipse.a, 1e3 * normal->ellipse.b, normal->ellipse.psi, 1e6 * normal->area,
          1e6 * normal->approach, 1e-6 * normal->peak_pressure, forces->fx, forces->fy, forces->mz,
@@ -309,7 +309,7 @@ static void write_exact_fields(const wrc_grid* grid, double yield, const char* d
  * that the line compares with its line cell by cell; the power by the energy balance is the limit on fine
  * grids. */
 static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage, const rolling_case* rolling,
-                              const wrc_normal_solution* normal, const char* name, double yield,
+                              const wrc_planar_normal_solution* normal, const char* name, double yield,
                               const char* directory, const char* part, FILE* summary) {
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
   wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
@@ -327,7 +327,7 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
     fprintf(stderr, "exact rolling: %s\n", text);
     exit(EXIT_FAILURE);
   }
-  const wrc_forces forces = {solution.fx,
+  const wrc_planar_forces forces = {solution.fx,
                              solution.fy,
                              normal->normal_force,
                              solution.mz,
@@ -351,7 +351,7 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
 }
 
 /* The exact normal problem for the gap in the contact: 0.3 mm cells, as the reference. */
-static wrc_normal_solution solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
+static wrc_planar_normal_solution solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
   grid->nx = 50;
   grid->ny = 90;
   grid->dx = grid->dy = 0.3e-3;
@@ -380,7 +380,7 @@ static wrc_normal_solution solve_exact_normal(wrc_contact* contact, double norma
     }
   }
   static const double pi = 3.14159265358979323846;
-  wrc_normal_solution normal = {0};
+  wrc_planar_normal_solution normal = {0};
   normal.normal_force = solution.normal_force;
   normal.approach = solution.approach;
   normal.peak_pressure = solution.peak_pressure;
@@ -392,7 +392,7 @@ static wrc_normal_solution solve_exact_normal(wrc_contact* contact, double norma
 }
 
 static void run_profile_cases(const wrc_config* base, const char* directory, FILE* summary) {
-  wrc_input input = wrc_input_default();
+  wrc_planar_input input = wrc_planar_input_default();
   input.load.normal_force = 80e3;
   input.friction.coefficient = friction_coefficient;
 
@@ -411,8 +411,8 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
 
-      wrc_output output = wrc_output_default();
-      const int32_t status = wrc_contact_step(contact, &input, &output);
+      wrc_planar_output output = wrc_planar_output_default();
+      const int32_t status = wrc_planar_step(contact, &input, &output);
       if (status < 0) fail(contact, variants[v].name, status);
 
       print_result(v == 0 ? rolling->name : "", model_name(&variants[v], variants[v].name), &output.normal,
@@ -421,7 +421,7 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &output.damage);
       if (v == VARIANTS - 1) {
         wrc_grid grid;
-        const wrc_normal_solution exact = solve_exact_normal(contact, input.load.normal_force, &grid);
+        const wrc_planar_normal_solution exact = solve_exact_normal(contact, input.load.normal_force, &grid);
         run_exact_rolling(&grid, &input.creepage, rolling, &exact, "wrc, exact", config.material.shear_yield,
                           directory, "profiles", summary);
         /* The reference put the initial contact point where the paper's psi b has it, 3.1 mm from mid-width;
@@ -447,7 +447,7 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
   ellipse.b = 6.375e-3; /* "ellipticity 1.5" means b = 1.5 a */
   ellipse.psi = 0.4;
   ellipse.normal_force = 2.0 / 3.0 * pi * ellipse.a * ellipse.b * peak_pressure;
-  wrc_normal_solution exact = {0};
+  wrc_planar_normal_solution exact = {0};
   exact.ellipse = ellipse;
   exact.normal_force = ellipse.normal_force;
   exact.area = pi * ellipse.a * ellipse.b;
@@ -470,9 +470,9 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
 
-      wrc_forces forces;
+      wrc_planar_forces forces;
       wrc_damage damage;
-      int32_t status = wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces);
+      int32_t status = wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces);
       if (status < 0) fail(contact, variants[v].name, status);
       status = wrc_contact_damage(contact, &damage);
       if (status < 0) fail(contact, variants[v].name, status);

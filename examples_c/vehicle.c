@@ -5,7 +5,7 @@
  * Two wheelsets carry a frame on primary springs, the frame hangs on secondary ones below a car body that
  * runs on undisturbed. Every body has its place against the track axes where it runs; forward speed is held.
  * SUNDIALS' CVODE (backward differences, Newton with a dense Jacobian) integrates; the Jacobian is that of
- * the springs and of wrc_contact_wrench_sensitivities.
+ * the springs and of wrc_contact_wrench_derivatives.
  */
 #include <cvode/cvode.h>
 #include <math.h>
@@ -134,7 +134,7 @@ static double input_of(const Vehicle* v, double t, const double* s, int w, int s
   const double distance = v->start + v->speed * t - (w == 0 ? 0.0 : 2.0 * half_base);
   wrc_wheel_state* wheel = &input->wheel;
   *input = wrc_wheel_input_default();
-  input->start = WRC_START_FROM_LAST;
+  input->start = WRC_START_WARM;
   input->damping = 0.05;
   wheel->angular_axes = WRC_AXES_BODY;
   wheel->y = q[Y];
@@ -185,8 +185,8 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
       wrc_wheel_input input;
       const double turned = input_of(v, t, s, w, side, &input);
       wrc_wrench wrench = wrc_wrench_default();
-      wrc_wrench_sensitivities by;
-      const int32_t status = J ? wrc_contact_wrench_sensitivities(v->contact[w][side], &input, &wrench, &by)
+      wrc_wrench_derivatives by;
+      const int32_t status = J ? wrc_contact_wrench_derivatives(v->contact[w][side], &input, &wrench, &by)
                                : wrc_contact_wrench(v->contact[w][side], &input, &wrench);
       if (status < 0) {
         ++v->failures;
@@ -406,8 +406,8 @@ static void slow_rates(Vehicle* v, double y, double yaw, double u[SLOW]) {
       input.wheel.angular_velocity[0] = rates[1], input.wheel.angular_velocity[1] = u[2];
       input.wheel.angular_velocity[2] = u[1];
       wrc_wrench w = wrc_wrench_default();
-      wrc_wrench_sensitivities by;
-      must(wrc_contact_wrench_sensitivities(v->contact[0][side], &input, &w, &by), "slow rolling");
+      wrc_wrench_derivatives by;
+      must(wrc_contact_wrench_derivatives(v->contact[0][side], &input, &w, &by), "slow rolling");
       const double all[6] = {w.force[0], w.force[1], w.force[2], w.moment[0], w.moment[1], w.moment[2]};
       for (int i = 0; i < SLOW; ++i) {
         a[i][SLOW] -= all[row[i]];
@@ -464,15 +464,15 @@ static void waves(FILE* file, const char* name, const wrc_config* config, const 
   char text[256] = "";
   Vehicle v;
   open_contacts(&v, config, NULL, 0);
-  wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
+  wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
   for (int i = 0; i < points; ++i) y[i] = 0.05e-3 * (i - points / 2);
   where.count = points;
   where.lateral = y;
   where.wheel_load = 0.5 * axle_load;
-  wrc_contact_functions functions = wrc_contact_functions_default();
+  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
   functions.radius_difference = dr;
   functions.roll = roll;
-  must(wrc_profile_contact_functions(models[0], &where, &functions, text, sizeof text), text);
+  must(wrc_profile_wheelset_geometry(models[0], &where, &functions, text, sizeof text), text);
   for (int k = 0; k < amplitudes; ++k) {
     double s[STATES];
     v.speed = 1.0;

@@ -98,7 +98,7 @@ static int32_t forces(wheelset* set, const curve* c, double y, double rotation, 
   wrc_wheel_input input = wrc_wheel_input_default();
   *lateral = *moment = 0.0;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.start = WRC_START_FROM_LAST;
+  input.start = WRC_START_WARM;
   input.friction.coefficient = friction;
   input.wheel.y = y;
   input.wheel.yaw = -0.25 * wheelbase * c->curvature; /* lags behind the track: nose outwards */
@@ -293,12 +293,12 @@ static void take_points(const wrc_model* model, state* now) {
 static double conicity(const wrc_model* model) {
   double y[81], dr[81], amplitude = 3e-3, found = 0.0;
   for (int i = 0; i < 81; ++i) y[i] = 0.1e-3 * (i - 40);
-  wrc_contact_functions_problem where = wrc_contact_functions_problem_default();
+  wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
   where.count = 81;
   where.lateral = y;
-  wrc_contact_functions functions = wrc_contact_functions_default();
+  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
   functions.radius_difference = dr;
-  if (wrc_profile_contact_functions(model, &where, &functions, NULL, 0) < 0) return 0.0;
+  if (wrc_profile_wheelset_geometry(model, &where, &functions, NULL, 0) < 0) return 0.0;
   wrc_conicity_problem problem = wrc_conicity_problem_default();
   problem.count = 81;
   problem.lateral = y;
@@ -440,7 +440,7 @@ int main(int argc, char** argv) {
     worn.y = y;
     worn.z = z;
     char text[256] = "";
-    check(wrc_profile_take_off(&wear, &worn, text, sizeof text), "wear", text);
+    check(wrc_profile_remove_wear(&wear, &worn, text, sizeof text), "wear", text);
     now.points = worn.count;
     memcpy(now.y, y, sizeof y);
     memcpy(now.z, z, sizeof z);

@@ -5,7 +5,7 @@
 
 #include "wrc/wrc.h"
 
-/// The number of a column of wrc_wrench_sensitivities, but for that of the load.
+/// The number of a column of wrc_wrench_derivatives, but for that of the load.
 inline double& wrench_input(wrc_wheel_input& input, std::int32_t column) {
   wrc_wheel_state& wheel = input.wheel;
   wrc_rail_state& rail = input.rail;

@@ -33,7 +33,7 @@ class Pair {
       std::exit(1);
     }
     input.friction.coefficient = 0.0;
-    input.start = WRC_START_ANEW;
+    input.start = WRC_START_COLD;
     input.wheel.velocity[0] = 20.0;
     input.wheel.angular_velocity[1] = -20.0 / radius;
   }
@@ -314,10 +314,10 @@ void impact_of_a_flat() {
     hertz.normal.method = WRC_NORMAL_HERTZ;
     hertz.wheelset.wheel_radius = of_radius[k] = 0.1 + 1.4 * k / (radii - 1);
     Pair closed(hertz);
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.load.normal_force = load;
-    wrc_output output = wrc_output_default();
-    wrc_contact_step(closed.contact(), &input, &output);
+    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_step(closed.contact(), &input, &output);
     spring[k] = load / std::pow(output.normal.approach, 1.5);
   }
   const auto spring_at = [&](double r) {
@@ -336,7 +336,7 @@ void impact_of_a_flat() {
     const RoundTable round(flat, 19999);
     config.roundness = round.table();
     Pair pair(config);
-    pair.input.start = WRC_START_FROM_LAST;
+    pair.input.start = WRC_START_WARM;
     pair.input.angle = 0.5 * turn;
     double largest[3] = {}, took = 0.0;
     for (const int model : {0, 1, 2}) {
@@ -391,7 +391,7 @@ void cost() {
               {"934 sections", Pair(more), {}},
               {"a flat", Pair(flat), {}},
               {"8 sections and a flat", Pair(both), {}}};
-  wrc_wrench_sensitivities slopes;
+  wrc_wrench_derivatives slopes;
   for (int i = 0; i < 400; ++i) {
     for (Row& row : rows) {
       wrc_wheel_input& input = row.pair.input;
@@ -404,7 +404,7 @@ void cost() {
       for (int with : {0, 1}) {
         const auto begin = std::chrono::steady_clock::now();
         if (with)
-          wrc_contact_wrench_sensitivities(row.pair.contact(), &input, &row.pair.wrench, &slopes);
+          wrc_contact_wrench_derivatives(row.pair.contact(), &input, &row.pair.wrench, &slopes);
         else
           row.pair.step();
         row.times[with].push_back(

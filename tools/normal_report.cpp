@@ -40,8 +40,8 @@ constexpr double load_of_all = 80e3;  // [N]
 /// A right wheel on its rail with one method.
 class Wheel {
  public:
-  wrc_contact_point point{};
-  wrc_normal_solution normal{};
+  wrc_planar_point point{};
+  wrc_planar_normal_solution normal{};
   double tolerance = 0.0;  ///< of a prescribed load [-]
 
   Wheel(int32_t method, bool warm, int32_t rail_kind = WRC_PROFILE_UIC60_BENCHMARK) {
@@ -70,34 +70,34 @@ class Wheel {
   Wheel& operator=(const Wheel&) = delete;
 
   int32_t place(double lateral, double yaw) {
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = lateral;
     pose.yaw = yaw;
-    return wrc_contact_geometry(contact_, &pose, &point);
+    return wrc_planar_geometry(contact_, &pose, &point);
   }
-  int32_t solve() { return wrc_contact_normal(contact_, nullptr, &load_, &normal); }
+  int32_t solve() { return wrc_planar_normal(contact_, nullptr, &load_, &normal); }
   int32_t solve_load(double normal_force) {
-    wrc_load load = wrc_load_default();
+    wrc_planar_load load = wrc_planar_load_default();
     load.normal_force = normal_force;
-    return wrc_contact_normal(contact_, nullptr, &load, &normal);
+    return wrc_planar_normal(contact_, nullptr, &load, &normal);
   }
   int32_t solve_approach(double approach) {
-    wrc_load load = wrc_load_default();
+    wrc_planar_load load = wrc_planar_load_default();
     load.prescribed = WRC_PRESCRIBE_APPROACH;
     load.approach = approach;
-    return wrc_contact_normal(contact_, nullptr, &load, &normal);
+    return wrc_planar_normal(contact_, nullptr, &load, &normal);
   }
 
   /// Takes over the rows of another wheel's gap, as the caller's.
   int32_t take_rows(const Wheel& other) {
     const wrc_view y = other.field(WRC_FIELD_GAP_Y, 0);
-    wrc_gap gap = wrc_gap_default();
+    wrc_planar_gap gap = wrc_planar_gap_default();
     gap.rows = static_cast<uint32_t>(y.count[0]);
     gap.y = y.data;
     gap.height = other.field(WRC_FIELD_GAP_HEIGHT, 0).data;
     gap.centre = other.field(WRC_FIELD_GAP_CENTRE, 0).data;
     gap.curvature = other.field(WRC_FIELD_GAP_CURVATURE, 0).data;
-    return wrc_contact_normal(contact_, &gap, &load_, &normal);
+    return wrc_planar_normal(contact_, &gap, &load_, &normal);
   }
 
   /// The shortest of three identical solves [us]: what the code takes, not what else the machine does.
@@ -158,7 +158,7 @@ class Wheel {
   }
   wrc_model* model_ = nullptr;
   wrc_contact* contact_ = nullptr;
-  wrc_load load_ = wrc_load_default();
+  wrc_planar_load load_ = wrc_planar_load_default();
   std::vector<unsigned char> state_;
 };
 
@@ -225,7 +225,7 @@ int sweep(bool json, const char* rows_path, double share_of_limits) {
         continue;
       }
       if (status > 0) ++flags[status];
-      const wrc_normal_solution& p = wheel.normal;
+      const wrc_planar_normal_solution& p = wheel.normal;
       path.push_back({lateral, p.normal_force, wheel.centre(), p.area, p.approach, p.peak_pressure,
                       wheel.point.angle, p.patches});
       if (rows != nullptr)
@@ -310,7 +310,7 @@ int jumps(double share_of_limits) {
   const auto at = [&](double lateral, double yaw) {
     wheel.place(lateral, yaw);
     const bool capped = wheel.solve() == WRC_FLAG_ITERATION_CAP;
-    const wrc_normal_solution& p = wheel.normal;
+    const wrc_planar_normal_solution& p = wheel.normal;
     return Solved{lateral,         p.normal_force,    wheel.centre(), p.area, p.approach,
                   p.peak_pressure, wheel.point.angle, p.patches,      capped};
   };
@@ -419,7 +419,7 @@ int flange(uint32_t cells) {
       grid.dy = (extent.y_to - extent.y_from + 2.0 * margin) / grid.ny;
       grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
       grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
-      const wrc_normal_solution& p = wheel.normal;
+      const wrc_planar_normal_solution& p = wheel.normal;
       std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f", 1e3 * lateral, 1e3 * yaw, p.patches, 1e6 * p.approach,
                   1e6 * p.area, 1e-6 * p.peak_pressure);
       for (const Wheel* each : {&wheel, &rows}) {
@@ -467,8 +467,8 @@ int trips() {
               continue;
             }
             const double found = wheel.normal.approach;
-            if (status == WRC_FLAG_ITERATION_CAP || status == WRC_FLAG_LOAD_LEAPS) {
-              ++(status == WRC_FLAG_LOAD_LEAPS ? leaps : capped);
+            if (status == WRC_FLAG_ITERATION_CAP || status == WRC_FLAG_LOAD_JUMPS) {
+              ++(status == WRC_FLAG_LOAD_JUMPS ? leaps : capped);
               continue;
             }
             if (wheel.solve_approach(found) < 0) {

@@ -28,7 +28,7 @@ class Driven {
   void vary(int i) {
     wheel.vary(i % positions);
     wheel.pose.lateral = -3e-3 + 8e-3 * (i % positions) / positions;
-    wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+    wheel.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
   }
   Wheel wheel;
 
@@ -68,9 +68,9 @@ void normal(benchmark::State& state, Methods methods) {
   int i = 0;
   for (auto _ : state) {
     driven.vary(++i);
-    const wrc_gap rows = shown(driven.gap(i));
+    const wrc_planar_gap rows = shown(driven.gap(i));
     benchmark::DoNotOptimize(
-        wrc_contact_normal(driven.wheel.contact, &rows, &driven.wheel.load, &driven.wheel.output.normal));
+        wrc_planar_normal(driven.wheel.contact, &rows, &driven.wheel.load, &driven.wheel.output.normal));
   }
 }
 
@@ -84,7 +84,7 @@ void tangential(benchmark::State& state, Methods methods) {
   int i = 0;
   for (auto _ : state) {
     driven.vary(++i);
-    benchmark::DoNotOptimize(wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+    benchmark::DoNotOptimize(wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
                                                     &wheel.output.forces));
   }
 }

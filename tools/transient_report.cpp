@@ -187,9 +187,9 @@ void run(const Sequence& q, Errors& errors) {
     const wrc_exact_rolling_solution wanted = exact.step(s);
     const wrc_ellipse patch = q.patch(s);
     const wrc_creepage creepage = q.creepage(s - 0.5 * q.step());
-    wrc_forces forces{};
-    wrc_contact_roll(contact, q.step());
-    if (wrc_contact_tangential(contact, &patch, &creepage, &friction, &forces) < 0)
+    wrc_planar_forces forces{};
+    wrc_planar_roll(contact, q.step());
+    if (wrc_planar_tangential(contact, &patch, &creepage, &friction, &forces) < 0)
       throw std::runtime_error("a step of the contact failed");
     errors[group].push_back(std::hypot(forces.fx - wanted.fx, forces.fy - wanted.fy) /
                             (q.friction * patch.normal_force));

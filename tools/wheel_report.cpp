@@ -113,7 +113,7 @@ int poses(const Csv& file, long count, unsigned seed) {
       input.wheel.velocity[1] = random.between(-slip, slip) * speed;
       input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
       input.friction.coefficient = random.between(0.1, 0.6);
-      input.start = random.one_in(2) ? WRC_START_ANEW : WRC_START_FROM_LAST;
+      input.start = random.one_in(2) ? WRC_START_COLD : WRC_START_WARM;
       wrc_wrench wrench = wrc_wrench_default();
       const int32_t status = wrc_contact_wrench(contact, &input, &wrench);
       ++statuses[wrc_status_name(status)];
@@ -132,9 +132,9 @@ int poses(const Csv& file, long count, unsigned seed) {
       "%ld calls, %ld in contact, %ld not finite, at most %ld regions; %ld poses carry 150 kN nowhere\n",
       count - heights * without_height, in_contact, not_finite, most_regions, without_height);
   for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
-  for (const int32_t start : {WRC_START_FROM_LAST, WRC_START_ANEW})
+  for (const int32_t start : {WRC_START_WARM, WRC_START_COLD})
     std::printf("sweeps, %-22s 50 %% %g  99 %% %g  99.9 %% %g  most %g\n",
-                start == WRC_START_ANEW ? "anew" : "from another pose's", at_share(sweeps[start], 0.5),
+                start == WRC_START_COLD ? "anew" : "from another pose's", at_share(sweeps[start], 0.5),
                 at_share(sweeps[start], 0.99), at_share(sweeps[start], 0.999), at_share(sweeps[start], 1.0));
   std::printf("sum of forces %.9e N\n", sum);
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
@@ -200,21 +200,21 @@ int loads(const Csv& file, long count, unsigned seed) {
       return wrench.z;
     };
     const wrc_wheel_input first = input;
-    const double height = call(load_anew, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_ANEW, 0.0);
-    call(height_anew, WRC_PRESCRIBE_HEIGHT, WRC_START_ANEW, height);
+    const double height = call(load_anew, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_COLD, 0.0);
+    call(height_anew, WRC_PRESCRIBE_HEIGHT, WRC_START_COLD, height);
     input.wheel.y += random.between(-20e-6, 20e-6);
     input.wheel.yaw += random.between(-50e-6, 50e-6);
     input.wheel.velocity[1] += random.between(-1e-2, 1e-2) * slip * speed;
     input.vertical_load *= 1.0 + random.between(-0.02, 0.02);
     const wrc_wheel_input second = input;
-    const double later = call(load_later, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_FROM_LAST, 0.0);
+    const double later = call(load_later, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_WARM, 0.0);
     input = first;
     wrc_wrench wrench = wrc_wrench_default();
     input.vertical_load = 0.0;
     input.wheel.z = height;
     wrc_contact_wrench(contact, &input, &wrench);
     input = second;
-    call(height_later, WRC_PRESCRIBE_HEIGHT, WRC_START_FROM_LAST, later);
+    call(height_later, WRC_PRESCRIBE_HEIGHT, WRC_START_WARM, later);
   }
   for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
   for (int way = 0; way < ways; ++way)
@@ -348,7 +348,7 @@ int branches(const Csv& file, double y, double yaw, double low, double high) {
   };
   const auto in_real_time = [&](wrc_wrench* wrench) { return wrc_contact_wrench(contact, &input, wrench); };
   for (int n = 0; n <= steps; ++n) row("anew", 1.0 * n / steps, in_real_time);
-  input.start = WRC_START_FROM_LAST;
+  input.start = WRC_START_WARM;
   for (int n = 0; n <= steps; ++n) row("down", 1.0 * n / steps, in_real_time);
   for (int n = steps; n >= 0; --n) row("up", 1.0 * n / steps, in_real_time);
   wrc_exact_wrench_options cells = wrc_exact_wrench_options_default();
@@ -429,7 +429,7 @@ void time_one(const Solver& solver, const Run& run, int32_t start, long steps) {
     strips[two].push_back(strips_in_contact(one[0], wrench));
     sweeps.push_back(wrench.iterations);
   }
-  const char* const from = start == WRC_START_ANEW ? "anew" : "from the last solution";
+  const char* const from = start == WRC_START_COLD ? "anew" : "from the last solution";
   for (const int two : {0, 1})
     if (!time[two].empty())
       std::printf("%-9s %-22s %-11s %6zu calls, %2g strips, 50 %% %6.1f us  99 %% %6.1f us\n", run.name, from,
@@ -463,7 +463,7 @@ void time_eight(const Solver& solver, long steps) {
       run.middle = k % 2 == 0 ? 1e-3 : 5.2e-3;
       inputs[k] = run.at(scout, step);
     }
-    const double first = batch(WRC_START_FROM_LAST), second = batch(WRC_START_ANEW);
+    const double first = batch(WRC_START_WARM), second = batch(WRC_START_COLD);
     double third = 0.0;
     for (std::size_t k = 0; k < wheels; ++k)
       for (const bool measured : {false, true}) {
@@ -496,7 +496,7 @@ int times(const Csv& file, long steps) {
   options.rail = pairs_of_profiles[0].rail;
   const Solver& solver = pairs.of(options);
   for (const Run& run : {straight, weaving})
-    for (const int32_t start : {WRC_START_FROM_LAST, WRC_START_ANEW}) time_one(solver, run, start, steps);
+    for (const int32_t start : {WRC_START_WARM, WRC_START_COLD}) time_one(solver, run, start, steps);
   time_eight(solver, steps / 4);
   return 0;
 }

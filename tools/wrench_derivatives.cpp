@@ -1,4 +1,4 @@
-/// wrench_derivatives - wrc_contact_wrench_sensitivities() against central differences of
+/// wrench_derivatives - wrc_contact_wrench_derivatives() against central differences of
 /// wrc_contact_wrench() on random poses, and what it takes beside a step.
 ///
 ///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated] [--list ERROR]
@@ -149,12 +149,12 @@ int main(int argc, char** argv) {
       continue;
     }
     c.input.wheel.z = wrench.z;
-    wrc_wrench_sensitivities found{};
+    wrc_wrench_derivatives found{};
     int32_t status = wrc_contact_wrench(contact, &c.input, &wrench);
     const double t0 = seconds();
     status = wrc_contact_wrench(contact, &c.input, &wrench);
     const double t1 = seconds();
-    const int32_t with = wrc_contact_wrench_sensitivities(contact, &c.input, &wrench, &found);
+    const int32_t with = wrc_contact_wrench_derivatives(contact, &c.input, &wrench, &found);
     const double t2 = seconds();
     if (status != WRC_OK || with != WRC_OK) {
       ++skipped;

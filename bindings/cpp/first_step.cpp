@@ -12,7 +12,7 @@ int main() try {
   const wrc::model model(config);
   wrc::contact contact(model, WRC_SIDE_RIGHT);
 
-  wrc_input input = wrc_input_default();
+  wrc_planar_input input = wrc_planar_input_default();
   input.load.normal_force = 80e3;  // N
   input.creepage.longitudinal = 0.5e-3;
   input.creepage.speed = 40.0;  // m/s

@@ -49,8 +49,8 @@ wrc_config usual() {
   return config;
 }
 
-wrc_input usual_input() {
-  wrc_input input = wrc_input_default();
+wrc_planar_input usual_input() {
+  wrc_planar_input input = wrc_planar_input_default();
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 0.5e-3;
   return input;
@@ -97,13 +97,13 @@ void values() {
     EXPECT(contact && !*right);
 
     // what was moved from says so
-    wrc_output output = wrc_output_default();
+    wrc_planar_output output = wrc_planar_output_default();
     EXPECT(right->step(usual_input(), output) == WRC_ERROR_NULL);
 
     // the C call's bits
-    wrc_output of_c = wrc_output_default();
-    const wrc_input input = usual_input();
-    EXPECT(wrc_contact_step(contact.get(), &input, &of_c) == WRC_OK);
+    wrc_planar_output of_c = wrc_planar_output_default();
+    const wrc_planar_input input = usual_input();
+    EXPECT(wrc_planar_step(contact.get(), &input, &of_c) == WRC_OK);
     const int before = news;
     EXPECT(contact.step(input, output) == WRC_OK);
     EXPECT(std::memcmp(&output, &of_c, sizeof output) == 0);
@@ -129,8 +129,8 @@ void values() {
            contact.try_field(7, WRC_FIELD_PRESSURE).error() == WRC_ERROR_RANGE);
 
     // a flag is no failure, and comes with the answer
-    wrc_input apart = input;
-    apart.load = wrc_load_default();
+    wrc_planar_input apart = input;
+    apart.load = wrc_planar_load_default();
     apart.load.prescribed = WRC_PRESCRIBE_APPROACH;
     apart.load.approach = -1e-6;
     auto away = contact.try_step(apart);
@@ -138,7 +138,7 @@ void values() {
 
     // save and restore; sentences
     std::array<char, 300> sentence{};
-    wrc_input wrong = input;
+    wrc_planar_input wrong = input;
     wrong.load.normal_force = 80.0;
     EXPECT(contact.try_step(wrong).error() == WRC_ERROR_RANGE);
     EXPECT(contact.last_error(sentence) == WRC_OK && std::strstr(sentence.data(), "did you pass kN?"));
@@ -153,13 +153,13 @@ void values() {
     auto left = wrc::contact::make(model, WRC_SIDE_LEFT);
     EXPECT(left.has_value());
     wrc_contact* both[] = {contact.get(), left->get()};
-    std::array<wrc_output, 2> outputs{wrc_output_default(), wrc_output_default()};
+    std::array<wrc_planar_output, 2> outputs{wrc_planar_output_default(), wrc_planar_output_default()};
     std::array<std::int32_t, 2> statuses{};
-    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_input>(&input, 1), outputs, statuses) == WRC_OK);
+    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_planar_input>(&input, 1), outputs, statuses) == WRC_OK);
     EXPECT(outputs[0].forces.fx == of_c.forces.fx &&
            outputs[1].forces.fx == left->try_step(input)->forces.fx);
-    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_input>(&input, 1),
-                                   wrc::span<wrc_output>(outputs.data(), 1), {}) == WRC_ERROR_BUFFER);
+    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_planar_input>(&input, 1),
+                                   wrc::span<wrc_planar_output>(outputs.data(), 1), {}) == WRC_ERROR_BUFFER);
 
     // memory of the caller's own
     std::uint64_t size = 0, alignment = 0;
@@ -194,7 +194,7 @@ void exceptions() {
   EXPECT(contact.step(usual_input()).forces.fx < 0.0 && contact.field(0, WRC_FIELD_SLIP_X).rows() == 32);
   EXPECT(wrc::shakedown_limit(0.1) > 1.0 && model.contact_state_size() > 1000);
   contact = wrc::contact(model, WRC_SIDE_LEFT);
-  wrc_input wrong = usual_input();
+  wrc_planar_input wrong = usual_input();
   wrong.load.normal_force = 80.0;
   const int before = news;
   try {
@@ -204,7 +204,7 @@ void exceptions() {
     EXPECT(error.why() == WRC_ERROR_RANGE && std::strstr(error.what(), "did you pass kN?"));
   }
   try {
-    wrc_output output = wrc_output_default();
+    wrc_planar_output output = wrc_planar_output_default();
     contact.check(contact.step(wrong, output));
     expect(false, "throws", __LINE__);
   } catch (const std::exception& error) {

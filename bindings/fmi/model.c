@@ -223,7 +223,7 @@ static double standing(instance* of, outcome* how) {
   given.wheel.velocity[0] = speed;
   given.wheel.angular_velocity[1] = -speed / OF_KIND(of, wheel_radius);
   given.friction.coefficient = OF_KIND(of, friction);
-  given.start = WRC_START_ANEW;
+  given.start = WRC_START_COLD;
   given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   given.vertical_load = 0.5 * of->now.real[SET_load];
   *how = answer(of, of->contact[WRC_SIDE_RIGHT],
@@ -261,7 +261,7 @@ outcome model_start(instance* of) {
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
   of->input = wrc_wheel_input_default();
-  of->input.start = WRC_START_ANEW;
+  of->input.start = WRC_START_COLD;
   of->now.solved = 0;
   INTEGER_OF_KIND(of, status) = 0;
   if (how == FINE && of->kind == WHEELSET) {
@@ -395,7 +395,7 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
     give_wheel(of);
     of->now.integer[WHEEL_status] = 0;
     const outcome how = answer(
-        of, of_wheel(of), wrc_contact_wrench_sensitivities(of_wheel(of), &of->input, &wrench, &of->slopes));
+        of, of_wheel(of), wrc_contact_wrench_derivatives(of_wheel(of), &of->input, &wrench, &of->slopes));
     if (how != FINE) return how;
     take_wheel(of, &wrench);
     of->slopes_known = 1;

@@ -45,7 +45,7 @@ enum {
 enum kind { WHEEL, WHEELSET };
 
 /* All that an instance remembers. The contacts remember nothing that counts: every call starts anew
- * (WRC_START_ANEW), so these numbers are the whole state, in this process and in any other. */
+ * (WRC_START_COLD), so these numbers are the whole state, in this process and in any other. */
 typedef struct contents {
   double real[MOST_REALS];
   int32_t integer[MOST_INTEGERS];
@@ -70,7 +70,7 @@ struct instance {
   int initialising;
   wrc_wheel_input input;
   int32_t slopes_known;
-  wrc_wrench_sensitivities slopes;
+  wrc_wrench_derivatives slopes;
   /* how a sentence reaches the host, severity 1: warning, 2: discarded, 3: error, as both versions of FMI
    * number it */
   void (*say)(instance* of, int severity, const char* sentence);

@@ -339,74 +339,74 @@ contains
       distance(c_loc(a), c_loc(a%check_rail)), layout_wrc_config(19))
   end subroutine
   subroutine test_wrc_pose()
-    type(wrc_pose), target :: a
+    type(wrc_planar_pose), target :: a
     call wrc_init(a)
-    call same('wrc_pose', 'size', c_sizeof(a), layout_wrc_pose(1))
-    call same('wrc_pose', 'lateral', &
+    call same('wrc_planar_pose', 'size', c_sizeof(a), layout_wrc_pose(1))
+    call same('wrc_planar_pose', 'lateral', &
       distance(c_loc(a), c_loc(a%lateral)), layout_wrc_pose(2))
-    call same('wrc_pose', 'roll', &
+    call same('wrc_planar_pose', 'roll', &
       distance(c_loc(a), c_loc(a%roll)), layout_wrc_pose(3))
-    call same('wrc_pose', 'yaw', &
+    call same('wrc_planar_pose', 'yaw', &
       distance(c_loc(a), c_loc(a%yaw)), layout_wrc_pose(4))
   end subroutine
   subroutine test_wrc_contact_point()
-    type(wrc_contact_point), target :: a
-    call same('wrc_contact_point', 'size', c_sizeof(a), layout_wrc_contact_point(1))
-    call same('wrc_contact_point', 'x', &
+    type(wrc_planar_point), target :: a
+    call same('wrc_planar_point', 'size', c_sizeof(a), layout_wrc_contact_point(1))
+    call same('wrc_planar_point', 'x', &
       distance(c_loc(a), c_loc(a%x)), layout_wrc_contact_point(2))
-    call same('wrc_contact_point', 'y', &
+    call same('wrc_planar_point', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_contact_point(3))
-    call same('wrc_contact_point', 'z', &
+    call same('wrc_planar_point', 'z', &
       distance(c_loc(a), c_loc(a%z)), layout_wrc_contact_point(4))
-    call same('wrc_contact_point', 'y_wheel', &
+    call same('wrc_planar_point', 'y_wheel', &
       distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_contact_point(5))
-    call same('wrc_contact_point', 'y_rail', &
+    call same('wrc_planar_point', 'y_rail', &
       distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_contact_point(6))
-    call same('wrc_contact_point', 'angle', &
+    call same('wrc_planar_point', 'angle', &
       distance(c_loc(a), c_loc(a%angle)), layout_wrc_contact_point(7))
-    call same('wrc_contact_point', 'vertical_gap', &
+    call same('wrc_planar_point', 'vertical_gap', &
       distance(c_loc(a), c_loc(a%vertical_gap)), layout_wrc_contact_point(8))
-    call same('wrc_contact_point', 'rolling_radius', &
+    call same('wrc_planar_point', 'rolling_radius', &
       distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_contact_point(9))
   end subroutine
   subroutine test_wrc_gap()
-    type(wrc_gap), target :: a
+    type(wrc_planar_gap), target :: a
     call wrc_init(a)
-    call same('wrc_gap', 'size', c_sizeof(a), layout_wrc_gap(1))
-    call same('wrc_gap', 'rows', &
+    call same('wrc_planar_gap', 'size', c_sizeof(a), layout_wrc_gap(1))
+    call same('wrc_planar_gap', 'rows', &
       distance(c_loc(a), c_loc(a%rows)), layout_wrc_gap(2))
-    call same('wrc_gap', 'columns', &
+    call same('wrc_planar_gap', 'columns', &
       distance(c_loc(a), c_loc(a%columns)), layout_wrc_gap(3))
-    call same('wrc_gap', 'y', &
+    call same('wrc_planar_gap', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_gap(4))
-    call same('wrc_gap', 'height', &
+    call same('wrc_planar_gap', 'height', &
       distance(c_loc(a), c_loc(a%height)), layout_wrc_gap(5))
-    call same('wrc_gap', 'centre', &
+    call same('wrc_planar_gap', 'centre', &
       distance(c_loc(a), c_loc(a%centre)), layout_wrc_gap(6))
-    call same('wrc_gap', 'curvature', &
+    call same('wrc_planar_gap', 'curvature', &
       distance(c_loc(a), c_loc(a%curvature)), layout_wrc_gap(7))
-    call same('wrc_gap', 'x', &
+    call same('wrc_planar_gap', 'x', &
       distance(c_loc(a), c_loc(a%x)), layout_wrc_gap(8))
-    call same('wrc_gap', 'h', &
+    call same('wrc_planar_gap', 'h', &
       distance(c_loc(a), c_loc(a%h)), layout_wrc_gap(9))
-    call same('wrc_gap', 'row_stride', &
+    call same('wrc_planar_gap', 'row_stride', &
       distance(c_loc(a), c_loc(a%row_stride)), layout_wrc_gap(10))
   end subroutine
   subroutine test_wrc_load()
-    type(wrc_load), target :: a
+    type(wrc_planar_load), target :: a
     call wrc_init(a)
-    call same('wrc_load', 'size', c_sizeof(a), layout_wrc_load(1))
-    call same('wrc_load', 'prescribed', &
+    call same('wrc_planar_load', 'size', c_sizeof(a), layout_wrc_load(1))
+    call same('wrc_planar_load', 'prescribed', &
       distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_load(2))
-    call same('wrc_load', 'reserved', &
+    call same('wrc_planar_load', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_load(3))
-    call same('wrc_load', 'normal_force', &
+    call same('wrc_planar_load', 'normal_force', &
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_load(4))
-    call same('wrc_load', 'approach', &
+    call same('wrc_planar_load', 'approach', &
       distance(c_loc(a), c_loc(a%approach)), layout_wrc_load(5))
-    call same('wrc_load', 'approach_velocity', &
+    call same('wrc_planar_load', 'approach_velocity', &
       distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_load(6))
-    call same('wrc_load', 'damping', &
+    call same('wrc_planar_load', 'damping', &
       distance(c_loc(a), c_loc(a%damping)), layout_wrc_load(7))
   end subroutine
   subroutine test_wrc_creepage()
@@ -423,8 +423,8 @@ contains
       distance(c_loc(a), c_loc(a%speed)), layout_wrc_creepage(5))
     call same('wrc_creepage', 'approach_velocity', &
       distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_creepage(6))
-    call same('wrc_creepage', 'other_way', &
-      distance(c_loc(a), c_loc(a%other_way)), layout_wrc_creepage(7))
+    call same('wrc_creepage', 'reverse_share', &
+      distance(c_loc(a), c_loc(a%reverse_share)), layout_wrc_creepage(7))
   end subroutine
   subroutine test_wrc_bulk_temperatures()
     type(wrc_bulk_temperatures), target :: a
@@ -490,76 +490,76 @@ contains
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_ellipse(6))
   end subroutine
   subroutine test_wrc_normal_solution()
-    type(wrc_normal_solution), target :: a
-    call same('wrc_normal_solution', 'size', c_sizeof(a), layout_wrc_normal_solution(1))
-    call same('wrc_normal_solution', 'patches', &
+    type(wrc_planar_normal_solution), target :: a
+    call same('wrc_planar_normal_solution', 'size', c_sizeof(a), layout_wrc_normal_solution(1))
+    call same('wrc_planar_normal_solution', 'patches', &
       distance(c_loc(a), c_loc(a%patches)), layout_wrc_normal_solution(2))
-    call same('wrc_normal_solution', 'strips', &
+    call same('wrc_planar_normal_solution', 'strips', &
       distance(c_loc(a), c_loc(a%strips)), layout_wrc_normal_solution(3))
-    call same('wrc_normal_solution', 'iterations', &
+    call same('wrc_planar_normal_solution', 'iterations', &
       distance(c_loc(a), c_loc(a%iterations)), layout_wrc_normal_solution(4))
-    call same('wrc_normal_solution', 'reserved', &
+    call same('wrc_planar_normal_solution', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_normal_solution(5))
-    call same('wrc_normal_solution', 'ellipse', &
+    call same('wrc_planar_normal_solution', 'ellipse', &
       distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_normal_solution(6))
-    call same('wrc_normal_solution', 'normal_force', &
+    call same('wrc_planar_normal_solution', 'normal_force', &
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_normal_solution(7))
-    call same('wrc_normal_solution', 'damping_force', &
+    call same('wrc_planar_normal_solution', 'damping_force', &
       distance(c_loc(a), c_loc(a%damping_force)), layout_wrc_normal_solution(8))
-    call same('wrc_normal_solution', 'approach', &
+    call same('wrc_planar_normal_solution', 'approach', &
       distance(c_loc(a), c_loc(a%approach)), layout_wrc_normal_solution(9))
-    call same('wrc_normal_solution', 'stiffness', &
+    call same('wrc_planar_normal_solution', 'stiffness', &
       distance(c_loc(a), c_loc(a%stiffness)), layout_wrc_normal_solution(10))
-    call same('wrc_normal_solution', 'peak_pressure', &
+    call same('wrc_planar_normal_solution', 'peak_pressure', &
       distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_normal_solution(11))
-    call same('wrc_normal_solution', 'area', &
+    call same('wrc_planar_normal_solution', 'area', &
       distance(c_loc(a), c_loc(a%area)), layout_wrc_normal_solution(12))
-    call same('wrc_normal_solution', 'length', &
+    call same('wrc_planar_normal_solution', 'length', &
       distance(c_loc(a), c_loc(a%length)), layout_wrc_normal_solution(13))
-    call same('wrc_normal_solution', 'width', &
+    call same('wrc_planar_normal_solution', 'width', &
       distance(c_loc(a), c_loc(a%width)), layout_wrc_normal_solution(14))
-    call same('wrc_normal_solution', 'y_min', &
+    call same('wrc_planar_normal_solution', 'y_min', &
       distance(c_loc(a), c_loc(a%y_min)), layout_wrc_normal_solution(15))
-    call same('wrc_normal_solution', 'y_max', &
+    call same('wrc_planar_normal_solution', 'y_max', &
       distance(c_loc(a), c_loc(a%y_max)), layout_wrc_normal_solution(16))
   end subroutine
   subroutine test_wrc_strips()
-    type(wrc_strips), target :: a
+    type(wrc_planar_strips), target :: a
     call wrc_init(a)
-    call same('wrc_strips', 'size', c_sizeof(a), layout_wrc_strips(1))
-    call same('wrc_strips', 'count', &
+    call same('wrc_planar_strips', 'size', c_sizeof(a), layout_wrc_strips(1))
+    call same('wrc_planar_strips', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_strips(2))
-    call same('wrc_strips', 'reserved', &
+    call same('wrc_planar_strips', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_strips(3))
-    call same('wrc_strips', 'y', &
+    call same('wrc_planar_strips', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_strips(4))
-    call same('wrc_strips', 'width', &
+    call same('wrc_planar_strips', 'width', &
       distance(c_loc(a), c_loc(a%width)), layout_wrc_strips(5))
-    call same('wrc_strips', 'centre', &
+    call same('wrc_planar_strips', 'centre', &
       distance(c_loc(a), c_loc(a%centre)), layout_wrc_strips(6))
-    call same('wrc_strips', 'half_length', &
+    call same('wrc_planar_strips', 'half_length', &
       distance(c_loc(a), c_loc(a%half_length)), layout_wrc_strips(7))
-    call same('wrc_strips', 'peak', &
+    call same('wrc_planar_strips', 'peak', &
       distance(c_loc(a), c_loc(a%peak)), layout_wrc_strips(8))
   end subroutine
   subroutine test_wrc_forces()
-    type(wrc_forces), target :: a
-    call same('wrc_forces', 'size', c_sizeof(a), layout_wrc_forces(1))
-    call same('wrc_forces', 'fx', &
+    type(wrc_planar_forces), target :: a
+    call same('wrc_planar_forces', 'size', c_sizeof(a), layout_wrc_forces(1))
+    call same('wrc_planar_forces', 'fx', &
       distance(c_loc(a), c_loc(a%fx)), layout_wrc_forces(2))
-    call same('wrc_forces', 'fy', &
+    call same('wrc_planar_forces', 'fy', &
       distance(c_loc(a), c_loc(a%fy)), layout_wrc_forces(3))
-    call same('wrc_forces', 'fn', &
+    call same('wrc_planar_forces', 'fn', &
       distance(c_loc(a), c_loc(a%fn)), layout_wrc_forces(4))
-    call same('wrc_forces', 'mz', &
+    call same('wrc_planar_forces', 'mz', &
       distance(c_loc(a), c_loc(a%mz)), layout_wrc_forces(5))
-    call same('wrc_forces', 'power', &
+    call same('wrc_planar_forces', 'power', &
       distance(c_loc(a), c_loc(a%power)), layout_wrc_forces(6))
-    call same('wrc_forces', 'adhesion_fraction', &
+    call same('wrc_planar_forces', 'adhesion_fraction', &
       distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_forces(7))
-    call same('wrc_forces', 'available', &
+    call same('wrc_planar_forces', 'available', &
       distance(c_loc(a), c_loc(a%available)), layout_wrc_forces(8))
-    call same('wrc_forces', 'reserved', &
+    call same('wrc_planar_forces', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_forces(9))
   end subroutine
   subroutine test_wrc_patch()
@@ -596,20 +596,20 @@ contains
       distance(c_loc(a), c_loc(a%normal)), layout_wrc_patch(15))
   end subroutine
   subroutine test_wrc_motion()
-    type(wrc_motion), target :: a
+    type(wrc_planar_motion), target :: a
     call wrc_init(a)
-    call same('wrc_motion', 'size', c_sizeof(a), layout_wrc_motion(1))
-    call same('wrc_motion', 'speed', &
+    call same('wrc_planar_motion', 'size', c_sizeof(a), layout_wrc_motion(1))
+    call same('wrc_planar_motion', 'speed', &
       distance(c_loc(a), c_loc(a%speed)), layout_wrc_motion(2))
-    call same('wrc_motion', 'lateral_velocity', &
+    call same('wrc_planar_motion', 'lateral_velocity', &
       distance(c_loc(a), c_loc(a%lateral_velocity)), layout_wrc_motion(3))
-    call same('wrc_motion', 'vertical_velocity', &
+    call same('wrc_planar_motion', 'vertical_velocity', &
       distance(c_loc(a), c_loc(a%vertical_velocity)), layout_wrc_motion(4))
-    call same('wrc_motion', 'roll_rate', &
+    call same('wrc_planar_motion', 'roll_rate', &
       distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_motion(5))
-    call same('wrc_motion', 'yaw_rate', &
+    call same('wrc_planar_motion', 'yaw_rate', &
       distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_motion(6))
-    call same('wrc_motion', 'pitch_rate', &
+    call same('wrc_planar_motion', 'pitch_rate', &
       distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_motion(7))
   end subroutine
   subroutine test_wrc_damage()
@@ -722,9 +722,9 @@ contains
       distance(c_loc(a), c_loc(a%c23s)), layout_wrc_coefficients(8))
   end subroutine
   subroutine test_wrc_sensitivity()
-    type(wrc_sensitivity), target :: a
-    call same('wrc_sensitivity', 'size', c_sizeof(a), layout_wrc_sensitivity(1))
-    call same('wrc_sensitivity', 'forces', &
+    type(wrc_planar_derivatives), target :: a
+    call same('wrc_planar_derivatives', 'size', c_sizeof(a), layout_wrc_sensitivity(1))
+    call same('wrc_planar_derivatives', 'forces', &
       distance(c_loc(a), c_loc(a%forces)), layout_wrc_sensitivity(2))
   end subroutine
   subroutine test_wrc_step_sensitivity()
@@ -736,39 +736,39 @@ contains
       distance(c_loc(a), c_loc(a%by_lateral)), layout_wrc_step_sensitivity(3))
   end subroutine
   subroutine test_wrc_input()
-    type(wrc_input), target :: a
+    type(wrc_planar_input), target :: a
     call wrc_init(a)
-    call same('wrc_input', 'size', c_sizeof(a), layout_wrc_input(1))
-    call same('wrc_input', 'struct_size', &
+    call same('wrc_planar_input', 'size', c_sizeof(a), layout_wrc_input(1))
+    call same('wrc_planar_input', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_input(2))
-    call same('wrc_input', 'reserved', &
+    call same('wrc_planar_input', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_input(3))
-    call same('wrc_input', 'pose', &
+    call same('wrc_planar_input', 'pose', &
       distance(c_loc(a), c_loc(a%pose)), layout_wrc_input(4))
-    call same('wrc_input', 'gap', &
+    call same('wrc_planar_input', 'gap', &
       distance(c_loc(a), c_loc(a%gap)), layout_wrc_input(5))
-    call same('wrc_input', 'load', &
+    call same('wrc_planar_input', 'load', &
       distance(c_loc(a), c_loc(a%load)), layout_wrc_input(6))
-    call same('wrc_input', 'creepage', &
+    call same('wrc_planar_input', 'creepage', &
       distance(c_loc(a), c_loc(a%creepage)), layout_wrc_input(7))
-    call same('wrc_input', 'friction', &
+    call same('wrc_planar_input', 'friction', &
       distance(c_loc(a), c_loc(a%friction)), layout_wrc_input(8))
   end subroutine
   subroutine test_wrc_output()
-    type(wrc_output), target :: a
+    type(wrc_planar_output), target :: a
     call wrc_init(a)
-    call same('wrc_output', 'size', c_sizeof(a), layout_wrc_output(1))
-    call same('wrc_output', 'struct_size', &
+    call same('wrc_planar_output', 'size', c_sizeof(a), layout_wrc_output(1))
+    call same('wrc_planar_output', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_output(2))
-    call same('wrc_output', 'reserved', &
+    call same('wrc_planar_output', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_output(3))
-    call same('wrc_output', 'point', &
+    call same('wrc_planar_output', 'point', &
       distance(c_loc(a), c_loc(a%point)), layout_wrc_output(4))
-    call same('wrc_output', 'normal', &
+    call same('wrc_planar_output', 'normal', &
       distance(c_loc(a), c_loc(a%normal)), layout_wrc_output(5))
-    call same('wrc_output', 'forces', &
+    call same('wrc_planar_output', 'forces', &
       distance(c_loc(a), c_loc(a%forces)), layout_wrc_output(6))
-    call same('wrc_output', 'damage', &
+    call same('wrc_planar_output', 'damage', &
       distance(c_loc(a), c_loc(a%damage)), layout_wrc_output(7))
   end subroutine
   subroutine test_wrc_view()
@@ -957,11 +957,11 @@ contains
       distance(c_loc(a), c_loc(a%reserved2)), layout_wrc_region(20))
   end subroutine
   subroutine test_wrc_wrench_sensitivities()
-    type(wrc_wrench_sensitivities), target :: a
-    call same('wrc_wrench_sensitivities', 'size', c_sizeof(a), layout_wrc_wrench_sensitivities(1))
-    call same('wrc_wrench_sensitivities', 'wrench', &
+    type(wrc_wrench_derivatives), target :: a
+    call same('wrc_wrench_derivatives', 'size', c_sizeof(a), layout_wrc_wrench_sensitivities(1))
+    call same('wrc_wrench_derivatives', 'wrench', &
       distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_sensitivities(2))
-    call same('wrc_wrench_sensitivities', 'z', &
+    call same('wrc_wrench_derivatives', 'z', &
       distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(3))
   end subroutine
   subroutine test_wrc_stress_peak()
@@ -1311,47 +1311,47 @@ contains
       distance(c_loc(a), c_loc(a%power_error)), layout_wrc_exact_check_result(10))
   end subroutine
   subroutine test_wrc_contact_functions_problem()
-    type(wrc_contact_functions_problem), target :: a
+    type(wrc_wheelset_geometry_problem), target :: a
     call wrc_init(a)
-    call same('wrc_contact_functions_problem', 'size', c_sizeof(a), layout_wrc_contact_functions_problem(1))
-    call same('wrc_contact_functions_problem', 'struct_size', &
+    call same('wrc_wheelset_geometry_problem', 'size', c_sizeof(a), layout_wrc_contact_functions_problem(1))
+    call same('wrc_wheelset_geometry_problem', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions_problem(2))
-    call same('wrc_contact_functions_problem', 'count', &
+    call same('wrc_wheelset_geometry_problem', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_contact_functions_problem(3))
-    call same('wrc_contact_functions_problem', 'lateral', &
+    call same('wrc_wheelset_geometry_problem', 'lateral', &
       distance(c_loc(a), c_loc(a%lateral)), layout_wrc_contact_functions_problem(4))
-    call same('wrc_contact_functions_problem', 'wheel_load', &
+    call same('wrc_wheelset_geometry_problem', 'wheel_load', &
       distance(c_loc(a), c_loc(a%wheel_load)), layout_wrc_contact_functions_problem(5))
   end subroutine
   subroutine test_wrc_contact_functions()
-    type(wrc_contact_functions), target :: a
+    type(wrc_wheelset_geometry), target :: a
     call wrc_init(a)
-    call same('wrc_contact_functions', 'size', c_sizeof(a), layout_wrc_contact_functions(1))
-    call same('wrc_contact_functions', 'struct_size', &
+    call same('wrc_wheelset_geometry', 'size', c_sizeof(a), layout_wrc_contact_functions(1))
+    call same('wrc_wheelset_geometry', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions(2))
-    call same('wrc_contact_functions', 'reserved', &
+    call same('wrc_wheelset_geometry', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_contact_functions(3))
-    call same('wrc_contact_functions', 'vertical', &
+    call same('wrc_wheelset_geometry', 'vertical', &
       distance(c_loc(a), c_loc(a%vertical)), layout_wrc_contact_functions(4))
-    call same('wrc_contact_functions', 'roll', &
+    call same('wrc_wheelset_geometry', 'roll', &
       distance(c_loc(a), c_loc(a%roll)), layout_wrc_contact_functions(5))
-    call same('wrc_contact_functions', 'radius_difference', &
+    call same('wrc_wheelset_geometry', 'radius_difference', &
       distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_contact_functions(6))
-    call same('wrc_contact_functions', 'radius_right', &
+    call same('wrc_wheelset_geometry', 'radius_right', &
       distance(c_loc(a), c_loc(a%radius_right)), layout_wrc_contact_functions(7))
-    call same('wrc_contact_functions', 'radius_left', &
+    call same('wrc_wheelset_geometry', 'radius_left', &
       distance(c_loc(a), c_loc(a%radius_left)), layout_wrc_contact_functions(8))
-    call same('wrc_contact_functions', 'angle_right', &
+    call same('wrc_wheelset_geometry', 'angle_right', &
       distance(c_loc(a), c_loc(a%angle_right)), layout_wrc_contact_functions(9))
-    call same('wrc_contact_functions', 'angle_left', &
+    call same('wrc_wheelset_geometry', 'angle_left', &
       distance(c_loc(a), c_loc(a%angle_left)), layout_wrc_contact_functions(10))
-    call same('wrc_contact_functions', 'y_wheel_right', &
+    call same('wrc_wheelset_geometry', 'y_wheel_right', &
       distance(c_loc(a), c_loc(a%y_wheel_right)), layout_wrc_contact_functions(11))
-    call same('wrc_contact_functions', 'y_wheel_left', &
+    call same('wrc_wheelset_geometry', 'y_wheel_left', &
       distance(c_loc(a), c_loc(a%y_wheel_left)), layout_wrc_contact_functions(12))
-    call same('wrc_contact_functions', 'y_rail_right', &
+    call same('wrc_wheelset_geometry', 'y_rail_right', &
       distance(c_loc(a), c_loc(a%y_rail_right)), layout_wrc_contact_functions(13))
-    call same('wrc_contact_functions', 'y_rail_left', &
+    call same('wrc_wheelset_geometry', 'y_rail_left', &
       distance(c_loc(a), c_loc(a%y_rail_left)), layout_wrc_contact_functions(14))
   end subroutine
   subroutine test_wrc_conicity_problem()

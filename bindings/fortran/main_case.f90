@@ -4,13 +4,13 @@ program main_case
   use wrc
   implicit none
   type(wrc_config) :: config
-  type(wrc_pose) :: pose
-  type(wrc_contact_point) :: point
-  type(wrc_load) :: load
+  type(wrc_planar_pose) :: pose
+  type(wrc_planar_point) :: point
+  type(wrc_planar_load) :: load
   type(wrc_creepage) :: creepage
   type(wrc_friction) :: friction
-  type(wrc_normal_solution) :: normal
-  type(wrc_forces) :: forces
+  type(wrc_planar_normal_solution) :: normal
+  type(wrc_planar_forces) :: forces
   type(wrc_damage) :: damage
   type(c_ptr) :: model, contact
   character(256) :: text
@@ -42,15 +42,15 @@ program main_case
 
   load%normal_force = 80d3
   friction%coefficient = 0.35d0
-  call check(wrc_contact_geometry(contact, pose, point))
-  call check(wrc_contact_normal(contact, c_null_ptr, load, normal))
+  call check(wrc_planar_geometry(contact, pose, point))
+  call check(wrc_planar_normal(contact, c_null_ptr, load, normal))
   print '(a,f5.2,a,f6.2,a,f6.3,a,f7.1,a,f6.2,a)', 'patch: a =', 1d3*normal%ellipse%a, ' mm, b =', 1d3*normal%ellipse%b, &
     ' mm, psi =', normal%ellipse%psi, ', p_max =', 1d-6*normal%peak_pressure, ' MPa, approach =', 1d6*normal%approach, ' um'
   do i = 1, 2
     creepage%longitudinal = creepages(1, i)
     creepage%lateral = creepages(2, i)
     creepage%spin = creepages(3, i)
-    call check(wrc_contact_tangential(contact, c_null_ptr, creepage, friction, forces))
+    call check(wrc_planar_tangential(contact, c_null_ptr, creepage, friction, forces))
     call check(wrc_contact_damage(contact, damage))
     print '(a,i0,a,f8.0,a,f8.0,a,f7.1,a,f7.2,a,f5.1,a)', 'case ', i, ': Fx =', forces%fx, ' N, Fy =', forces%fy, &
       ' N, Mz =', forces%mz, ' N m, power =', forces%power, ' W (', 100*(forces%power/contact_power(i) - 1), &
@@ -66,7 +66,7 @@ program main_case
 
   ! a mistake, and what the library says of it
   load%normal_force = 80d0
-  if (wrc_contact_normal(contact, c_null_ptr, load, normal) /= WRC_ERROR_RANGE) error stop 'kN was not noticed'
+  if (wrc_planar_normal(contact, c_null_ptr, load, normal) /= WRC_ERROR_RANGE) error stop 'kN was not noticed'
   call wrc_contact_last_error(contact, text)
   print '(2a)', '80 N: ', trim(text)
 

@@ -4,14 +4,14 @@ program optional_case
   use wrc_optional
   implicit none
   type(wrc_config) :: config
-  type(wrc_input) :: input
-  type(wrc_output) :: output
-  type(wrc_normal_solution) :: normal, normal_again
-  type(wrc_forces) :: forces, forces_again
+  type(wrc_planar_input) :: input
+  type(wrc_planar_output) :: output
+  type(wrc_planar_normal_solution) :: normal, normal_again
+  type(wrc_planar_forces) :: forces, forces_again
   type(wrc_wear) :: wear
   type(wrc_wheel_input) :: wheel
   type(wrc_wrench) :: wrench, wrench_again
-  type(wrc_wrench_sensitivities) :: slopes
+  type(wrc_wrench_derivatives) :: slopes
   type(c_ptr) :: model, contact
   character(kind=c_char, len=1) :: text(200)
 
@@ -30,12 +30,12 @@ program optional_case
   if (contact_step(contact, input, output) /= WRC_OK) error stop 'step'
 
   ! the stages, each its own way
-  if (wrc_contact_geometry(contact, input%pose, output%point) /= WRC_OK) error stop 'geometry'
-  if (wrc_contact_normal(contact, c_null_ptr, input%load, normal) /= WRC_OK) error stop 'normal'
+  if (wrc_planar_geometry(contact, input%pose, output%point) /= WRC_OK) error stop 'geometry'
+  if (wrc_planar_normal(contact, c_null_ptr, input%load, normal) /= WRC_OK) error stop 'normal'
   if (contact_geometry(contact, input%pose) /= WRC_OK) error stop 'geometry again'
   if (contact_normal(contact, load=input%load, normal=normal_again) /= WRC_OK) error stop 'normal again'
   if (normal%peak_pressure /= normal_again%peak_pressure .or. normal%peak_pressure < 8d8) error stop 'other pressure'
-  if (wrc_contact_tangential(contact, c_null_ptr, input%creepage, input%friction, forces) /= WRC_OK) error stop 'tangential'
+  if (wrc_planar_tangential(contact, c_null_ptr, input%creepage, input%friction, forces) /= WRC_OK) error stop 'tangential'
   if (contact_tangential(contact, creepage=input%creepage, friction=input%friction, forces=forces_again) /= WRC_OK) &
     error stop 'again'
   if (forces%fx /= forces_again%fx .or. forces%fx >= 0d0) error stop 'other force'
@@ -45,7 +45,7 @@ program optional_case
   call wrc_init(wheel)
   call wrc_init(wrench)
   call wrc_init(wrench_again)
-  wheel%start = WRC_START_ANEW
+  wheel%start = WRC_START_COLD
   wheel%wheel%z = 0.3d-3
   wheel%wheel%velocity(1) = 20d0
   wheel%wheel%angular_velocity(2) = -20d0/0.46d0

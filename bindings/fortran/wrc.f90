@@ -1,7 +1,7 @@
 ! wrc: wheel/rail contact, Fortran 2008 interface to the C library (include_c/wrc/wrc.h has the documentation).
 !
 ! Types have the names and members of the C structs. Every type must have its init called before use:
-!     type(wrc_load) :: load
+!     type(wrc_planar_load) :: load
 !     call wrc_init(load)              ! sets struct_size and the defaults
 !     call wrc_init(load, status)      ! WRC_ERROR_STRUCT_SIZE: the library is older than this module
 ! Nothing here prints or stops.

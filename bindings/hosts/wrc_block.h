@@ -17,7 +17,7 @@ typedef struct wrc_block {
   wrc_model* model;
   wrc_contact* contact;
   wrc_wheel_input input;
-  wrc_wrench_sensitivities slopes;
+  wrc_wrench_derivatives slopes;
   char sentence[400]; /* why the last call failed */
 } wrc_block;
 
@@ -38,7 +38,7 @@ static wrc_block* wrc_block_open(int side, int wheel, int rail, double inclinati
   config.rail.kind = rail;
   config.track.rail_inclination = inclination;
   block->input = wrc_wheel_input_default();
-  block->input.start = WRC_START_ANEW;
+  block->input.start = WRC_START_COLD;
   block->input.friction.coefficient = friction;
   if (wrc_model_create(&config, NULL, &block->model) < 0)
     wrc_config_check(&config, block->sentence, sizeof block->sentence);
@@ -62,7 +62,7 @@ static int wrc_block_wrench(wrc_block* block, const double in[], double out[], d
   wrc_wrench wrench = wrc_wrench_default();
   int status, i;
   wrc_block_give(block, in);
-  status = slopes ? wrc_contact_wrench_sensitivities(block->contact, &block->input, &wrench, &block->slopes)
+  status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &wrench, &block->slopes)
                   : wrc_contact_wrench(block->contact, &block->input, &wrench);
   if (status < 0) wrc_contact_last_error(block->contact, block->sentence, sizeof block->sentence);
   memcpy(out, wrench.force, sizeof wrench.force);

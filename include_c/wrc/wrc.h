@@ -9,13 +9,13 @@
  *                  any number of threads may use one model.
  *     wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
  *
- * A step is five stages; call them together (wrc_contact_step) or one by one, or enter in the middle with your own
+ * A step is five stages; call them together (wrc_planar_step) or one by one, or enter in the middle with your own
  * data:
  *
- *     wrc_contact_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
- *     wrc_contact_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
- *     wrc_contact_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
- *     wrc_contact_tangential      patch, creepage -> tractions, slip, forces, frictional power
+ *     wrc_planar_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
+ *     wrc_planar_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
+ *     wrc_planar_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
+ *     wrc_planar_tangential      patch, creepage -> tractions, slip, forces, frictional power
  *     wrc_contact_damage          fields          -> wear and fatigue numbers
  *
  * @par Frame, signs, units
@@ -160,9 +160,9 @@ enum wrc_friction_kind {
 /** Where the y of friction zones counts from. */
 enum wrc_zone_frame {
   WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame: zones move with the contact point */
-  WRC_ZONES_RAIL_PROFILE = 1,  /**< rail profile, as wrc_contact_point.y_rail: zones stay on the rail; field side > 0.
-                                    Needs the contact point of a wrc_contact_geometry */
-  WRC_ZONES_WHEEL_PROFILE = 2  /**< wheel profile, as wrc_contact_point.y_wheel: zones stay on the wheel, as a lubricated
+  WRC_ZONES_RAIL_PROFILE = 1,  /**< rail profile, as wrc_planar_point.y_rail: zones stay on the rail; field side > 0.
+                                    Needs the contact point of a wrc_planar_geometry */
+  WRC_ZONES_WHEEL_PROFILE = 2  /**< wheel profile, as wrc_planar_point.y_wheel: zones stay on the wheel, as a lubricated
                                     flange; flange side < 0. Needs the same */
 };
 
@@ -183,7 +183,7 @@ enum wrc_instruction_set {
 
 /** Which of load and approach is given; the other is a result. */
 enum wrc_prescribed {
-  WRC_PRESCRIBE_LOAD = 0,    /**< normal_force is given */
+  WRC_PRESCRIBE_NORMAL_FORCE = 0,    /**< normal_force is given */
   WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
 };
 
@@ -195,7 +195,7 @@ enum wrc_available {
 
 /** Arrays of the last step that wrc_contact_field() shows without copying, in the contact frame. Fields over cells have
  * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips
- * (by increasing y); fields over strips have count[0] = strips. After wrc_contact_tangential strips are those the
+ * (by increasing y); fields over strips have count[0] = strips. After wrc_planar_tangential strips are those the
  * tractions live on: of the ellipse, where the patch model has one. */
 enum wrc_field_id {
   WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
@@ -212,13 +212,13 @@ enum wrc_field_id {
   WRC_FIELD_STRIP_HALF = 11,     /**< strips: half length [m] */
   WRC_FIELD_STRIP_PEAK = 12,     /**< strips: peak pressure [Pa] */
   WRC_FIELD_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m]; needs wrc_contact_damage */
-  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_contact_geometry or a gap of your own) */
+  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_planar_geometry or a gap of your own) */
   WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
   WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
   WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
   WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
                                     needs wrc_contact_wear */
-  WRC_FIELD_STRIP_FRICTION = 19, /**< strips: coefficient of friction the law gave [-]; needs wrc_contact_tangential */
+  WRC_FIELD_STRIP_FRICTION = 19, /**< strips: coefficient of friction the law gave [-]; needs wrc_planar_tangential */
   WRC_FIELD_TEMPERATURE_RISE = 20 /**< cells: rise of both surfaces by friction over what they have at first touch [K];
                                      needs wrc_contact_temperature */
 };
@@ -246,7 +246,7 @@ typedef struct wrc_profile {
 
 /** Elastic and yield properties. Of bodies that are not alike all methods take the combined 1/G = (1/G_w + 1/G_r) / 2 and
  * nu/G = (nu_w/G_w + nu_r/G_r) / 2, with which pressure alone and traction alone are as they should; what couples them, in the
- * measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is left out, and WRC_FLAG_UNLIKE_MATERIALS says so when the model is
+ * measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is left out, and WRC_FLAG_DISSIMILAR_MATERIALS says so when the model is
  * made. Theory manual, section 4. */
 typedef struct wrc_config_material {
   double shear_modulus; /**< G, of both bodies or of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large: steel has 80e9 */
@@ -393,7 +393,7 @@ typedef struct wrc_config {
   wrc_config_tangential tangential; /**< method and options of the tangential problem */
   uint32_t rail_sections;           /**< of a rail that changes along the track, 0..1000; 0: it is config.rail everywhere [0] */
   int32_t non_steady;               /**< 0..1; 1: contacts remember their tractions, and forces follow what changes over
-                                         the distances told to wrc_contact_roll(); one way of rolling, forwards, not
+                                         the distances told to wrc_planar_roll(); one way of rolling, forwards, not
                                          with wrc_contact_wrench; read by WRC_TANGENTIAL_STRIP_FASTSIM [0] */
   const wrc_rail_section* rail_section; /**< `rail_sections` of them with `rail_sections`; config.rail is beside them what
                                              the rail's place follows from and what the stages see [required] */
@@ -406,14 +406,14 @@ typedef struct wrc_config {
 
 /** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
  * smaller than 1e-100 counts as 0. */
-typedef struct wrc_pose {
+typedef struct wrc_planar_pose {
   double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0]. Did you pass mm? */
   double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
   double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
-} wrc_pose;
+} wrc_planar_pose;
 
 /** Where wheel and rail first touch when the wheelset of that pose is lowered. */
-typedef struct wrc_contact_point {
+typedef struct wrc_planar_point {
   double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
   double y; /**< see x */
   double z; /**< see x */
@@ -422,14 +422,14 @@ typedef struct wrc_contact_point {
   double angle;          /**< contact angle: rotation about x from the track to the contact frame [rad] */
   double vertical_gap;   /**< the wheel must be lowered by this, from its running circle level with the rail top [m] */
   double rolling_radius; /**< of the wheel at the contact point [m] */
-} wrc_contact_point;
+} wrc_planar_point;
 
 /** The undeformed gap, when the caller owns the contact search: rows along x at increasing y in the contact frame,
  * measured along the normal. Its minimum is first contact; a constant offset is irrelevant.
  *  - columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2
  *  - columns > 0: element-wise, h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
  *    to its lowest part, what lies less than config.grid.gap_limit / 4 above its minimum but at least three points. */
-typedef struct wrc_gap {
+typedef struct wrc_planar_gap {
   uint32_t rows;           /**< 4..config.grid.gap_rows [0]. Too small: a gap needs at least four rows. Too large: raise
                                 config.grid.gap_rows */
   uint32_t columns;        /**< 0 or 3..100000 [0] */
@@ -445,18 +445,18 @@ typedef struct wrc_gap {
                                 [required]. Did you pass mm? */
   const double* h;         /**< -0.3..0.3 m with `columns` [required]. Did you pass mm? */
   uint64_t row_stride;     /**< elements from one row of h to the next, >= columns [0] */
-} wrc_gap;
+} wrc_planar_gap;
 
 /** What presses the bodies together, and damping of the approach if wanted (Hunt and Crossley, J. Appl. Mech. 42
  * (1975) 440-445): every pressure is the elastic one times
  *     1 + 3/2 damping * approach_velocity,   never below 0,
  * on the elastic patch. The force so grows from zero at first touch and never pulls. Everything downstream (traction
- * bound, forces.fn, fields, damage) sees this pressure; wrc_normal_solution.damping_force is its share of the normal
+ * bound, forces.fn, fields, damage) sees this pressure; wrc_planar_normal_solution.damping_force is its share of the normal
  * force. An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
-typedef struct wrc_load {
-  int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
+typedef struct wrc_planar_load {
+  int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_NORMAL_FORCE] */
   uint32_t reserved;    /**< 0 */
-  double normal_force;  /**< along the contact normal, 1e2..1e6 N with WRC_PRESCRIBE_LOAD; must be set [0]. Negative: the
+  double normal_force;  /**< along the contact normal, 1e2..1e6 N with WRC_PRESCRIBE_NORMAL_FORCE; must be set [0]. Negative: the
                              normal force is compressive positive; prescribe the approach near lift-off. Too small: did
                              you pass kN? near lift-off prescribe the approach instead. Too large: did you pass a
                              pressure, or grams? */
@@ -467,7 +467,7 @@ typedef struct wrc_load {
   double damping;       /**< 0..10 s/m with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0].
                              Negative: damping takes energy out. Too large: it is not a viscous constant: that over 3/2
                              of the force it was found at */
-} wrc_load;
+} wrc_planar_load;
 
 /** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
  * as none. */
@@ -477,12 +477,12 @@ typedef struct wrc_creepage {
   double spin;          /**< phi, -1000..1000 1/m [0] */
   double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount
                              scales the power and the sliding speed of friction that falls [1]. Did you pass km/h? */
-  double approach_velocity; /**< result of wrc_contact_creepages(), not read: velocity of the wheel's point along the contact
-                                 normal into the rail [m/s], for wrc_load */
-  double other_way;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
-                             speed says, 0..0.5: near standstill wrc_contact_creepages() sets it, and both ways are solved;
+  double approach_velocity; /**< result of wrc_planar_creepages(), not read: velocity of the wheel's point along the contact
+                                 normal into the rail [m/s], for wrc_planar_load */
+  double reverse_share;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
+                             speed says, 0..0.5: near standstill wrc_planar_creepages() sets it, and both ways are solved;
                              fields, what damage and wear make of them are of the way of speed [0]. Too small: it is a
-                             result of wrc_contact_creepages. Too large: the way of creepage.speed has the larger share */
+                             result of wrc_planar_creepages. Too large: the way of creepage.speed has the larger share */
 } wrc_creepage;
 
 /** Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass. */
@@ -544,7 +544,7 @@ typedef struct wrc_ellipse {
 } wrc_ellipse;
 
 /** What the normal problem of a contact came to, all patches together. */
-typedef struct wrc_normal_solution {
+typedef struct wrc_planar_normal_solution {
   int32_t patches;      /**< separate patches: wrc_contact_patch() has each */
   int32_t strips;       /**< strips under pressure */
   int32_t iterations;   /**< of the root find, or sweeps */
@@ -561,10 +561,10 @@ typedef struct wrc_normal_solution {
   double width;         /**< extent along y: y_max - y_min [m] */
   double y_min;         /**< lateral borders [m] */
   double y_max;         /**< see y_min */
-} wrc_normal_solution;
+} wrc_planar_normal_solution;
 
 /** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
-typedef struct wrc_strips {
+typedef struct wrc_planar_strips {
   uint32_t count;            /**< 1..config.grid.strips [0]. Too large: raise config.grid.strips */
   uint32_t reserved;         /**< 0 */
   const double* y;           /**< middle, `count` of them, -0.3..0.3 m, increasing; strips must not overlap [required].
@@ -576,10 +576,10 @@ typedef struct wrc_strips {
                                   Too large: did you pass mm? */
   const double* peak;        /**< `count` of them, 0..1e11 Pa [required]. Too small: pressure is compressive positive.
                                   Too large: steel yields at a tenth of that */
-} wrc_strips;
+} wrc_planar_strips;
 
 /** Forces on the wheel in the contact frame, moment about its origin. */
-typedef struct wrc_forces {
+typedef struct wrc_planar_forces {
   double fx;                /**< creep forces [N] */
   double fy;                /**< see fx */
   double fn;                /**< normal force, compressive positive, damping included [N] */
@@ -588,7 +588,7 @@ typedef struct wrc_forces {
   double adhesion_fraction; /**< share of the patch's area that sticks [-]; WRC_AVAILABLE_TRACTIONS */
   uint32_t available;       /**< bits of enum wrc_available: what else stands here; where one is missing, 0 does */
   uint32_t reserved;        /**< 0 */
-} wrc_forces;
+} wrc_planar_forces;
 
 /** One patch of a contact with its forces. Moments are about the origin of the contact frame: the forces of all patches add
  * up to those of the contact. */
@@ -598,7 +598,7 @@ typedef struct wrc_patch {
   int32_t strips;       /**< strips the patch is made of */
   uint32_t reserved;    /**< 0 */
   wrc_ellipse ellipse;  /**< its equivalent double ellipse, with the place of its joint and its load */
-  wrc_forces forces;    /**< on the wheel; zero before wrc_contact_tangential() */
+  wrc_planar_forces forces;    /**< on the wheel; zero before wrc_planar_tangential() */
   double peak_pressure; /**< [Pa] */
   double area;          /**< [m^2] */
   double length;        /**< extent along x [m] */
@@ -611,16 +611,16 @@ typedef struct wrc_patch {
 } wrc_patch;
 
 /** Velocity of the wheelset relative to the track, in the track frame. */
-typedef struct wrc_motion {
+typedef struct wrc_planar_motion {
   double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0]. Did you pass km/h? */
   double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
   double vertical_velocity; /**< down, -20..20 m/s [0] */
   double roll_rate;         /**< about x, -100..100 rad/s [0]. Did you pass degrees? */
   double yaw_rate;          /**< about z, -100..100 rad/s [0]. Did you pass degrees? */
   double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0]. Did you pass rpm? */
-} wrc_motion;
+} wrc_planar_motion;
 
-/** Wear and rolling contact fatigue numbers of the last wrc_contact_tangential. */
+/** Wear and rolling contact fatigue numbers of the last wrc_planar_tangential. */
 typedef struct wrc_damage {
   double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
   double peak_power_density;  /**< [W/m^2]; WRC_AVAILABLE_TRACTIONS */
@@ -675,7 +675,7 @@ typedef struct wrc_wear_laws {
                                W/mm^2? */
 } wrc_wear_laws;
 
-/** Wear of the last wrc_contact_tangential. */
+/** Wear of the last wrc_planar_tangential. */
 typedef struct wrc_wear {
   double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
   double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
@@ -694,12 +694,12 @@ typedef struct wrc_coefficients {
   double c23s; /**< see c11s */
 } wrc_coefficients;
 
-/** Derivatives of the forces of the last wrc_contact_tangential at its patch. */
-typedef struct wrc_sensitivity {
+/** Derivatives of the forces of the last wrc_planar_tangential at its patch. */
+typedef struct wrc_planar_derivatives {
   double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
                              (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the
                              whole law; with friction.zones, their mean over the load) */
-} wrc_sensitivity;
+} wrc_planar_derivatives;
 
 /** Derivatives of the last whole step, creepages and friction held. */
 typedef struct wrc_step_sensitivity {
@@ -709,26 +709,26 @@ typedef struct wrc_step_sensitivity {
                              caller */
 } wrc_step_sensitivity;
 
-/** What wrc_contact_step() reads. What pointers within point to is the caller's and only read during the call. */
-typedef struct wrc_input {
+/** What wrc_planar_step() reads. What pointers within point to is the caller's and only read during the call. */
+typedef struct wrc_planar_input {
   uint32_t struct_size;  /**< sizeof this struct, 256 or more */
   uint32_t reserved;     /**< 0 */
-  wrc_pose pose;         /**< of the wheelset; not used with `gap`, but within its ranges all the same */
-  const wrc_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
-  wrc_load load;         /**< what presses the bodies together */
+  wrc_planar_pose pose;         /**< of the wheelset; not used with `gap`, but within its ranges all the same */
+  const wrc_planar_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
+  wrc_planar_load load;         /**< what presses the bodies together */
   wrc_creepage creepage; /**< rigid slip at the origin of the contact frame */
   wrc_friction friction; /**< between the bodies */
-} wrc_input;
+} wrc_planar_input;
 
-/** What wrc_contact_step() fills. */
-typedef struct wrc_output {
+/** What wrc_planar_step() fills. */
+typedef struct wrc_planar_output {
   uint32_t struct_size;       /**< sizeof this struct, 344 or more */
   uint32_t reserved;          /**< 0 */
-  wrc_contact_point point;    /**< zero when there was no pose */
-  wrc_normal_solution normal; /**< of the normal stage */
-  wrc_forces forces;          /**< of the tangential stage */
+  wrc_planar_point point;    /**< zero when there was no pose */
+  wrc_planar_normal_solution normal; /**< of the normal stage */
+  wrc_planar_forces forces;          /**< of the tangential stage */
   wrc_damage damage;          /**< of the damage stage */
-} wrc_output;
+} wrc_planar_output;
 
 /** A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
  * the contact. */
@@ -781,19 +781,19 @@ WRC_API const char* wrc_status_text(int32_t status);
 WRC_API int32_t wrc_profile_init(wrc_profile* profile); /**< Defaults: profile. */
 WRC_API int32_t wrc_config_init(wrc_config* config); /**< Defaults: configuration. */
 WRC_API int32_t wrc_heat_properties_init(wrc_heat_properties* heat); /**< Defaults: how a body takes up heat. */
-WRC_API int32_t wrc_pose_init(wrc_pose* pose); /**< Defaults: pose. */
-WRC_API int32_t wrc_gap_init(wrc_gap* gap); /**< Defaults: gap. */
-WRC_API int32_t wrc_load_init(wrc_load* load); /**< Defaults: load. */
+WRC_API int32_t wrc_planar_pose_init(wrc_planar_pose* pose); /**< Defaults: pose. */
+WRC_API int32_t wrc_planar_gap_init(wrc_planar_gap* gap); /**< Defaults: gap. */
+WRC_API int32_t wrc_planar_load_init(wrc_planar_load* load); /**< Defaults: load. */
 WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage); /**< Defaults: creepages. */
 WRC_API int32_t wrc_bulk_temperatures_init(wrc_bulk_temperatures* bulk); /**< Defaults: temperatures of the bodies. */
 WRC_API int32_t wrc_friction_init(wrc_friction* friction); /**< Defaults: friction. */
 WRC_API int32_t wrc_ellipse_init(wrc_ellipse* ellipse); /**< Defaults: ellipse. */
-WRC_API int32_t wrc_strips_init(wrc_strips* strips); /**< Defaults: strips. */
-WRC_API int32_t wrc_motion_init(wrc_motion* motion); /**< Defaults: wheelset's motion. */
+WRC_API int32_t wrc_planar_strips_init(wrc_planar_strips* strips); /**< Defaults: strips. */
+WRC_API int32_t wrc_planar_motion_init(wrc_planar_motion* motion); /**< Defaults: wheelset's motion. */
 WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws); /**< Defaults: wear laws. */
 WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator); /**< Defaults: allocator. */
-WRC_API int32_t wrc_input_init(wrc_input* input); /**< Defaults: input of a step. */
-WRC_API int32_t wrc_output_init(wrc_output* output); /**< Defaults: output of a step. */
+WRC_API int32_t wrc_planar_input_init(wrc_planar_input* input); /**< Defaults: input of a step. */
+WRC_API int32_t wrc_planar_output_init(wrc_planar_output* output); /**< Defaults: output of a step. */
 WRC_API int32_t wrc_patch_init(wrc_patch* patch); /**< Defaults: patch. */
 /** @cond */
 #define WRC_DEFAULT(type)                \
@@ -814,19 +814,19 @@ WRC_API int32_t wrc_patch_init(wrc_patch* patch); /**< Defaults: patch. */
 WRC_DEFAULT(wrc_profile)
 WRC_DEFAULT_SIZED(wrc_config)
 WRC_DEFAULT(wrc_heat_properties)
-WRC_DEFAULT(wrc_pose)
-WRC_DEFAULT(wrc_gap)
-WRC_DEFAULT(wrc_load)
+WRC_DEFAULT(wrc_planar_pose)
+WRC_DEFAULT(wrc_planar_gap)
+WRC_DEFAULT(wrc_planar_load)
 WRC_DEFAULT(wrc_creepage)
 WRC_DEFAULT(wrc_bulk_temperatures)
 WRC_DEFAULT(wrc_friction)
 WRC_DEFAULT(wrc_ellipse)
-WRC_DEFAULT(wrc_strips)
-WRC_DEFAULT(wrc_motion)
+WRC_DEFAULT(wrc_planar_strips)
+WRC_DEFAULT(wrc_planar_motion)
 WRC_DEFAULT_SIZED(wrc_wear_laws)
 WRC_DEFAULT(wrc_allocator)
-WRC_DEFAULT_SIZED(wrc_input)
-WRC_DEFAULT_SIZED(wrc_output)
+WRC_DEFAULT_SIZED(wrc_planar_input)
+WRC_DEFAULT_SIZED(wrc_planar_output)
 WRC_DEFAULT_SIZED(wrc_patch)
 /** @endcond */
 /** @} */
@@ -996,15 +996,15 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * @param[out] point where the bodies touch first; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles),
  * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
-WRC_API int32_t wrc_contact_geometry(wrc_contact* contact, const wrc_pose* pose, wrc_contact_point* point);
+WRC_API int32_t wrc_planar_geometry(wrc_contact* contact, const wrc_planar_pose* pose, wrc_planar_point* point);
 
-/** Creepages at the origin of the contact frame of the last wrc_contact_geometry, from the rigid motion of the wheelset: the
+/** Creepages at the origin of the contact frame of the last wrc_planar_geometry, from the rigid motion of the wheelset: the
  * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
  * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
- * standstill: -2). What it gives wrc_contact_tangential takes, as it stands:
+ * standstill: -2). What it gives wrc_planar_tangential takes, as it stands:
  *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) /
  *    8, u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power
- *    right, and the sign of V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
+ *    right, and the sign of V; reverse_share goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
  *    through V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
  *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by
  *    it.
@@ -1012,17 +1012,17 @@ WRC_API int32_t wrc_contact_geometry(wrc_contact* contact, const wrc_pose* pose,
  * Theory manual, section 7.
  * @param contact the contact
  * @param motion of the wheelset, track frame
- * @param[out] creepage the creepages with speed, approach_velocity and other_way, ready to be passed on; NULL: not
+ * @param[out] creepage the creepages with speed, approach_velocity and reverse_share, ready to be passed on; NULL: not
  * wanted
  * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
- * wrc_contact_geometry before), _NOT_FINITE, _RANGE.
+ * wrc_planar_geometry before), _NOT_FINITE, _RANGE.
  * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_creepages(wrc_contact* contact, const wrc_motion* motion, wrc_creepage* creepage);
+WRC_API int32_t wrc_planar_creepages(wrc_contact* contact, const wrc_planar_motion* motion, wrc_creepage* creepage);
 
-/** Solves the normal problem and regularises the patch (wrc_contact_regularise). Strips stay in the contact. Pressures are
+/** Solves the normal problem and regularises the patch (wrc_planar_regularise). Strips stay in the contact. Pressures are
  * those of two bodies of equal material; theory manual, sections 2 and 3.
  * @param contact the contact
- * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_contact_geometry or of an earlier call
+ * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_planar_geometry or of an earlier call
  * @param load along the contact normal
  * @param[out] normal the solution; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
@@ -1031,8 +1031,8 @@ WRC_API int32_t wrc_contact_creepages(wrc_contact* contact, const wrc_motion* mo
  * or approach is more than the gap carries, at most config.grid.gap_limit of a pose's: load and pressures go on in a
  * straight line with the last stiffness, the patch stays); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and
  * the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, const wrc_load* load,
-                                   wrc_normal_solution* normal);
+WRC_API int32_t wrc_planar_normal(wrc_contact* contact, const wrc_planar_gap* gap, const wrc_planar_load* load,
+                                   wrc_planar_normal_solution* normal);
 
 /** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
  * Theory manual, section 3; paper section 2.
@@ -1041,11 +1041,11 @@ WRC_API int32_t wrc_contact_normal(wrc_contact* contact, const wrc_gap* gap, con
  * @param[out] normal what the strips add up to, with their double ellipse; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE,
  * _SEQUENCE (strips is NULL and the contact has none), _RANGE, _NOT_FINITE. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* strips,
-                                       wrc_normal_solution* normal);
+WRC_API int32_t wrc_planar_regularise(wrc_contact* contact, const wrc_planar_strips* strips,
+                                       wrc_planar_normal_solution* normal);
 
 /** Tells a contact of a model with config.non_steady = 1 how far it has rolled since its last tangential stage; calls add
- * up. The next wrc_contact_tangential() or wrc_contact_step() takes that distance: pressure and creepages are those of
+ * up. The next wrc_planar_tangential() or wrc_planar_step() takes that distance: pressure and creepages are those of
  * its end (creepages better of its middle), and every particle brings along the traction it had. Steps may be as long
  * as one likes: over six lengths of the patch they are steady rolling; with 0, the default, tractions stay where they
  * are. A contact begins, and begins again when the bodies have been apart, without tractions; save and restore take
@@ -1054,7 +1054,7 @@ WRC_API int32_t wrc_contact_regularise(wrc_contact* contact, const wrc_strips* s
  * @param distance 0..1e6 m
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without config.non_steady). @rt hard
  * @thread contact */
-WRC_API int32_t wrc_contact_roll(wrc_contact* contact, double distance);
+WRC_API int32_t wrc_planar_roll(wrc_contact* contact, double distance);
 
 /** Solves the tangential problem of rolling, steady but for config.non_steady. Theory manual, sections 4 and 5; paper eq. 5 to 9.
  * @param contact the contact
@@ -1064,30 +1064,30 @@ WRC_API int32_t wrc_contact_roll(wrc_contact* contact, double distance);
  * @param friction between the bodies
  * @param[out] forces on the wheel, contact frame; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
- * are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
- * friction zones over a profile without a wrc_contact_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
+ * are usable), _CREEPAGES_LIMITED (creepage.reverse_share is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
+ * friction zones over a profile without a wrc_planar_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
  * contact */
-WRC_API int32_t wrc_contact_tangential(wrc_contact* contact, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
-                               const wrc_friction* friction, wrc_forces* forces);
+WRC_API int32_t wrc_planar_tangential(wrc_contact* contact, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
+                               const wrc_friction* friction, wrc_planar_forces* forces);
 
-/** Wear and fatigue numbers of the last wrc_contact_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
+/** Wear and fatigue numbers of the last wrc_planar_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
  * Theory manual, section 6; paper eq. 10 to 12.
  * @param contact the contact
  * @param[out] damage the numbers; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_damage(wrc_contact* contact, wrc_damage* damage);
 
-/** Wear of the last wrc_contact_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
+/** Wear of the last wrc_planar_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
  * Theory manual, section 6.
  * @param contact the contact
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential before),
  * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: no tractions to wear by). @rt hard @thread
  * contact */
 WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
 
-/** Derivatives of the forces of the last wrc_contact_tangential or wrc_contact_step by creepages, load and friction,
+/** Derivatives of the forces of the last wrc_planar_tangential or wrc_planar_step by creepages, load and friction,
  * for implicit integrators and linearisation: those of the discrete model itself, carried along with the forces
  * (forward mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between
  * stick and slip; there it is the derivative from one side. Where strips stick a second time, which takes large spin,
@@ -1097,9 +1097,9 @@ WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws
  * included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_contact_tangential());
- * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential). @rt hard @thread contact */
-WRC_API int32_t wrc_contact_sensitivities(wrc_contact* contact, wrc_sensitivity* sensitivity);
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_planar_tangential());
+ * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential). @rt hard @thread contact */
+WRC_API int32_t wrc_planar_tangential_derivatives(wrc_contact* contact, wrc_planar_derivatives* sensitivity);
 
 /** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
  * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
@@ -1107,8 +1107,8 @@ WRC_API int32_t wrc_contact_sensitivities(wrc_contact* contact, wrc_sensitivity*
  * Nothing in the contact changes, fields included.
  * @param contact the contact
  * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; the flags of wrc_contact_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential,
- * or on strips or a patch of the caller), and those of wrc_contact_step() where a neighbouring step fails. @rt hard
+ * @return WRC_OK; the flags of wrc_planar_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential,
+ * or on strips or a patch of the caller), and those of wrc_planar_step() where a neighbouring step fails. @rt hard
  * @thread contact */
 WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
 
@@ -1118,9 +1118,9 @@ WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_se
  * @param[out] output the results; NULL: not wanted
  * @return WRC_OK or the first flag of the stages; the failure of the first stage that fails, which ends the step with
  * all outputs zeroed. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_step(wrc_contact* contact, const wrc_input* input, wrc_output* output);
+WRC_API int32_t wrc_planar_step(wrc_contact* contact, const wrc_planar_input* input, wrc_planar_output* output);
 
-/** wrc_contact_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
+/** wrc_planar_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
  * range of contacts, with identical results.
  * @param contacts count of them, each once
  * @param count how many
@@ -1131,25 +1131,25 @@ WRC_API int32_t wrc_contact_step(wrc_contact* contact, const wrc_input* input, w
  * @param[out] statuses count of them; NULL: not wanted
  * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
  * @thread contact, all of them */
-WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
-                               uint64_t input_stride, wrc_output* outputs, uint64_t output_stride,
+WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_planar_input* inputs,
+                               uint64_t input_stride, wrc_planar_output* outputs, uint64_t output_stride,
                                int32_t* statuses);
 
 #define WRC_FLAT_INPUTS 8   /**< numbers wrc_contact_step_flat() reads */
 #define WRC_FLAT_OUTPUTS 12 /**< numbers wrc_contact_step_flat() writes */
 
-/** wrc_contact_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
+/** wrc_planar_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
  * @param contact of a model with profiles
  * @param in WRC_FLAT_INPUTS numbers: lateral [m], roll [rad], yaw [rad], normal force [N], nu_x, nu_y, phi [1/m],
  * friction
  * @param[out] out WRC_FLAT_OUTPUTS numbers: fx, fy, fn [N], mz [N m], power / speed [N], approach [m],
  * peak pressure [Pa], area [m^2], a [m], b [m], psi, fatigue index
- * @return as wrc_contact_step(). @rt hard @thread contact */
+ * @return as wrc_planar_step(). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_step_flat(wrc_contact* contact, const double* in, double* out);
 
 /** One of the contact's patches with its forces.
  * @param contact the contact
- * @param index 0 .. wrc_normal_solution.patches - 1, by increasing y
+ * @param index 0 .. wrc_planar_normal_solution.patches - 1, by increasing y
  * @param[out] patch the patch
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
  * @rt hard @thread contact */
@@ -1157,7 +1157,7 @@ WRC_API int32_t wrc_contact_patch(const wrc_contact* contact, int32_t index, wrc
 
 /** Shows a field of one patch after the last call without copying it.
  * @param contact the contact
- * @param patch 0 .. wrc_normal_solution.patches - 1, by increasing y; the fields of the gap ignore it
+ * @param patch 0 .. wrc_planar_normal_solution.patches - 1, by increasing y; the fields of the gap ignore it
  * @param field enum wrc_field_id
  * @param[out] view where the numbers lie; data is NULL when the field has not been computed
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),

@@ -17,16 +17,16 @@ struct wrc_api {
   const char* (*status_text)(int32_t); /**< wrc_status_text() */
   int32_t (*profile_init)(wrc_profile*); /**< wrc_profile_init() */
   int32_t (*config_init)(wrc_config*); /**< wrc_config_init() */
-  int32_t (*pose_init)(wrc_pose*); /**< wrc_pose_init() */
-  int32_t (*gap_init)(wrc_gap*); /**< wrc_gap_init() */
-  int32_t (*load_init)(wrc_load*); /**< wrc_load_init() */
+  int32_t (*pose_init)(wrc_planar_pose*); /**< wrc_planar_pose_init() */
+  int32_t (*gap_init)(wrc_planar_gap*); /**< wrc_planar_gap_init() */
+  int32_t (*load_init)(wrc_planar_load*); /**< wrc_planar_load_init() */
   int32_t (*creepage_init)(wrc_creepage*); /**< wrc_creepage_init() */
   int32_t (*friction_init)(wrc_friction*); /**< wrc_friction_init() */
   int32_t (*patch_init)(wrc_patch*); /**< wrc_patch_init() */
-  int32_t (*strips_init)(wrc_strips*); /**< wrc_strips_init() */
-  int32_t (*motion_init)(wrc_motion*); /**< wrc_motion_init() */
-  int32_t (*input_init)(wrc_input*); /**< wrc_input_init() */
-  int32_t (*output_init)(wrc_output*); /**< wrc_output_init() */
+  int32_t (*strips_init)(wrc_planar_strips*); /**< wrc_planar_strips_init() */
+  int32_t (*motion_init)(wrc_planar_motion*); /**< wrc_planar_motion_init() */
+  int32_t (*input_init)(wrc_planar_input*); /**< wrc_planar_input_init() */
+  int32_t (*output_init)(wrc_planar_output*); /**< wrc_planar_output_init() */
   int32_t (*allocator_init)(wrc_allocator*); /**< wrc_allocator_init() */
   int32_t (*config_check)(const wrc_config*, char*, uint64_t); /**< wrc_config_check() */
   int32_t (*model_size)(const wrc_config*, uint64_t*, uint64_t*); /**< wrc_model_size() */
@@ -53,19 +53,19 @@ struct wrc_api {
   int32_t (*wrench_init)(wrc_wrench*); /**< wrc_wrench_init() */
   int32_t (*region_init)(wrc_region*); /**< wrc_region_init() */
   int32_t (*contact_last_error)(const wrc_contact*, char*, uint64_t); /**< wrc_contact_last_error() */
-  int32_t (*contact_geometry)(wrc_contact*, const wrc_pose*, wrc_contact_point*); /**< wrc_contact_geometry() */
-  int32_t (*contact_creepages)(wrc_contact*, const wrc_motion*, wrc_creepage*); /**< wrc_contact_creepages() */
-  int32_t (*contact_normal)(wrc_contact*, const wrc_gap*, const wrc_load*, wrc_normal_solution*);
-    /**< wrc_contact_normal() */
-  int32_t (*contact_regularise)(wrc_contact*, const wrc_strips*, wrc_normal_solution*); /**< wrc_contact_regularise() */
-  int32_t (*contact_tangential)(wrc_contact*, const wrc_ellipse*, const wrc_creepage*, const wrc_friction*, wrc_forces*);
-    /**< wrc_contact_tangential() */
+  int32_t (*contact_geometry)(wrc_contact*, const wrc_planar_pose*, wrc_planar_point*); /**< wrc_planar_geometry() */
+  int32_t (*contact_creepages)(wrc_contact*, const wrc_planar_motion*, wrc_creepage*); /**< wrc_planar_creepages() */
+  int32_t (*contact_normal)(wrc_contact*, const wrc_planar_gap*, const wrc_planar_load*, wrc_planar_normal_solution*);
+    /**< wrc_planar_normal() */
+  int32_t (*contact_regularise)(wrc_contact*, const wrc_planar_strips*, wrc_planar_normal_solution*); /**< wrc_planar_regularise() */
+  int32_t (*contact_tangential)(wrc_contact*, const wrc_ellipse*, const wrc_creepage*, const wrc_friction*, wrc_planar_forces*);
+    /**< wrc_planar_tangential() */
   int32_t (*contact_damage)(wrc_contact*, wrc_damage*); /**< wrc_contact_damage() */
   int32_t (*contact_wear)(wrc_contact*, const wrc_wear_laws*, wrc_wear*); /**< wrc_contact_wear() */
-  int32_t (*contact_sensitivities)(wrc_contact*, wrc_sensitivity*); /**< wrc_contact_sensitivities() */
+  int32_t (*contact_sensitivities)(wrc_contact*, wrc_planar_derivatives*); /**< wrc_planar_tangential_derivatives() */
   int32_t (*contact_step_sensitivities)(wrc_contact*, wrc_step_sensitivity*); /**< wrc_contact_step_sensitivities() */
-  int32_t (*contact_step)(wrc_contact*, const wrc_input*, wrc_output*); /**< wrc_contact_step() */
-  int32_t (*contact_step_batch)(wrc_contact* const*, uint32_t, const wrc_input*, uint64_t, wrc_output*, uint64_t, int32_t*);
+  int32_t (*contact_step)(wrc_contact*, const wrc_planar_input*, wrc_planar_output*); /**< wrc_planar_step() */
+  int32_t (*contact_step_batch)(wrc_contact* const*, uint32_t, const wrc_planar_input*, uint64_t, wrc_planar_output*, uint64_t, int32_t*);
     /**< wrc_contact_step_batch() */
   int32_t (*contact_step_flat)(wrc_contact*, const double*, double*); /**< wrc_contact_step_flat() */
   int32_t (*contact_field)(const wrc_contact*, int32_t, int32_t, wrc_view*); /**< wrc_contact_field() */
@@ -94,16 +94,16 @@ struct wrc_api {
   const char* (*version_text)(uint32_t); /**< wrc_version_text() */
   const char* (*build_info)(void); /**< wrc_build_info() */
   int32_t (*config_use)(wrc_config*, const char*, char*, uint64_t); /**< wrc_config_use() */
-  int32_t (*contact_wrench_sensitivities)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*, wrc_wrench_sensitivities*);
-    /**< wrc_contact_wrench_sensitivities() */
+  int32_t (*contact_wrench_sensitivities)(wrc_contact*, const wrc_wheel_input*, wrc_wrench*, wrc_wrench_derivatives*);
+    /**< wrc_contact_wrench_derivatives() */
   int32_t (*ellipse_init)(wrc_ellipse*); /**< wrc_ellipse_init() */
-  int32_t (*contact_functions_problem_init)(wrc_contact_functions_problem*);
-    /**< wrc_contact_functions_problem_init() */
-  int32_t (*contact_functions_init)(wrc_contact_functions*); /**< wrc_contact_functions_init() */
+  int32_t (*contact_functions_problem_init)(wrc_wheelset_geometry_problem*);
+    /**< wrc_wheelset_geometry_problem_init() */
+  int32_t (*contact_functions_init)(wrc_wheelset_geometry*); /**< wrc_wheelset_geometry_init() */
   int32_t (*conicity_problem_init)(wrc_conicity_problem*); /**< wrc_conicity_problem_init() */
   int32_t (*conicity_init)(wrc_conicity*); /**< wrc_conicity_init() */
-  int32_t (*profile_contact_functions)(const wrc_model*, const wrc_contact_functions_problem*, wrc_contact_functions*, char*, uint64_t);
-    /**< wrc_profile_contact_functions() */
+  int32_t (*profile_contact_functions)(const wrc_model*, const wrc_wheelset_geometry_problem*, wrc_wheelset_geometry*, char*, uint64_t);
+    /**< wrc_profile_wheelset_geometry() */
   int32_t (*equivalent_conicity)(const wrc_conicity_problem*, wrc_conicity*, char*, uint64_t);
     /**< wrc_equivalent_conicity() */
   int32_t (*stresses_init)(wrc_stresses*); /**< wrc_stresses_init() */
@@ -144,11 +144,11 @@ struct wrc_api {
   int32_t (*whole_life_damage)(const wrc_fatigue_laws*, double, double*); /**< wrc_whole_life_damage() */
   int32_t (*model_arc_places)(const wrc_model*, int32_t, uint32_t, const double*, double*, double*);
     /**< wrc_model_arc_places() */
-  int32_t (*contact_roll)(wrc_contact*, double); /**< wrc_contact_roll() */
+  int32_t (*contact_roll)(wrc_contact*, double); /**< wrc_planar_roll() */
   int32_t (*profile_wear_init)(wrc_profile_wear*); /**< wrc_profile_wear_init() */
   int32_t (*worn_profile_init)(wrc_worn_profile*); /**< wrc_worn_profile_init() */
   int32_t (*profile_take_off)(const wrc_profile_wear*, wrc_worn_profile*, char*, uint64_t);
-    /**< wrc_profile_take_off() */
+    /**< wrc_profile_remove_wear() */
   int32_t (*flange_dimensions)(uint32_t, const double*, const double*, double, wrc_flange*, char*, uint64_t);
     /**< wrc_flange_dimensions() */
   int32_t (*contact_region_temperature)(wrc_contact*, int32_t, const wrc_bulk_temperatures*, wrc_temperature*);

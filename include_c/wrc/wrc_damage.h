@@ -87,7 +87,7 @@ enum wrc_damage_quantity {
 /** Which results of a contact are added. */
 enum wrc_damage_source {
   WRC_DAMAGE_OF_WRENCH = 0, /**< the last wrc_contact_wrench() */
-  WRC_DAMAGE_OF_STAGES = 1  /**< the last wrc_contact_damage() or wrc_contact_step(), of a pose */
+  WRC_DAMAGE_OF_STAGES = 1  /**< the last wrc_contact_damage() or wrc_planar_step(), of a pose */
 };
 
 /** One bin: all zero, nothing was added. Bits are the same whatever the order of additions and merges. */
@@ -167,18 +167,18 @@ WRC_DEFAULT_SIZED(wrc_accumulation)
 /** @endcond */
 /** @} */
 
-/** Temperatures in the contact from the frictional power of the last wrc_contact_tangential or wrc_contact_step, and the field
+/** Temperatures in the contact from the frictional power of the last wrc_planar_tangential or wrc_planar_step, and the field
  * TEMPERATURE_RISE: flash temperatures of points that pass through the contact (Ertz and Knothe, Wear 253 (2002) 498),
  *     T(s) = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 / ((beta_w + beta_r) sqrt(pi V)) Int_0^s q / sqrt(s - s') ds',
  * s from the leading edge along each strip, q the power density, beta = sqrt(conductivity density specific_heat) of
  * config.wheel_heat and config.rail_heat. Heat flows into the depth alone, which holds from some 0.1 m/s on (Peclet
  * number V a density specific_heat / (2 conductivity) > 10); below, temperatures are too high and go to zero with the speed.
- * Near standstill (creepage.other_way) it is of the way of creepage.speed. Cost grows with strips * cells^2. May be
+ * Near standstill (creepage.reverse_share) it is of the way of creepage.speed. Cost grows with strips * cells^2. May be
  * called again with other bulk temperatures. Theory manual, section 6.
  * @param contact the contact
  * @param bulk temperatures of the bodies; NULL: the defaults
  * @param[out] temperature the numbers; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential before),
  * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: there is no power over the patch). @rt hard @thread
  * contact */
 WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, const wrc_bulk_temperatures* bulk,
@@ -196,8 +196,8 @@ WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, const wrc_bulk_tem
 WRC_API int32_t wrc_contact_region_temperature(wrc_contact* contact, int32_t index, const wrc_bulk_temperatures* bulk,
                                                wrc_temperature* temperature);
 
-/** Largest stresses in one of the bodies under pressure and tractions of the last wrc_contact_tangential or
- * wrc_contact_step: at the surface, at depths of the caller's, and around the largest of these (golden sections between
+/** Largest stresses in one of the bodies under pressure and tractions of the last wrc_planar_tangential or
+ * wrc_planar_step: at the surface, at depths of the caller's, and around the largest of these (golden sections between
  * its neighbours: depths a fifth of the patch's smaller half extent apart are close enough). Elastic half-space; strips
  * are joined to at most 36 lanes of 48 cells, near cells are rectangles, others forces at points (Boussinesq, Love, Cerruti;
  * Johnson 1985, 3.2). Bounded: at most 312 places a depth, the surface included, and 24 more, some 3 us each with AVX-512, 12
@@ -210,7 +210,7 @@ WRC_API int32_t wrc_contact_region_temperature(wrc_contact* contact, int32_t ind
  * @param count of depths, 1..64
  * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted; zero on failure
  * @param[out] stresses at the surface, below it and of both; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_contact_tangential before),
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential before),
  * _NOT_FINITE, _RANGE, _UNSUPPORTED (no such body; a method that gives forces alone). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t body, const double* depths, uint32_t count,
                                      wrc_stress_peaks* levels, wrc_stresses* stresses);

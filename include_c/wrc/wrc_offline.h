@@ -61,10 +61,10 @@ typedef struct wrc_materials {
 /** The normal problem: an undeformed gap and what presses the bodies together. */
 typedef struct wrc_exact_normal_problem {
   uint32_t struct_size;            /**< sizeof this struct, 136 or more */
-  int32_t prescribed;              /**< enum wrc_prescribed [WRC_PRESCRIBE_LOAD] */
+  int32_t prescribed;              /**< enum wrc_prescribed [WRC_PRESCRIBE_NORMAL_FORCE] */
   int32_t max_iterations;          /**< 1..100000 [1000] */
   int32_t reserved;                /**< 0 */
-  double normal_force;             /**< 1e-3..1e7 N with WRC_PRESCRIBE_LOAD; must be set [0]. Negative: compressive
+  double normal_force;             /**< 1e-3..1e7 N with WRC_PRESCRIBE_NORMAL_FORCE; must be set [0]. Negative: compressive
                                         positive. Too large: did you pass mN? */
   double approach;                 /**< beyond the zero of the gap, -1..0.01 m with WRC_PRESCRIBE_APPROACH [0]. Too
                                         large: did you pass mm? */
@@ -198,7 +198,7 @@ WRC_DEFAULT_SIZED(wrc_exact_check_result)
 /** @endcond */
 /** @} */
 
-/** Samples the gap in a contact at the cell centres of a grid, its minimum at zero. Of wrc_contact_geometry: the
+/** Samples the gap in a contact at the cell centres of a grid, its minimum at zero. Of wrc_planar_geometry: the
  * separation of the true surfaces, wheel (a surface of revolution, with its yaw and roll) and rail, along the contact
  * normal. The rows the real-time methods read are its expansion along x; beside steps of the profile's curvature they
  * leave it under yaw (theory manual, section 7). Of the caller: the rows handed over, each a parabola. Outside the
@@ -299,12 +299,12 @@ WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
 /** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
  * exactly on nx x ny cells over its patches, friction.slope_reduction included, and reports the errors of the real-time
  * method. The contact is not changed.
- * @param contact after wrc_contact_tangential or wrc_contact_step
+ * @param contact after wrc_planar_tangential or wrc_planar_step
  * @param nx cells along x, 8..512 @param ny cells along y, 8..512
  * @param progress NULL: none @param user handed to progress
  * @param[out] result exact forces and the errors
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _SEQUENCE, _UNSUPPORTED
- * (both ways of rolling blended: creepage.other_way is not 0), _MEMORY, _CANCELLED. @rt init @thread contact */
+ * (both ways of rolling blended: creepage.reverse_share is not 0), _MEMORY, _CANCELLED. @rt init @thread contact */
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
                                 wrc_exact_check_result* result);
 

@@ -19,7 +19,7 @@ enum wrc_conicity_method {
 };
 
 /** Where contact functions are asked for. */
-typedef struct wrc_contact_functions_problem {
+typedef struct wrc_wheelset_geometry_problem {
   uint32_t struct_size;  /**< sizeof this struct, 24 or more */
   uint32_t count;        /**< lateral displacements, 1..100000 [0]. Too small: say how many displacements there are */
   const double* lateral; /**< of the wheelset, to the right, `count` of them, -0.1..0.1 m [required]. Did you pass mm? */
@@ -28,11 +28,11 @@ typedef struct wrc_contact_functions_problem {
                               elastic, without friction, all contacts weighted by what they carry, continuous; needs
                               WRC_NORMAL_STRIP_HALFSPACE [0]. Negative: the load is positive where the rail pushes the
                               wheel upwards. Too small: did you pass kN? Too large: did you pass a pressure, or grams? */
-} wrc_contact_functions_problem;
+} wrc_wheelset_geometry_problem;
 
 /** Contact functions over the lateral displacement: arrays of the caller, `count` elements each; NULL: not wanted; set
  * before the call. Coordinates of profiles are those of wrc_profile, right and left alike. */
-typedef struct wrc_contact_functions {
+typedef struct wrc_wheelset_geometry {
   uint32_t struct_size;      /**< sizeof this struct, 96 or more */
   uint32_t reserved;         /**< 0 */
   double* vertical;          /**< displacement of the wheelset's middle downwards [m] */
@@ -47,7 +47,7 @@ typedef struct wrc_contact_functions {
   double* y_wheel_left;      /**< see y_wheel_right */
   double* y_rail_right;      /**< contact on the rail's profile, field side positive [m] */
   double* y_rail_left;       /**< see y_rail_right */
-} wrc_contact_functions;
+} wrc_wheelset_geometry;
 
 /** A rolling radius difference over the lateral displacement, straight between its points, and what to make of it. */
 typedef struct wrc_conicity_problem {
@@ -119,15 +119,15 @@ typedef struct wrc_flange {
  * As in wrc.h.
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_contact_functions_problem_init(wrc_contact_functions_problem* problem); /**< Defaults: problem. */
-WRC_API int32_t wrc_contact_functions_init(wrc_contact_functions* functions); /**< Defaults: functions. */
+WRC_API int32_t wrc_wheelset_geometry_problem_init(wrc_wheelset_geometry_problem* problem); /**< Defaults: problem. */
+WRC_API int32_t wrc_wheelset_geometry_init(wrc_wheelset_geometry* functions); /**< Defaults: functions. */
 WRC_API int32_t wrc_conicity_problem_init(wrc_conicity_problem* problem); /**< Defaults: problem. */
 WRC_API int32_t wrc_conicity_init(wrc_conicity* conicity); /**< Defaults: result. */
 WRC_API int32_t wrc_profile_wear_init(wrc_profile_wear* wear); /**< Defaults: wear. */
 WRC_API int32_t wrc_worn_profile_init(wrc_worn_profile* worn); /**< Defaults: result. */
 /** @cond */
-WRC_DEFAULT_SIZED(wrc_contact_functions_problem)
-WRC_DEFAULT_SIZED(wrc_contact_functions)
+WRC_DEFAULT_SIZED(wrc_wheelset_geometry_problem)
+WRC_DEFAULT_SIZED(wrc_wheelset_geometry)
 WRC_DEFAULT_SIZED(wrc_conicity_problem)
 WRC_DEFAULT_SIZED(wrc_conicity)
 WRC_DEFAULT_SIZED(wrc_profile_wear)
@@ -146,8 +146,8 @@ WRC_DEFAULT_SIZED(wrc_worn_profile)
  * profiles), _UNSUPPORTED (a load, and a model of another normal method), _GAP (no rail below a wheel at one of the
  * displacements), _LOAD (the same under load), _MEMORY.
  * @rt init @thread free */
-WRC_API int32_t wrc_profile_contact_functions(const wrc_model* model, const wrc_contact_functions_problem* problem,
-                                              wrc_contact_functions* functions, char* text, uint64_t size);
+WRC_API int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
+                                              wrc_wheelset_geometry* functions, char* text, uint64_t size);
 
 /** Equivalent conicity of a rolling radius difference over amplitudes. UIC 519, EN 15302; Klingel's wavelength
  * 2 pi sqrt(e r0 / (2 tan gamma)). Theory manual, "Contact functions and conicity".
@@ -172,7 +172,7 @@ WRC_API int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _PROFILE (points that are no profile, a worn one that
  * crosses itself), _BUFFER (more points than there is room for), _MEMORY.
  * @rt init @thread free */
-WRC_API int32_t wrc_profile_take_off(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text, uint64_t size);
+WRC_API int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text, uint64_t size);
 
 /** Flange dimensions of a wheel's profile.
  * @param count points, 4..20000

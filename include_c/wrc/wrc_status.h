@@ -19,11 +19,11 @@
   X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches exist than the configuration has room for")         \
   X(WRC_FLAG_TABLE_RANGE, 5, "the patch is more slender than the coefficient tables: their end is used") \
   X(WRC_FLAG_CREEPAGES_LIMITED, 6, "nearly at rest, or sliding far faster than rolling: creepages are limited") \
-  X(WRC_FLAG_LOAD_LEAPS, 7, "no approach of this normal method carries the load: it leaps past it there") \
+  X(WRC_FLAG_LOAD_JUMPS, 7, "no approach of this normal method carries the load: it leaps past it there") \
   X(WRC_FLAG_BEYOND_GAP, 8, "beyond what the gap or the profiles carry: continued with the last stiffness") \
   X(WRC_FLAG_CLIMBING, 9, "friction on a steep face lets no height carry the load, or several")          \
   X(WRC_FLAG_BEYOND_SECTIONS, 10, "the rail has no section that far along the track: the nearest is used") \
-  X(WRC_FLAG_UNLIKE_MATERIALS, 11, "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out") \
+  X(WRC_FLAG_DISSIMILAR_MATERIALS, 11, "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out") \
   X(WRC_FLAG_SUM_OVERFLOW, 12, "a sum of bins passed its range: what they hold is worthless")              \
   X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
   X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is not that of a known version of the struct")              \

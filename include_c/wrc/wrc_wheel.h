@@ -77,15 +77,15 @@ enum wrc_axes {
 };
 
 /** Which of height and load of a wheel is given; the other is a result. */
-enum wrc_wheel_prescribed {
+enum wrc_prescribed {
   WRC_PRESCRIBE_HEIGHT = 0,       /**< wheel.z is given: the choice of a dynamic simulation */
   WRC_PRESCRIBE_VERTICAL_LOAD = 1 /**< vertical_load is given, z of the reference point is found */
 };
 
 /** Where the sweeps over the strips, and the search for the height of a load, begin. */
-enum wrc_wheel_start {
-  WRC_START_ANEW = 0,     /**< results depend on the inputs of the call alone, to the last bit */
-  WRC_START_FROM_LAST = 1 /**< the contact's last solution: a third faster where poses follow each other. Results then depend
+enum wrc_start {
+  WRC_START_COLD = 0,     /**< results depend on the inputs of the call alone, to the last bit */
+  WRC_START_WARM = 1 /**< the contact's last solution: a third faster where poses follow each other. Results then depend
                                on the calls before, by at most 1e-7 of the normal force. For explicit integrators and fixed
                                steps: the iterations of an implicit one that are to end at 1e-8 see that */
 };
@@ -139,8 +139,8 @@ typedef struct wrc_frame_motion {
  * read during the call. */
 typedef struct wrc_wheel_input {
   uint32_t struct_size;  /**< sizeof this struct, 304 or more */
-  int32_t prescribed;    /**< enum wrc_wheel_prescribed [WRC_PRESCRIBE_HEIGHT] */
-  int32_t start;         /**< enum wrc_wheel_start [WRC_START_ANEW] */
+  int32_t prescribed;    /**< enum wrc_prescribed [WRC_PRESCRIBE_HEIGHT] */
+  int32_t start;         /**< enum wrc_start [WRC_START_COLD] */
   uint32_t reserved;     /**< 0 */
   wrc_wheel_state wheel; /**< where the wheel is and how it moves */
   wrc_rail_state rail;   /**< where the rail is and how it moves */
@@ -151,7 +151,7 @@ typedef struct wrc_wheel_input {
                               with WRC_PRESCRIBE_VERTICAL_LOAD, 0 else [0]. Negative: the load is positive where the rail
                               pushes the wheel upwards. Too small: did you pass kN? near lift-off prescribe the height
                               instead. Too large: did you pass a pressure, or grams? Else: the height is prescribed */
-  double damping;        /**< of Hunt and Crossley as in wrc_load, strip by strip, with the velocity at which the strip's
+  double damping;        /**< of Hunt and Crossley as in wrc_planar_load, strip by strip, with the velocity at which the strip's
                               own overlap grows, 0..10 s/m with WRC_PRESCRIBE_HEIGHT, 0 else [0]. Negative: damping takes
                               energy out. Too large: it is not a viscous constant: that over 3/2 of the force it was
                               found at. Else: a prescribed load is the whole load */
@@ -242,7 +242,7 @@ enum wrc_region_field {
                                        wrc_contact_region_temperature() */
 };
 
-/** What a wrench depends on: the columns of wrc_wrench_sensitivities. */
+/** What a wrench depends on: the columns of wrc_wrench_derivatives. */
 enum wrc_wrench_input {
   WRC_BY_Y = 0,                   /**< wheel.y [m] */
   WRC_BY_Z = 1,                   /**< wheel.z [m], where the height is prescribed */
@@ -265,15 +265,15 @@ enum wrc_wrench_input {
   WRC_BY_ANGLE = 18               /**< angle [rad] */
 };
 
-#define WRC_WRENCH_INPUTS 19 /**< columns of wrc_wrench_sensitivities */
+#define WRC_WRENCH_INPUTS 19 /**< columns of wrc_wrench_derivatives */
 
 /** Derivatives of the wrench on the wheel about its reference point, at the pose and motion given. What is prescribed is
  * held: with WRC_PRESCRIBE_VERTICAL_LOAD the height follows all other inputs, and the column of z is zero; otherwise that
  * of the load. */
-typedef struct wrc_wrench_sensitivities {
+typedef struct wrc_wrench_derivatives {
   double wrench[6][19]; /**< rows force x, y, z [N], moment x, y, z [N m], track axes; columns enum wrc_wrench_input */
   double z[19];         /**< of wrc_wrench.z; columns the same */
-} wrc_wrench_sensitivities;
+} wrc_wrench_derivatives;
 
 /** @name Defaults
  * As those of wrc.h.
@@ -326,7 +326,7 @@ WRC_DEFAULT_SIZED(wrc_region)
  * the side of a rail, and its back, which the sentence says), _ITERATION_CAP, _CLIMBING (above), _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the
  * stiffness and the directions there), _PATCH_AT_EDGE (contact reaches the
  * end of a profile; what lies beyond carries nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
- * wrc_contact_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
+ * wrc_planar_creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest, the wrench is
  * whole; or, says the sentence, more strips overlap than there is room for: those on the field side carry nothing);
  * WRC_FLAG_TABLE_RANGE (of methods that know patches); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a
  * model without profiles, friction zones in a contact frame, or friction over temperature of a method without tractions),
@@ -346,8 +346,8 @@ WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* 
  * @return as wrc_contact_wrench(). Derivatives are zero without contact; with WRC_FLAG_BEYOND_GAP they are those where the
  * overlap is 2 mm deep; zero and WRC_FLAG_MORE_PATCHES with more than 160 strips in contact.
  * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
-                                             wrc_wrench_sensitivities* sensitivities);
+WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
+                                             wrc_wrench_derivatives* sensitivities);
 
 /** One region of the last wrc_contact_wrench().
  * @param contact the contact
@@ -358,7 +358,7 @@ WRC_API int32_t wrc_contact_wrench_sensitivities(wrc_contact* contact, const wrc
 WRC_API int32_t wrc_contact_region(const wrc_contact* contact, int32_t index, wrc_region* region);
 
 /** The equivalent double ellipse of a region of the last wrc_contact_wrench(), its strips laid flat along the rail's arc: as
- * wrc_contact_regularise() with the strips' extent, the joint where they are longest. The results stay as they are.
+ * wrc_planar_regularise() with the strips' extent, the joint where they are longest. The results stay as they are.
  * Theory manual, section 3.
  * @param contact the contact
  * @param index as for wrc_contact_region()

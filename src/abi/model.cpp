@@ -56,7 +56,7 @@ Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes,
   handle = made;
   constexpr double rounding = 1e-9;
   if (std::abs(options.coupling) > rounding)
-    return {.status = WRC_FLAG_UNLIKE_MATERIALS,
+    return {.status = WRC_FLAG_DISSIMILAR_MATERIALS,
             .field = "K",
             .value = options.coupling,
             .unit = "",

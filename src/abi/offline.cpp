@@ -100,7 +100,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   halfspace::GapProblem problem;
   fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
-  problem.prescribed = ours.prescribed == WRC_PRESCRIBE_LOAD ? Prescribed::load : Prescribed::approach;
+  problem.prescribed = ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? Prescribed::load : Prescribed::approach;
   problem.normal_force = ours.normal_force;
   problem.approach = ours.approach;
   problem.tolerance = ours.tolerance;
@@ -129,7 +129,7 @@ Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Gr
       {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
        check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, fastest_rolling,
              "the exact solver rolls along x: mirror the problem"),
-       check(creepage.other_way, "problem.creepage.other_way", "", 0.0, 0.0, nullptr,
+       check(creepage.reverse_share, "problem.creepage.reverse_share", "", 0.0, 0.0, nullptr,
              "the exact solver rolls one way only")});
   if (fault.failed()) return fault;
   if (ours.adhesion == WRC_ADHESION_FULL) {
@@ -305,14 +305,14 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   if (contact.reached < Stage::tangential) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "contact",
-            .cause = "call wrc_contact_tangential or wrc_contact_step first"};
+            .cause = "call wrc_planar_tangential or wrc_planar_step first"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const Rolling& rolling = contact.rolling;
-  if (rolling.other_way > 0.0) {
+  if (rolling.reverse_share > 0.0) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "creepage.other_way",
-            .value = rolling.other_way,
+            .field = "creepage.reverse_share",
+            .value = rolling.reverse_share,
             .unit = "",
             .cause = "near standstill a contact rolls both ways: there is no exact solution of that"};
   }
@@ -596,7 +596,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",
-              .cause = "call wrc_contact_geometry first, or hand over a gap"};
+              .cause = "call wrc_planar_geometry first, or hand over a gap"};
     }
     abi::sample_gap(inside, ours, gap);
     return fault;

@@ -19,10 +19,10 @@ struct Column {
   double (*value)(const SettledWheelset&);
 };
 
-Fault find_functions(const wrc_model* handle, const wrc_contact_functions_problem* theirs,
-                     wrc_contact_functions* functions) {
-  wrc_contact_functions into;
-  wrc_contact_functions_problem problem;
+Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_problem* theirs,
+                     wrc_wheelset_geometry* functions) {
+  wrc_wheelset_geometry into;
+  wrc_wheelset_geometry_problem problem;
   Fault fault = first_of({read(functions, "functions", into), read(theirs, "problem", problem)});
   if (fault.failed()) return fault;
   constexpr int right = static_cast<int>(Side::right), left = static_cast<int>(Side::left);
@@ -168,8 +168,8 @@ namespace abi = wrc::abi;
 
 extern "C" {
 
-int32_t wrc_profile_contact_functions(const wrc_model* model, const wrc_contact_functions_problem* problem,
-                                      wrc_contact_functions* functions, char* text, uint64_t size) {
+int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
+                                      wrc_wheelset_geometry* functions, char* text, uint64_t size) {
   return abi::finish(abi::guarded([&] { return abi::find_functions(model, problem, functions); },
                                   abi::memory_of, abi::memory_cause),
                      text, size);
@@ -182,7 +182,7 @@ int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicit
       text, size);
 }
 
-int32_t wrc_profile_take_off(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
+int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
                              uint64_t size) {
   return abi::finish(
       abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause), text, size);

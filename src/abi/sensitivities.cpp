@@ -5,12 +5,12 @@
 
 namespace abi = wrc::abi;
 
-extern "C" int32_t wrc_contact_sensitivities(wrc_contact* handle, wrc_sensitivity* sensitivity) {
+extern "C" int32_t wrc_planar_tangential_derivatives(wrc_contact* handle, wrc_planar_derivatives* sensitivity) {
   return abi::call(handle, abi::clear(sensitivity), [&](wrc::Contact& contact) {
     wrc::TangentialSensitivities found;
     const wrc::Fault outcome = wrc::find_sensitivities(contact, found);
     if (outcome.failed()) return outcome;
-    wrc_sensitivity result = abi::defaults<wrc_sensitivity>();
+    wrc_planar_derivatives result = abi::defaults<wrc_planar_derivatives>();
     std::copy_n(&found.d[0][0], 15, &result.forces[0][0]);
     abi::write(result, sensitivity);
     return outcome;

@@ -15,25 +15,25 @@ namespace {
 // ------------------------------------------------------------------------------------------------ reading
 // arguments
 
-Pose pose_of(const wrc_pose& checked) {
+Pose pose_of(const wrc_planar_pose& checked) {
   return {.lateral = flush_subnormals(checked.lateral),
           .roll = flush_subnormals(checked.roll),
           .yaw = flush_subnormals(checked.yaw)};
 }
 
-Load load_of(const wrc_load& checked) {
-  return checked.prescribed == WRC_PRESCRIBE_LOAD
+Load load_of(const wrc_planar_load& checked) {
+  return checked.prescribed == WRC_PRESCRIBE_NORMAL_FORCE
              ? Load{Prescribed::load, checked.normal_force}
              : Load{Prescribed::approach, checked.approach, checked.approach_velocity, checked.damping};
 }
 
-// What wrc_contact_creepages() makes of a motion is within what wrc_contact_tangential() takes.
+// What wrc_planar_creepages() makes of a motion is within what wrc_planar_tangential() takes.
 static_assert(member<wrc_creepage>("longitudinal").high == largest_creepage);
 static_assert(member<wrc_creepage>("lateral").high == largest_creepage);
 static_assert(member<wrc_creepage>("spin").high == largest_spin);
 static_assert(member<wrc_creepage>("speed").high == fastest_rolling);
-static_assert(member<wrc_creepage>("other_way").high == largest_share_of_other_way);
-static_assert(member<wrc_motion>("speed").high == fastest_rolling);
+static_assert(member<wrc_creepage>("reverse_share").high == largest_share_of_other_way);
+static_assert(member<wrc_planar_motion>("speed").high == fastest_rolling);
 
 Creepage creepage_of(const wrc_creepage& checked) {
   return {flush_subnormals(checked.longitudinal), flush_subnormals(checked.lateral),
@@ -42,7 +42,7 @@ Creepage creepage_of(const wrc_creepage& checked) {
 
 Rolling rolling_of(const wrc_creepage& checked) {
   const double speed = flush_subnormals(checked.speed);
-  return {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(checked.other_way)};
+  return {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(checked.reverse_share)};
 }
 
 /// Positions of rows or of the elements in them. `spacing`: what their distance is called.
@@ -73,19 +73,19 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
   return {};
 }
 
-Fault check_stride(const wrc_gap& gap, const char* of) {
+Fault check_stride(const wrc_planar_gap& gap, const char* of) {
   Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "", static_cast<double>(gap.columns),
                       1e12, "rows overlap: the stride is in elements");
   fault.of = of;
   return fault;
 }
 
-Fault take_gap(Contact& contact, const wrc_gap* theirs, const char* of) {
-  wrc_gap gap;
+Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
+  wrc_planar_gap gap;
   Fault fault = read(theirs, of, gap);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  fault = first_of({check(member<wrc_gap>("rows"), of, gap.rows, room),
+  fault = first_of({check(member<wrc_planar_gap>("rows"), of, gap.rows, room),
                     check_increasing(gap.y, gap.rows, of, "y", "y: spacing",
                                      "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
@@ -97,7 +97,7 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs, const char* of) {
                                                  "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
     for (std::uint32_t j = 0; j < gap.rows; ++j) {
-      fault = check_all(member<wrc_gap>("h"), of, gap.h + j * gap.row_stride, gap.columns);
+      fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.columns);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -109,12 +109,12 @@ Fault take_gap(Contact& contact, const wrc_gap* theirs, const char* of) {
   return {};
 }
 
-Fault take_strips(Contact& contact, const wrc_strips* theirs) {
-  wrc_strips strips;
+Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
+  wrc_planar_strips strips;
   Fault fault = read(theirs, "strips", strips);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.strips;
-  fault = check(member<wrc_strips>("count"), "strips", strips.count, room);
+  fault = check(member<wrc_planar_strips>("count"), "strips", strips.count, room);
   if (fault.failed()) return fault;
   for (std::uint32_t j = 1; j < strips.count; ++j) {
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
@@ -148,8 +148,8 @@ Fault take_ellipse(Contact& contact, const wrc_ellipse* theirs) {
 // ------------------------------------------------------------------------------------------------- writing
 // results
 
-wrc_contact_point point_of(const Contact& contact) {
-  wrc_contact_point ours{};
+wrc_planar_point point_of(const Contact& contact) {
+  wrc_planar_point ours{};
   ours.x = contact.point.x;
   ours.y = contact.point.y;
   ours.z = contact.point.z;
@@ -170,8 +170,8 @@ wrc_ellipse ellipse_of(const Patch& patch) {
           .normal_force = patch.extent.normal_force};
 }
 
-wrc_normal_solution normal_of(const Contact& contact) {
-  wrc_normal_solution ours{};
+wrc_planar_normal_solution normal_of(const Contact& contact) {
+  wrc_planar_normal_solution ours{};
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
   const StripTotals& extent = contact.extent;
@@ -196,8 +196,8 @@ std::uint32_t of_tractions(const Contact& contact) {
   return gives_fields(contact) ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U;
 }
 
-wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, double normal_force) {
-  wrc_forces ours{};
+wrc_planar_forces forces_of(const Contact& contact, const TangentialForces& forces, double normal_force) {
+  wrc_planar_forces ours{};
   if (!contact.touching) return ours;
   ours.fx = forces.fx;
   ours.fy = forces.fy;
@@ -209,7 +209,7 @@ wrc_forces forces_of(const Contact& contact, const TangentialForces& forces, dou
   return ours;
 }
 
-wrc_forces forces_of(const Contact& contact) {
+wrc_planar_forces forces_of(const Contact& contact) {
   return forces_of(contact, contact.forces, contact.extent.normal_force);
 }
 
@@ -259,8 +259,8 @@ wrc_damage damage_of(const Contact& contact) {
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
-Fault solve_step(Contact& contact, const wrc_input* input) {
-  wrc_input in;
+Fault solve_step(Contact& contact, const wrc_planar_input* input) {
+  wrc_planar_input in;
   Fault outcome = read(input, "input", in);
   if (outcome.failed()) return outcome;
   Friction friction;
@@ -280,11 +280,11 @@ Fault solve_step(Contact& contact, const wrc_input* input) {
   return outcome;
 }
 
-std::int32_t step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
+std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
   return call(handle, clear(output), [&](Contact& contact) {
     const Fault outcome = solve_step(contact, input);
     if (outcome.failed() || output == nullptr) return outcome;
-    wrc_output ours = empty<wrc_output>();
+    wrc_planar_output ours = empty<wrc_planar_output>();
     if (contact.posed) ours.point = point_of(contact);
     ours.normal = normal_of(contact);
     ours.forces = forces_of(contact);
@@ -303,9 +303,9 @@ namespace abi = wrc::abi;
 
 extern "C" {
 
-int32_t wrc_contact_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_contact_point* point) {
+int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wrc_planar_point* point) {
   return abi::call(handle, abi::clear(point), [&](Contact& contact) {
-    wrc_pose ours;
+    wrc_planar_pose ours;
     Fault outcome = abi::read(pose, "pose", ours);
     if (outcome.failed()) return outcome;
     outcome = wrc::find_gap(contact, abi::pose_of(ours));
@@ -314,9 +314,9 @@ int32_t wrc_contact_geometry(wrc_contact* handle, const wrc_pose* pose, wrc_cont
   });
 }
 
-int32_t wrc_contact_creepages(wrc_contact* handle, const wrc_motion* motion, wrc_creepage* creepage) {
+int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motion, wrc_creepage* creepage) {
   return abi::call(handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
-    wrc_motion ours;
+    wrc_planar_motion ours;
     Fault outcome = abi::read(motion, "motion", ours);
     if (outcome.failed()) return outcome;
     wrc::RigidCreepage rigid;
@@ -334,17 +334,17 @@ int32_t wrc_contact_creepages(wrc_contact* handle, const wrc_motion* motion, wrc
     result.lateral = rigid.lateral;
     result.spin = rigid.spin;
     result.speed = rigid.rolling_speed;
-    result.other_way = rigid.other_way;
+    result.reverse_share = rigid.reverse_share;
     result.approach_velocity = rigid.normal_velocity;
     abi::write(result, creepage);
     return outcome;
   });
 }
 
-int32_t wrc_contact_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_load* load,
-                           wrc_normal_solution* normal) {
+int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const wrc_planar_load* load,
+                           wrc_planar_normal_solution* normal) {
   return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
-    wrc_load ours;
+    wrc_planar_load ours;
     Fault outcome = abi::read(load, "load", ours);
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
     if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
@@ -354,7 +354,7 @@ int32_t wrc_contact_normal(wrc_contact* handle, const wrc_gap* gap, const wrc_lo
   });
 }
 
-int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wrc_normal_solution* normal) {
+int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* strips, wrc_planar_normal_solution* normal) {
   return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
     Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
@@ -364,7 +364,7 @@ int32_t wrc_contact_regularise(wrc_contact* handle, const wrc_strips* strips, wr
   });
 }
 
-int32_t wrc_contact_roll(wrc_contact* handle, double distance) {
+int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
   return abi::call(handle, {}, [&](Contact& contact) -> Fault {
     if (!contact.model->options.non_steady) {
       return {.status = WRC_ERROR_UNSUPPORTED,
@@ -382,8 +382,8 @@ int32_t wrc_contact_roll(wrc_contact* handle, double distance) {
   });
 }
 
-int32_t wrc_contact_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
-                               const wrc_friction* friction, wrc_forces* forces) {
+int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
+                               const wrc_friction* friction, wrc_planar_forces* forces) {
   return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
     wrc_creepage ours;
     wrc_friction theirs;
@@ -408,12 +408,12 @@ int32_t wrc_contact_damage(wrc_contact* handle, wrc_damage* damage) {
   });
 }
 
-int32_t wrc_contact_step(wrc_contact* handle, const wrc_input* input, wrc_output* output) {
+int32_t wrc_planar_step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
   return abi::step(handle, input, output);
 }
 
-int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_input* inputs,
-                               uint64_t input_stride, wrc_output* outputs, uint64_t output_stride,
+int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_planar_input* inputs,
+                               uint64_t input_stride, wrc_planar_output* outputs, uint64_t output_stride,
                                int32_t* statuses) {
   return abi::batch(contacts, count, inputs, input_stride, outputs, output_stride, statuses, abi::step);
 }
@@ -423,7 +423,7 @@ int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out
   return abi::call(handle, {}, [&](Contact& contact) -> Fault {
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
     if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
-    wrc_input input = abi::defaults<wrc_input>();
+    wrc_planar_input input = abi::defaults<wrc_planar_input>();
     input.pose.lateral = in[0];
     input.pose.roll = in[1];
     input.pose.yaw = in[2];
@@ -434,8 +434,8 @@ int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out
     input.friction.coefficient = in[7];
     const Fault outcome = abi::solve_step(contact, &input);
     if (outcome.failed()) return outcome;
-    const wrc_forces forces = abi::forces_of(contact);
-    const wrc_normal_solution normal = abi::normal_of(contact);
+    const wrc_planar_forces forces = abi::forces_of(contact);
+    const wrc_planar_normal_solution normal = abi::normal_of(contact);
     const double values[WRC_FLAT_OUTPUTS] = {forces.fx,
                                              forces.fy,
                                              forces.fn,

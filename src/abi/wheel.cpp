@@ -155,7 +155,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
   hosted.frame_turning[2] = hosted.frame_speed * ours.frame.curvature;
   hosted.load_prescribed = !height;
-  hosted.start_anew = ours.start == WRC_START_ANEW;
+  hosted.start_anew = ours.start == WRC_START_COLD;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
@@ -211,9 +211,9 @@ wrc_region region_of(const Contact& contact, std::int32_t index) {
   return ours;
 }
 
-wrc_wrench_sensitivities sensitivities_of(const HostedSlopes& slopes) {
+wrc_wrench_derivatives sensitivities_of(const HostedSlopes& slopes) {
   static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
-  wrc_wrench_sensitivities ours{};
+  wrc_wrench_derivatives ours{};
   std::copy_n(&slopes.wrench[0][0], 6 * hosted_inputs, &ours.wrench[0][0]);
   std::copy_n(slopes.z, hosted_inputs, ours.z);
   return ours;
@@ -257,8 +257,8 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
   return abi::wheel_step(handle, input, wrench);
 }
 
-int32_t wrc_contact_wrench_sensitivities(wrc_contact* handle, const wrc_wheel_input* input,
-                                         wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) {
+int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input,
+                                         wrc_wrench* wrench, wrc_wrench_derivatives* sensitivities) {
   return abi::call(
       handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}), [&](wrc::Contact& contact) {
         wrc::HostedSlopes slopes;

@@ -141,7 +141,7 @@ Fault add_stages(const Contact& contact, const Accumulation& accumulation, const
   if (!contact.posed)
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "contact point",
-            .cause = "bins lie on profiles: the stages must begin with wrc_contact_geometry"};
+            .cause = "bins lie on profiles: the stages must begin with wrc_planar_geometry"};
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   const Model& model = *contact.model;
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];

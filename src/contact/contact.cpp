@@ -225,7 +225,7 @@ SurfaceGap surface_gap(const Contact& contact) {
 
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
   if (!contact.posed)
-    return sequence("pose", "call wrc_contact_geometry first: creepages belong to its contact point");
+    return sequence("pose", "call wrc_planar_geometry first: creepages belong to its contact point");
   rigid = creepage(posed(bodies(contact).wheel, contact.pose), contact.point, motion);
   if (rigid.limited) return {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "motion"};
   return {};
@@ -300,7 +300,7 @@ constexpr double least_damping_factor = 1e-9;
 }  // namespace
 
 Fault solve_normal(Contact& contact, const Load& load) {
-  if (contact.gap_rows == 0) return sequence("gap", "call wrc_contact_geometry first, or hand over a gap");
+  if (contact.gap_rows == 0) return sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
   contact.pressed = true;
   contact.load = load;
@@ -399,7 +399,7 @@ Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_forc
 
 Fault regularise_patch(Contact& contact) {
   if (contact.reached < Stage::patch) {
-    return sequence("strips", "there is no patch: call wrc_contact_normal first, or hand over strips");
+    return sequence("strips", "there is no patch: call wrc_planar_normal first, or hand over strips");
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   Fault fault;

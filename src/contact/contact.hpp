@@ -74,7 +74,7 @@ struct Friction {
 struct Rolling {
   double speed = 0.0;      ///< V, its amount [m/s]
   double way = 1.0;        ///< 1: along x; -1: backwards
-  double other_way = 0.0;  ///< share of the forces that is of rolling against `way`, near standstill
+  double reverse_share = 0.0;  ///< share of the forces that is of rolling against `way`, near standstill
 };
 
 /// What presses the bodies together. Damping acts on a prescribed approach.

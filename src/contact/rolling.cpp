@@ -150,7 +150,7 @@ Fault check_memory(const Contact& contact, const Friction& friction, const Rolli
             .field = "friction.kind",
             .cause = "config.non_steady rolls on once a step, friction over temperature would several times"};
   }
-  if (rolling.way > 0.0 && rolling.other_way == 0.0) return {};
+  if (rolling.way > 0.0 && rolling.reverse_share == 0.0) return {};
   return {.status = WRC_ERROR_UNSUPPORTED,
           .field = "creepage.speed",
           .value = rolling.way * rolling.speed,
@@ -218,7 +218,7 @@ Fault roll_both_ways(Contact& contact, Patch& patch, const Friction& friction,
   const TangentialForces other = patch.forces;
   keep_worst(fault, roll(contact, patch, friction, rolling.way, sensitivities));
   const auto blend = [&](double& own, double of_other) {
-    own = (1.0 - rolling.other_way) * own + rolling.other_way * of_other;
+    own = (1.0 - rolling.reverse_share) * own + rolling.reverse_share * of_other;
   };
   blend(patch.forces.fx, other.fx);
   blend(patch.forces.fy, other.fy);
@@ -297,12 +297,12 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   if (contact.reached < Stage::patch) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "patch",
-            .cause = "there is no patch: call wrc_contact_normal first, or hand over strips or a patch"};
+            .cause = "there is no patch: call wrc_planar_normal first, or hand over strips or a patch"};
   }
   if (friction.zone_frame != ZoneFrame::contact && !contact.posed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "friction.zone_frame",
-            .cause = "zones over a profile need the contact point of a wrc_contact_geometry"};
+            .cause = "zones over a profile need the contact point of a wrc_planar_geometry"};
   }
   if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
   contact.reached = Stage::tangential;
@@ -332,7 +332,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
     Patch& patch = contact.patch[k];
     TangentialSensitivities own;
     TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
-    keep_worst(fault, rolling.other_way > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
+    keep_worst(fault, rolling.reverse_share > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
                                               : roll(contact, patch, friction, rolling.way, wanted));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
@@ -347,10 +347,10 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.rolled = 0.0;
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
-  if (rolling.other_way > 0.0) {
+  if (rolling.reverse_share > 0.0) {
     keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
-                       .field = "creepage.other_way",
-                       .value = rolling.other_way,
+                       .field = "creepage.reverse_share",
+                       .value = rolling.reverse_share,
                        .unit = ""});
   }
   return fault;
@@ -358,7 +358,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
 
 Fault assess_damage(Contact& contact) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
   }
   contact.reached = Stage::damage;
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
@@ -397,7 +397,7 @@ Fault assess_damage(Contact& contact) {
 
 Fault tractions_needed(const Contact& contact, const char* why_not) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
   }
   if (!gives_fields(contact)) {
     return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};

@@ -103,7 +103,7 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
   sensitivities = {};
   if (const Fault fault = check_steady(contact); fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_contact_tangential first"};
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
   }
   if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
   if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
@@ -118,7 +118,7 @@ Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities
   if (contact.reached < Stage::tangential || !contact.pressed) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "forces",
-            .cause = "call wrc_contact_step, or wrc_contact_normal and wrc_contact_tangential, first"};
+            .cause = "call wrc_planar_step, or wrc_planar_normal and wrc_planar_tangential, first"};
   }
   // Wide enough that the last digits of the normal solution, whose strips are cut anew for every patch, do
   // not show: they are 1e-4 of the forces.

@@ -27,7 +27,7 @@ RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, con
   const double spin = contact.cosine * wz - contact.sine * wy;
   const double rolling_speed = motion.speed - 0.5 * vx, amount = std::fabs(rolling_speed);
   const RollingReference reference = rolling_reference(rolling_speed);
-  result.other_way = reference.other_way;
+  result.reverse_share = reference.reverse_share;
   const double divisor = std::max({reference.divisor, std::fabs(vx) / largest_creepage,
                                    std::fabs(lateral) / largest_creepage, std::fabs(spin) / largest_spin});
   const auto over_divisor = [&](double velocity, double most) {

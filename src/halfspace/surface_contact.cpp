@@ -486,8 +486,8 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
     }
     const double speed = rolling_speed(state, cells, s.pressure, ways);
     const RollingReference reference = rolling_reference(speed);
-    ways[speed < 0.0 ? 1 : 0].share = 1.0 - reference.other_way;
-    ways[speed < 0.0 ? 0 : 1].share = reference.other_way;
+    ways[speed < 0.0 ? 1 : 0].share = 1.0 - reference.reverse_share;
+    ways[speed < 0.0 ? 0 : 1].share = reference.reverse_share;
     const Field first_x = std::exchange(s.traction_x, Field(n, 0.0)),
                 first_y = std::exchange(s.traction_y, Field(n, 0.0));
     s.adhesion_fraction = 0.0;
@@ -505,7 +505,7 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
         problem.rigid_slip_y[k] = problem.rigid_slip_y[k] / reference.divisor - turned[k];
       }
       RollingSolution before = std::move(way.rolled);
-      if (!way.started && warm && reference.other_way <= 0.0) {
+      if (!way.started && warm && reference.reverse_share <= 0.0) {
         before.traction_x = way.seen(s.grid, first_x, true);
         before.traction_y = way.seen(s.grid, first_y, false);
         way.started = true;
@@ -525,7 +525,7 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
       }
       s.adhesion_fraction += way.share * way.rolled.forces.adhesion_fraction;
     }
-    if (reference.other_way > 0.0)
+    if (reference.reverse_share > 0.0)
       keep_worst(s.fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
     const double force_before[3] = {s.force[0], s.force[1], s.force[2]};
     sum_up(state, cells, options_.collocation, ways, s);

@@ -308,7 +308,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
     return heated ? roll_heated(model, in, loaded.count, backwards, speed, w, forces)
                   : roll(model, in, loaded.count, backwards, w, {}, forces);
   };
-  const double other = reference.other_way;
+  const double other = reference.reverse_share;
   Fault others;
   // before its own way, which leaves the strips their friction
   if (other > 0.0) others = roll_one_way(!w.backwards, {w.other_fx, w.other_fy, w.other_mz});
@@ -459,7 +459,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   w.speed = reference.divisor;
   keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
   keep_worst(fault, extrapolated(model, loaded, w));
-  if (in.friction > 0.0 && reference.other_way > 0.0)
+  if (in.friction > 0.0 && reference.reverse_share > 0.0)
     keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
   if (model.methods.region.solve) out.power = larger(out.power, 0.0);
   return fault;

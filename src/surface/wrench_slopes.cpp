@@ -252,7 +252,7 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   };
   const bool backwards = rolling_speed.value < 0.0;
   roll_one_way(backwards, s.fx, s.fy, s.mz);
-  const Number& other = reference.other_way;
+  const Number& other = reference.reverse_share;
   if (!(other.value > 0.0)) return;
   roll_one_way(!backwards, s.other_fx, s.other_fy, s.other_mz);
   for (std::int32_t k = 0; k < s.count; ++k) {

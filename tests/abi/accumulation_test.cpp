@@ -86,17 +86,17 @@ class Line : public testing::Test {
     EXPECT_GE(wrc_contact_wrench(contact[side], &input, &wrench), WRC_OK);
     return wrench;
   }
-  wrc_output step(double y, int32_t side = 0) const {
+  wrc_planar_output step(double y, int32_t side = 0) const {
     const double sign = side == 0 ? 1.0 : -1.0;
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.pose.lateral = sign * y;
     input.load.normal_force = 90e3;
     input.creepage.longitudinal = 2e-3;
     input.creepage.lateral = sign * 4e-3;
     input.creepage.spin = sign * 0.1;
     input.creepage.speed = 20.0;
-    wrc_output output = wrc_output_default();
-    EXPECT_GE(wrc_contact_step(contact[side], &input, &output), WRC_OK);
+    wrc_planar_output output = wrc_planar_output_default();
+    EXPECT_GE(wrc_planar_step(contact[side], &input, &output), WRC_OK);
     return output;
   }
   wrc_accumulation accumulation(int32_t source) const {
@@ -205,7 +205,7 @@ TEST_F(Line, LiesWhereTheContactIs) {
     ASSERT_EQ(wrc_model_arc_places(model, WRC_BODY_RAIL, 1, &at, &place, nullptr), WRC_OK);
     EXPECT_NEAR(place, y_rail / load, y > 0.006 ? 2e-3 : 1e-3) << y;
     // the stages' contact point, half the contact away at most
-    const wrc_output output = step(y);
+    const wrc_planar_output output = step(y);
     Bins of_stages(0.25e-3);
     add(WRC_DAMAGE_OF_STAGES, &of_stages, nullptr);
     at = of_stages.middle(WRC_DAMAGE_TIME);

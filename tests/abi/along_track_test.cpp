@@ -138,8 +138,8 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
   wheel.z = wrench.z;
-  wrc_wrench_sensitivities slopes;
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &slopes), WRC_OK);
+  wrc_wrench_derivatives slopes;
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes), WRC_OK);
   const double normal = wrench.normal_force;
   ASSERT_GT(normal, 20e3);
   struct {

@@ -13,7 +13,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int32_t methods = WRC_NORMAL_STRIP_HALFSPACE + 1;
 
 void prescribe_load(ReferenceWheel& wheel, double normal_force) {
-  wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+  wheel.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
   wheel.load.normal_force = normal_force;
 }
 void prescribe_approach(ReferenceWheel& wheel, double approach) {

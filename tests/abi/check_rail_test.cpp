@@ -157,8 +157,8 @@ TEST_F(CheckRail, FarFromItNothingChanges) {
 TEST_F(CheckRail, DerivativesSeeIt) {
   create();
   lean_on_check_rail(1.0);
-  wrc_wrench_sensitivities found{};
-  ASSERT_GE(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), 0) << error();
+  wrc_wrench_derivatives found{};
+  ASSERT_GE(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), 0) << error();
   const double h = 1e-8, at = wheel.y;
   double ends[2];
   for (const int end : {0, 1}) {

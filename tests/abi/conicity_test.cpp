@@ -62,11 +62,11 @@ struct Functions {
   std::vector<double> y, vertical, roll, dr, radius[2], angle[2], y_wheel[2], y_rail[2];
 
   Functions(const wrc_model* model, std::vector<double> lateral, double load = 0.0) : y(std::move(lateral)) {
-    wrc_contact_functions_problem problem = wrc_contact_functions_problem_default();
+    wrc_wheelset_geometry_problem problem = wrc_wheelset_geometry_problem_default();
     problem.count = static_cast<uint32_t>(y.size());
     problem.lateral = y.data();
     problem.wheel_load = load;
-    wrc_contact_functions functions = wrc_contact_functions_default();
+    wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
     const auto take = [&](std::vector<double>& values) {
       values.resize(y.size());
       return values.data();
@@ -83,7 +83,7 @@ struct Functions {
     functions.y_rail_right = take(y_rail[0]);
     functions.y_rail_left = take(y_rail[1]);
     char text[256] = "";
-    EXPECT_EQ(wrc_profile_contact_functions(model, &problem, &functions, text, sizeof text), WRC_OK) << text;
+    EXPECT_EQ(wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text), WRC_OK) << text;
   }
 };
 
@@ -214,7 +214,7 @@ TEST(Conicity, RefusesWhatItCannotUse) {
   folded[3] = folded[2];
   EXPECT_EQ(Conicities(folded, dr, {0.001}, WRC_CONICITY_WAVELENGTH).status, WRC_ERROR_RANGE);
   EXPECT_EQ(wrc_equivalent_conicity(nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_profile_contact_functions(nullptr, nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_profile_wheelset_geometry(nullptr, nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
 }
 
 /// Cones on round heads: every place from the tangent's angle alone, the roll by bisection.
@@ -338,16 +338,16 @@ TEST(ContactFunctions, SayWhereTheyFail) {
   const Model model(new_profiles());
   const std::vector<double> y = {0.0, 0.09};
   std::vector<double> dr(2, 1.0);
-  wrc_contact_functions_problem problem = wrc_contact_functions_problem_default();
+  wrc_wheelset_geometry_problem problem = wrc_wheelset_geometry_problem_default();
   problem.count = 2;
   problem.lateral = y.data();
-  wrc_contact_functions functions = wrc_contact_functions_default();
+  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
   functions.radius_difference = dr.data();
   char text[256] = "";
   for (const double load : {0.0, 80e3}) {
     problem.wheel_load = load;
     const int32_t status =
-        wrc_profile_contact_functions(model.model, &problem, &functions, text, sizeof text);
+        wrc_profile_wheelset_geometry(model.model, &problem, &functions, text, sizeof text);
     EXPECT_LT(status, 0) << text;
     EXPECT_NE(std::string(text), "");
     EXPECT_EQ(dr[0], 0.0);

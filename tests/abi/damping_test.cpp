@@ -20,8 +20,8 @@ class Damping : public ReferenceContact {
 
 TEST_F(Damping, WithoutVelocityChangesNoBit) {
   ASSERT_EQ(step(), WRC_OK) << error();
-  const wrc_forces still = forces;
-  const wrc_normal_solution still_normal = normal;
+  const wrc_planar_forces still = forces;
+  const wrc_planar_normal_solution still_normal = normal;
   load.damping = 0.5;
   ASSERT_EQ(step(), WRC_OK) << error();
   EXPECT_EQ(forces.fn, still.fn);
@@ -34,8 +34,8 @@ TEST_F(Damping, WithoutVelocityChangesNoBit) {
 
 TEST_F(Damping, ScalesForcePressureAndTheirConsequencesAlike) {
   ASSERT_EQ(step(), WRC_OK) << error();
-  const wrc_forces still = forces;
-  const wrc_normal_solution still_normal = normal;
+  const wrc_planar_forces still = forces;
+  const wrc_planar_normal_solution still_normal = normal;
   load.damping = 0.2;
   load.approach_velocity = 0.5;
   ASSERT_EQ(step(), WRC_OK) << error();
@@ -79,7 +79,7 @@ TEST_F(Damping, NeverPullsAndFadesToNothing) {
 }
 
 TEST_F(Damping, LeavesAPrescribedLoadAlone) {
-  load.prescribed = WRC_PRESCRIBE_LOAD;
+  load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
   load.damping = 0.2;
   load.approach_velocity = 0.5;
   expect_works();
@@ -102,11 +102,11 @@ TEST_F(Damping, IsChecked) {
 
 TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
   pose.lateral = -5e-3;  // an inclined contact plane
-  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK) << error();
-  wrc_motion motion = wrc_motion_default();
+  ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK) << error();
+  wrc_planar_motion motion = wrc_planar_motion_default();
   motion.vertical_velocity = 0.3;
   motion.lateral_velocity = -0.2;
-  ASSERT_EQ(wrc_contact_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
+  ASSERT_EQ(wrc_planar_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill
   EXPECT_NEAR(creepage.approach_velocity, 0.3 * std::cos(point.angle) + 0.2 * std::sin(point.angle), 1e-12);
   EXPECT_EQ(creepage.longitudinal, 0.0);
 }
@@ -125,7 +125,7 @@ TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
     for (int i = 0; i < 4000; ++i) {
       load.approach = approach + 0.5 * step_size * velocity;
       load.approach_velocity = velocity;
-      EXPECT_GE(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK) << error();
+      EXPECT_GE(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_OK) << error();
       rebound.least_force = std::fmin(rebound.least_force, normal.normal_force);
       const double before = velocity;
       velocity -= step_size * normal.normal_force / mass;
@@ -137,7 +137,7 @@ TEST_F(Damping, TakesEnergyOutOfAnImpactAsTheLawSays) {
     rebound.struck = 0.5 * mass * (speed * speed - velocity * velocity);
     return rebound;
   };
-  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
   const Rebound elastic = strike(0.0);
   EXPECT_NEAR(elastic.restitution, 1.0, 2e-3);
   for (double damping : {0.1, 0.25, 2.0}) {

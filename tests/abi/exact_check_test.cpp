@@ -59,10 +59,10 @@ TEST_F(ExactCheck, BackwardsIsTheMirrorImageOfForward) {
   EXPECT_NEAR(result.fy, forward.fy, 1e-5 * limit);
   EXPECT_NEAR(result.power, forward.power, 1e-4 * forward.power);
   EXPECT_NEAR(result.force_error, forward.force_error, 1e-5);
-  creepage.other_way = 0.1;
+  creepage.reverse_share = 0.1;
   ASSERT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED);
   EXPECT_EQ(check(), WRC_ERROR_UNSUPPORTED);
-  expect_words(error(), {"creepage.other_way = 0.1", "both ways"});
+  expect_words(error(), {"creepage.reverse_share = 0.1", "both ways"});
 }
 
 /// Over half the slope a layer leaves, creepages do what half of them do without it.
@@ -101,7 +101,7 @@ TEST_F(ExactCheck, SolvesADoubleEllipseOfTheCaller) {
   own.normal_force = 60e3;
   creepage = wrc_creepage_default();
   creepage.longitudinal = 0.02;  // all slips: Coulomb's force, and its power
-  ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
   ASSERT_EQ(check(), WRC_OK) << error();
   EXPECT_NEAR(result.fx / (-0.35 * 60e3), 1.0, 5e-3);
   EXPECT_NEAR(result.power / (0.35 * 60e3 * 0.02), 1.0, 5e-3);
@@ -120,7 +120,7 @@ TEST_F(ExactCheck, AContactThatDoesNotTouchIsFlagged) {
 
 TEST_F(ExactCheck, RefusesWhatItCannotCheck) {
   EXPECT_EQ(check(), WRC_ERROR_SEQUENCE);
-  EXPECT_NE(error().find("wrc_contact_step"), std::string::npos) << error();
+  EXPECT_NE(error().find("wrc_planar_step"), std::string::npos) << error();
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_EQ(wrc_exact_check(nullptr, 32, 32, nullptr, nullptr, &result), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_exact_check(contact, 32, 32, nullptr, nullptr, nullptr), WRC_ERROR_NULL);
@@ -148,7 +148,7 @@ TEST_F(ExactCheck, IsCancelled) {
 // the surfaces themselves, within 2 mm of the outline on the tread.
 TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
   pose.yaw = 0.01;
-  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
   wrc_view view[4];
   const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
                              WRC_FIELD_GAP_CURVATURE};
@@ -181,8 +181,8 @@ TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
 TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   pose.lateral = 6.65e-3;
   pose.yaw = 0.01;
-  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
-  ASSERT_EQ(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK);
+  ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_OK);
   wrc_grid grid = grid_over(17e-3, 10e-3, 80);
   grid.ny *= 2;
   grid.dy /= 2.0;
@@ -206,13 +206,13 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
     ASSERT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_OK);
     row.emplace_back(view.data, view.data + view.count[0]);
   }
-  wrc_gap rows = wrc_gap_default();
+  wrc_planar_gap rows = wrc_planar_gap_default();
   rows.rows = static_cast<uint32_t>(row[0].size());
   rows.y = row[0].data();
   rows.height = row[1].data();
   rows.centre = row[2].data();
   rows.curvature = row[3].data();
-  ASSERT_EQ(wrc_contact_normal(contact, &rows, &load, &normal), WRC_OK);
+  ASSERT_EQ(wrc_planar_normal(contact, &rows, &load, &normal), WRC_OK);
   EXPECT_GT(exact_peak() / normal.peak_pressure, 1.1);
 }
 
@@ -245,7 +245,7 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
     height.push_back(0.5 * 3.0 * from_hollow * from_hollow);
     curvature.push_back(1.0 / 0.46);
   }
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = 161;
   gap.y = y.data();
   gap.height = height.data();

@@ -173,13 +173,13 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
   own.normal_force = 80e3;
   for (const int32_t profile : {WRC_ZONES_RAIL_PROFILE, WRC_ZONES_WHEEL_PROFILE}) {
     right.friction.zone_frame = profile;
-    EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
+    EXPECT_EQ(wrc_planar_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
               WRC_ERROR_SEQUENCE);
     EXPECT_NE(right.error().find("friction.zone_frame"), std::string::npos) << right.error();
   }
   EXPECT_EQ(right.forces.fx, 0.0);
   right.friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
-  EXPECT_EQ(wrc_contact_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
+  EXPECT_EQ(wrc_planar_tangential(right.contact, &own, &right.creepage, &right.friction, &right.forces),
             WRC_OK);
 }
 

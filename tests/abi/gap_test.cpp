@@ -14,7 +14,7 @@ namespace {
 /// Rows of height(y) over -half .. half, element by element where there are columns.
 struct Rows {
   std::vector<double> y, height, curvature, x, h;
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
 
   Rows(double half, uint32_t count, const std::function<double(double)>& profile) {
     for (uint32_t j = 0; j < count; ++j) {
@@ -70,7 +70,7 @@ class Gap : public ReferenceContact, public testing::WithParamInterface<int32_t>
 
 TEST_P(Gap, OffsetDoesNotCountNotEvenANegativeOne) {
   expect_usable(Rows(0.02, 81, parabola), WRC_OK);
-  const wrc_forces as_given = forces;
+  const wrc_planar_forces as_given = forces;
   for (double offset : {-5e-3, -1e-4, 2e-3}) {
     expect_usable(Rows(0.02, 81, [&](double y) { return parabola(y) + offset; }), WRC_OK);
     EXPECT_NEAR(forces.fx, as_given.fx, 1e-6 * std::fabs(as_given.fx));
@@ -193,7 +193,7 @@ TEST_P(Gap, RowsTooCloseToReadSlopesOffAreRefused) {
   // Just apart enough, a further row moves next to nothing, though its height is off by a nanometre; but for
   // ANALYN, which reads a curvature off three heights.
   expect_usable(Rows(0.02, 81, parabola), WRC_OK);
-  const wrc_normal_solution without = normal;
+  const wrc_planar_normal_solution without = normal;
   Rows rows(0.02, 81, parabola);
   const double beside = rows.y[44] + 1.01e-6;
   rows.y.insert(rows.y.begin() + 45, beside);

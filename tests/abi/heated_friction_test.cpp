@@ -17,7 +17,7 @@ class HeatedFriction : public LoadedEllipse {
     friction.kind = WRC_FRICTION_TEMPERATURE;
     make();
   }
-  int32_t solve() { return wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces); }
+  int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   std::vector<double> field(int32_t id) {
     wrc_view view{};
     EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
@@ -62,7 +62,7 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   friction.hot_ratio = 0.0;
   wrc_friction constant = wrc_friction_default();
   constant.coefficient = friction.coefficient;
-  ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
   wrc_temperature temperature = wrc_temperature_default();
   ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_OK);
   const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
@@ -93,10 +93,10 @@ TEST_F(HeatedFriction, ColdAndHotSurfacesHaveTheEndsOfTheLaw) {
   const double hot = forces.fx;
   wrc_friction constant = wrc_friction_default();
   constant.coefficient = 0.4;
-  ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
   EXPECT_NEAR(whole, forces.fx, 1e-9 * std::fabs(whole));
   constant.coefficient = 0.12;
-  ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
   EXPECT_NEAR(hot, forces.fx, 1e-9 * std::fabs(hot));
 }
 
@@ -131,8 +131,8 @@ TEST_F(HeatedFriction, SlowerOrWiderBodiesStayCold) {
 
 TEST_F(HeatedFriction, SensitivitiesAreThoseOfTheForces) {
   ASSERT_EQ(solve(), WRC_OK);
-  wrc_sensitivity sensitivity{};
-  ASSERT_EQ(wrc_contact_sensitivities(contact, &sensitivity), WRC_OK);
+  wrc_planar_derivatives sensitivity{};
+  ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &sensitivity), WRC_OK);
   const double h = 2e-4;
   creepage.longitudinal += h;
   ASSERT_EQ(solve(), WRC_OK);

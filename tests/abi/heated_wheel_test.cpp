@@ -129,7 +129,7 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         ASSERT_EQ(wrench.regions, 1);
         wrc_region region = wrc_region_default();
         ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
-        wrc_input planar = wrc_input_default();
+        wrc_planar_input planar = wrc_planar_input_default();
         planar.pose.lateral = y;
         planar.load.normal_force = region.normal_force;
         planar.creepage.longitudinal = region.creepage[0];
@@ -137,8 +137,8 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         planar.creepage.spin = region.creepage[2];
         planar.creepage.speed = 40.0;
         planar.friction = friction;
-        wrc_output output = wrc_output_default();
-        ASSERT_EQ(wrc_contact_step(contact, &planar, &output), WRC_OK);
+        wrc_planar_output output = wrc_planar_output_default();
+        ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
         wrc_temperature found = wrc_temperature_default();
         ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &found), WRC_OK);
         const int which = kind == WRC_FRICTION_CONSTANT ? 0 : 1;

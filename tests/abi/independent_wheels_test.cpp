@@ -71,8 +71,8 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
       wheel.velocity[0] = speed, wheel.velocity[1] = u[RATE_Y];
       wheel.velocity[2] = following_[0], wheel.angular_velocity[0] = following_[1];
       wheel.angular_velocity[1] = u[RIGHT + k], wheel.angular_velocity[2] = u[RATE_YAW];
-      wrc_wrench_sensitivities slope{};
-      const int32_t status = wrc_contact_wrench_sensitivities(wheels_[k], &input, &wrench, &slope);
+      wrc_wrench_derivatives slope{};
+      const int32_t status = wrc_contact_wrench_derivatives(wheels_[k], &input, &wrench, &slope);
       ASSERT_EQ(status, WRC_OK);
       const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],
                              wrench.moment[0], wrench.moment[1], wrench.moment[2]};

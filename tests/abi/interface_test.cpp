@@ -33,7 +33,7 @@ TEST_F(Interface, LoadInKilonewtonsIsNoticed) {
 }
 
 TEST_F(Interface, ALoadThatWasNotSetIsNoticed) {
-  load = wrc_load_default();
+  load = wrc_planar_load_default();
   expect_refused(WRC_ERROR_RANGE, {"load.normal_force = 0 N", "was it set?"});
   EXPECT_EQ(error().find("kN"), std::string::npos) << error();
 }
@@ -79,7 +79,7 @@ TEST_F(Interface, PureNumbersHaveNoUnitInSentences) {
   slender.a = 3e-2;
   slender.b = 1e-3;
   slender.normal_force = 80e3;
-  EXPECT_EQ(wrc_contact_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
+  EXPECT_EQ(wrc_planar_tangential(contact, &slender, &creepage, &friction, &forces), WRC_FLAG_TABLE_RANGE);
   expect_words(error(), {" is outside 0.05 .. 20:"});
   EXPECT_EQ(error().find(" 1:"), std::string::npos) << error();
 }
@@ -122,46 +122,46 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
     height.push_back(0.5 * y.back() * y.back());
     curvature.push_back(1.0 / 0.46);
   }
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = 40;
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_FLAG_PATCH_AT_EDGE) << error();
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_FLAG_PATCH_AT_EDGE) << error();
   EXPECT_GT(normal.area, 0.0);
 }
 
 TEST_F(Interface, GapOfTheCallerIsChecked) {
   std::vector<double> y{-0.02, -0.01, 0.0, 0.01, 0.02}, height{4e-4, 1e-4, 0.0, 1e-4, 4e-4},
       curvature(5, 2.0);
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = 5;
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_OK) << error();
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_OK) << error();
   height[3] = nan_value;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_NOT_FINITE);
   EXPECT_NE(error().find("gap.height[3]"), std::string::npos) << error();
   EXPECT_EQ(normal.area, 0.0);
   height[3] = 1e-4;
   y[2] = -0.015;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_GAP);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_GAP);
   EXPECT_NE(error().find("gap.y[2]"), std::string::npos) << error();
   y[2] = 0.0;
   curvature[4] = -2.0;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
   EXPECT_NE(error().find("gap.curvature[4]"), std::string::npos) << error();
   curvature[4] = 2.0;
   gap.rows = 3;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
   gap.rows = 100000;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
   gap.rows = 5;
   gap.height = nullptr;
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_NULL);
   gap.height = height.data();
-  EXPECT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_OK) << error();
+  EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_OK) << error();
 }
 
 TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
@@ -174,19 +174,19 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
     curvature.push_back(2.2);
     for (double xi : x) h.push_back(height.back() + 1.1 * (xi - centre.back()) * (xi - centre.back()));
   }
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = 101;
   gap.y = y.data();
   gap.height = height.data();
   gap.centre = centre.data();
   gap.curvature = curvature.data();
-  wrc_normal_solution by_rows{};
-  ASSERT_EQ(wrc_contact_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
+  wrc_planar_normal_solution by_rows{};
+  ASSERT_EQ(wrc_planar_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
   gap.columns = 61;
   gap.x = x.data();
   gap.h = h.data();
   gap.row_stride = 61;
-  ASSERT_EQ(wrc_contact_normal(contact, &gap, &load, &normal), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_OK) << error();
   EXPECT_NEAR(normal.approach, by_rows.approach, 1e-9 * by_rows.approach);
   EXPECT_NEAR(normal.area, by_rows.area, 1e-9 * by_rows.area);
 }
@@ -194,9 +194,9 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
 TEST_F(Interface, StagesOutOfOrderAreRefused) {
   wrc_contact* fresh = nullptr;
   ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &fresh), WRC_OK);
-  EXPECT_EQ(wrc_contact_normal(fresh, nullptr, &load, &normal), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_regularise(fresh, nullptr, &normal), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_planar_normal(fresh, nullptr, &load, &normal), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_planar_regularise(fresh, nullptr, &normal), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_planar_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_damage(fresh, &damage), WRC_ERROR_SEQUENCE);
   wrc_view view{};
   EXPECT_EQ(wrc_contact_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
@@ -207,12 +207,12 @@ TEST_F(Interface, StagesOutOfOrderAreRefused) {
 
 TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
   expect_works();
-  const wrc_forces whole = forces;
+  const wrc_planar_forces whole = forces;
   const wrc_damage whole_damage = damage;
-  EXPECT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
-  EXPECT_EQ(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK);
-  EXPECT_EQ(wrc_contact_regularise(contact, nullptr, &normal), WRC_OK);
-  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  EXPECT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
+  EXPECT_EQ(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_OK);
+  EXPECT_EQ(wrc_planar_regularise(contact, nullptr, &normal), WRC_OK);
+  EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
   EXPECT_EQ(std::memcmp(&whole, &forces, sizeof forces), 0);
   EXPECT_EQ(std::memcmp(&whole_damage, &damage, sizeof damage), 0);
@@ -220,7 +220,7 @@ TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
 
 TEST_F(Interface, WearFollowsItsLaws) {
   wrc_wear wear{}, other = wrc_wear{};
-  ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
+  ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
   EXPECT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_ERROR_SEQUENCE);
   expect_works();
   ASSERT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_OK) << error();
@@ -250,7 +250,7 @@ TEST_F(Interface, WearFollowsItsLaws) {
   laws.hardness = 3.0;
   EXPECT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_ERROR_RANGE);
   EXPECT_EQ(other.worn_area_rate, 0.0);
-  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
   wrc_view stale{};
   EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
 }
@@ -260,20 +260,20 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
   const double y[] = {-2e-3, 2e-3}, width[] = {4e-3, 4e-3}, half[] = {5e-3, 5e-3};
   const double peak_pressure = 40e3 / (0.5 * 3.14159265358979 * 5e-3 * 4e-3);
   double peak[] = {peak_pressure, peak_pressure};
-  wrc_strips strips = wrc_strips_default();
+  wrc_planar_strips strips = wrc_planar_strips_default();
   strips.count = 2;
   strips.y = y;
   strips.width = width;
   strips.half_length = half;
   strips.peak = peak;
-  ASSERT_EQ(wrc_contact_regularise(contact, &strips, &normal), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_regularise(contact, &strips, &normal), WRC_OK) << error();
   EXPECT_NEAR(normal.normal_force, 80e3, 1e-6);
   EXPECT_NEAR(normal.ellipse.b, 4e-3, 1e-15);
   EXPECT_NEAR(normal.ellipse.psi, 0.0, 1e-12);
-  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK) << error();
   EXPECT_NEAR(forces.fn, 80e3, 1e-6);
   peak[1] = -1.0;
-  EXPECT_EQ(wrc_contact_regularise(contact, &strips, &normal), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_regularise(contact, &strips, &normal), WRC_ERROR_RANGE);
   EXPECT_NE(error().find("strips.peak[1]"), std::string::npos);
 }
 
@@ -282,7 +282,7 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
 
 TEST_F(Interface, EveryInstructionSetGivesTheSameBits) {
   expect_works();
-  const wrc_forces best = forces;
+  const wrc_planar_forces best = forces;
   const wrc_damage best_damage = damage;
   for (int32_t set : {WRC_INSTRUCTIONS_BASELINE, WRC_INSTRUCTIONS_AVX2, WRC_INSTRUCTIONS_AVX512}) {
     config.instruction_set = set;
@@ -433,17 +433,17 @@ TEST_F(Interface, AnEllipseAboutMidWidthSpinsAboutItsOwnCentre) {
     creepage.spin = 0.4;
     creepage.longitudinal = creepage.spin * centre;
     creepage.lateral = 0.0;
-    ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
+    ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
     EXPECT_NEAR(forces.fx, 0.0, 1e-9 * limit);
     EXPECT_LT(forces.fy, -0.05 * limit);
     creepage.spin = 0.0;
     creepage.longitudinal = 1e-3;
-    ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
+    ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
     EXPECT_NEAR(forces.mz, -centre * forces.fx, 1e-9 * limit);
-    const wrc_forces about_middle = forces;
+    const wrc_planar_forces about_middle = forces;
     config.tangential.patch_model = WRC_PATCH_MODEL_ELLIPSE_AT_POINT;
     create();
-    ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
+    ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK);
     EXPECT_EQ(forces.fx, about_middle.fx);  // without spin where the ellipse lies does not matter
   }
 }
@@ -574,17 +574,17 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_model_create(nullptr, nullptr, &none), WRC_ERROR_NULL);
   wrc_contact* no_contact = nullptr;
   EXPECT_EQ(wrc_contact_create(nullptr, WRC_SIDE_RIGHT, nullptr, &no_contact), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_geometry(contact, &pose, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_normal(nullptr, nullptr, &load, &normal), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_normal(contact, nullptr, nullptr, &normal), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_normal(contact, nullptr, &load, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_planar_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_geometry(contact, &pose, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_planar_normal(nullptr, nullptr, &load, &normal), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_normal(contact, nullptr, nullptr, &normal), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_normal(contact, nullptr, &load, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_planar_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
   EXPECT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
@@ -613,14 +613,14 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     std::swap(contact, wrong);
 
     refill();
-    EXPECT_EQ(wrc_contact_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_contact_normal(wrong, nullptr, &load, &normal), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_contact_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_normal(wrong, nullptr, &load, &normal), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
     EXPECT_EQ(wrc_contact_damage(wrong, &damage), WRC_ERROR_NULL);
     expect_zeros();
 
     refill();
-    EXPECT_EQ(wrc_contact_regularise(wrong, nullptr, &normal), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_regularise(wrong, nullptr, &normal), WRC_ERROR_NULL);
     EXPECT_EQ(normal.area, 0.0);
     refill();
     wrc_patch one = wrc_patch_default();
@@ -634,7 +634,7 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     EXPECT_EQ(wrc_contact_wear(wrong, nullptr, &wear), WRC_ERROR_NULL);
     EXPECT_EQ(wear.worn_area_rate, 0.0);
     wrc_creepage result = creepage;
-    EXPECT_EQ(wrc_contact_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
     EXPECT_EQ(result.spin, 0.0);
     wrc_view view{};
     view.count[0] = 7;
@@ -656,12 +656,12 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
 TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
   for (const uint32_t bad : {0U, 7U, 4096U}) {  // 4096: of a header newer than the library
     input.struct_size = bad;
-    expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_input", "struct_size"});
+    expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_planar_input", "struct_size"});
     input.struct_size = sizeof input;
     expect_works();
     output.struct_size = bad;
     EXPECT_EQ(step(), WRC_ERROR_STRUCT_SIZE);
-    expect_words(error(), {"wrc_output", "struct_size"});
+    expect_words(error(), {"wrc_planar_output", "struct_size"});
     EXPECT_NE(forces.fn, 0.0);  // not touched
     output.struct_size = sizeof output;
   }
@@ -673,10 +673,10 @@ TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
 
 TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {
   EXPECT_EQ(wrc_config_default().struct_size, sizeof(wrc_config));
-  EXPECT_EQ(wrc_input_default().struct_size, sizeof(wrc_input));
-  EXPECT_EQ(wrc_output_default().struct_size, sizeof(wrc_output));
+  EXPECT_EQ(wrc_planar_input_default().struct_size, sizeof(wrc_planar_input));
+  EXPECT_EQ(wrc_planar_output_default().struct_size, sizeof(wrc_planar_output));
   EXPECT_EQ(wrc_friction_default().slope_reduction, 1.0);
-  EXPECT_EQ(wrc_input_default().friction.slope_reduction, 1.0);  // those of structs within, too
+  EXPECT_EQ(wrc_planar_input_default().friction.slope_reduction, 1.0);  // those of structs within, too
   EXPECT_EQ(wrc_config_default().track.gauge, 1.435);
   wrc_config config_of_run_time;
   config_of_run_time.struct_size = sizeof config_of_run_time;
@@ -703,7 +703,7 @@ TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
   wrc_ellipse own = wrc_ellipse_default();
   own.a = own.b = 5e-3;
   own.normal_force = 80e3;
-  ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
   ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
   EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, 0U);
   EXPECT_EQ(patch.normal[2], 0.0);
@@ -712,17 +712,17 @@ TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
 TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
   constexpr std::size_t count = 5;
   std::vector<wrc_contact*> contacts(count);
-  std::vector<wrc_input> inputs(count, input);
-  std::vector<wrc_output> single(count, output), batch(count, output);
+  std::vector<wrc_planar_input> inputs(count, input);
+  std::vector<wrc_planar_output> single(count, output), batch(count, output);
   for (std::size_t i = 0; i < count; ++i) {
     ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i]), WRC_OK);
     inputs[i].creepage.spin = 0.1 * static_cast<double>(i);
-    EXPECT_EQ(wrc_contact_step(contacts[i], &inputs[i], &single[i]), WRC_OK);
+    EXPECT_EQ(wrc_planar_step(contacts[i], &inputs[i], &single[i]), WRC_OK);
   }
   inputs[3].creepage.spin = nan_value;
   std::vector<int32_t> statuses(count);
-  EXPECT_EQ(wrc_contact_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_input), batch.data(),
-                                   sizeof(wrc_output), statuses.data()),
+  EXPECT_EQ(wrc_contact_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_planar_input), batch.data(),
+                                   sizeof(wrc_planar_output), statuses.data()),
             WRC_ERROR_NOT_FINITE);
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(statuses[i], i == 3 ? WRC_ERROR_NOT_FINITE : WRC_OK);
@@ -772,7 +772,7 @@ TEST_F(Interface, HostKeepsItsOtherFloatingPointUnitToo) {
 
 TEST_F(Interface, HostKeepsItsFloatingPointEnvironmentAndItsTrapsStayQuiet) {
   expect_works();
-  const wrc_forces plain = forces;
+  const wrc_planar_forces plain = forces;
   std::fesetround(FE_UPWARD);
   feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW);
   EXPECT_EQ(step(), WRC_OK);
@@ -801,7 +801,7 @@ TEST(FunctionTable, ServesThisInterfaceVersionOnly) {
   EXPECT_EQ(api->struct_size, sizeof(wrc_api));
   EXPECT_EQ(api->abi_version, static_cast<uint32_t>(WRC_ABI_VERSION));
   EXPECT_EQ(api->version(), wrc_version());
-  EXPECT_EQ(api->contact_step, wrc_contact_step);
+  EXPECT_EQ(api->contact_step, wrc_planar_step);
   EXPECT_EQ(api->shakedown_limit, wrc_shakedown_limit);
   EXPECT_EQ(wrc_get_api(WRC_ABI_VERSION + 1), nullptr);
   EXPECT_EQ(wrc_get_api(1), nullptr);

@@ -9,7 +9,7 @@ class LoadedEllipse : public testing::Test {
   wrc_ellipse ellipse = wrc_ellipse_default();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
-  wrc_forces forces{};
+  wrc_planar_forces forces{};
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 

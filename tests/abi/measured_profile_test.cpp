@@ -109,15 +109,15 @@ struct Sweep {
 
 Sweep sweep(const Bodies& bodies) {
   Sweep result;
-  wrc_load load = wrc_load_default();
+  wrc_planar_load load = wrc_planar_load_default();
   load.normal_force = 80e3;
   int32_t patches = 0;
   for (int i = 0; i <= 600; ++i) {
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = -7e-3 + 20e-6 * i;
-    wrc_normal_solution normal{};
-    EXPECT_GE(wrc_contact_geometry(bodies.contact, &pose, nullptr), 0);
-    EXPECT_GE(wrc_contact_normal(bodies.contact, nullptr, &load, &normal), 0);
+    wrc_planar_normal_solution normal{};
+    EXPECT_GE(wrc_planar_geometry(bodies.contact, &pose, nullptr), 0);
+    EXPECT_GE(wrc_planar_normal(bodies.contact, nullptr, &load, &normal), 0);
     result.changes += i > 0 && normal.patches != patches;
     patches = normal.patches;
     if (i > 0)

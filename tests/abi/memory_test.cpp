@@ -39,7 +39,7 @@ TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
   EXPECT_EQ(own_contact, nullptr);
   ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact), WRC_OK);
   expect_works();
-  const wrc_forces expected = forces;
+  const wrc_planar_forces expected = forces;
   std::swap(contact, own_contact);
   expect_works();
   EXPECT_EQ(std::memcmp(&expected, &forces, sizeof forces), 0);
@@ -98,20 +98,20 @@ TEST_F(Memory, SavedStateRestoresBitForBit) {
   ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
   std::vector<unsigned char> saved(bytes + 1);
   ASSERT_EQ(wrc_contact_save(contact, saved.data() + 1, bytes), WRC_OK);  // any alignment
-  const wrc_forces before = forces;
+  const wrc_planar_forces before = forces;
   pose.lateral = 2e-3;
   creepage.spin = -0.7;
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_NE(forces.fx, before.fx);
   ASSERT_EQ(wrc_contact_restore(contact, saved.data() + 1, bytes), WRC_OK);
   creepage.spin = 0.29;
-  ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
 
   wrc_contact* other = nullptr;  // relocatable: into another contact of the model
   ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &other), WRC_OK);
   ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
-  ASSERT_EQ(wrc_contact_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
   wrc_contact_destroy(other);
 

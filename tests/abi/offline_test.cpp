@@ -51,7 +51,7 @@ TEST(OfflineDefaults, AreStatedOnesAndRefuseWrongSizes) {
   EXPECT_EQ(materials.shear_modulus_1, 80e9);
   EXPECT_EQ(materials.poisson_2, 0.25);
   const auto normal = wrc_exact_normal_problem_default();
-  EXPECT_EQ(normal.prescribed, WRC_PRESCRIBE_LOAD);
+  EXPECT_EQ(normal.prescribed, WRC_PRESCRIBE_NORMAL_FORCE);
   EXPECT_EQ(normal.max_iterations, 1000);
   EXPECT_EQ(normal.tolerance, 1e-6);
   const auto rolling = wrc_exact_rolling_problem_default();

@@ -43,7 +43,7 @@ class Wheel : public ReferenceWheel {
       height[j] = 0.5 * y[j] * y[j] / 0.3;
       curvature[j] = 1.0 / 0.46;
     }
-    wrc_gap gap = wrc_gap_default();
+    wrc_planar_gap gap = wrc_planar_gap_default();
     gap.rows = rows;
     gap.y = y;
     gap.height = height;
@@ -57,7 +57,7 @@ class Wheel : public ReferenceWheel {
   int32_t roll_on(const wrc_ellipse& own, const Motion& motion) {
     if (model == nullptr) create();
     creep(motion);
-    return wrc_contact_tangential(contact, &own, &creepage, &friction, &forces);
+    return wrc_planar_tangential(contact, &own, &creepage, &friction, &forces);
   }
   wrc_view field(int32_t id, int32_t of_patch = 0) const {
     wrc_view view{};
@@ -157,7 +157,7 @@ TEST_P(Physics, ReversedCreepageReversesTheForces) {
   for (double size : {0.01, 1.0, 100.0}) {
     const Motion m{0.002, 0.0, 0.0, 5e-4 * size, -1e-3 * size, 0.3 * size};
     ASSERT_GE(wheel.roll(m), 0);
-    const wrc_forces forward = wheel.forces;
+    const wrc_planar_forces forward = wheel.forces;
     ASSERT_GE(wheel.roll({m.lateral, m.yaw, m.roll, -m.longitudinal, -m.side, -m.spin}), 0);
     EXPECT_EQ(wheel.forces.fx, -forward.fx);
     EXPECT_EQ(wheel.forces.fy, -forward.fy);
@@ -191,7 +191,7 @@ TEST_P(Physics, LoadFromApproachFromLoadIsTheSame) {
   Wheel wheel;
   choose(wheel);
   for (double load : {1e3, 80e3, 200e3}) {
-    wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+    wheel.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
     wheel.load.normal_force = load;
     ASSERT_GE(wheel.roll({}), 0);
     const double peak = wheel.normal.peak_pressure;
@@ -237,7 +237,7 @@ TEST_P(Physics, PowerIsForceTimesCreepage) {
         Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.0}, Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.2},
         Motion{0.001, 0.0, 0.0, 0.03, 0.02, 1.0}}) {
     ASSERT_GE(wheel.roll(m), 0);
-    const wrc_forces& f = wheel.forces;
+    const wrc_planar_forces& f = wheel.forces;
     const double spent = -wheel.creepage.speed * (f.fx * m.longitudinal + f.fy * m.side + f.mz * m.spin);
     EXPECT_NEAR(f.power, spent, (m.spin == 0.0 ? 0.01 : 0.1) * spent) << m.longitudinal << " " << m.side;
   }

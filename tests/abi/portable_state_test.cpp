@@ -24,15 +24,15 @@ class PortableState : public testing::Test, protected PlacedWheel {
   }
   /// Wheel on a rail and step from a pose, both with the warm start of the calls before.
   void go_on(int calls, Bytes* results = nullptr) {
-    wrc_input planar = wrc_input_default();
+    wrc_planar_input planar = wrc_planar_input_default();
     planar.load.normal_force = 80e3;
     planar.creepage.longitudinal = 1e-3;
-    wrc_output output = wrc_output_default();
+    wrc_planar_output output = wrc_planar_output_default();
     for (int i = 0; i < calls; ++i) {
       wheel.y += 13e-6;
       planar.pose.lateral = wheel.y;
       ASSERT_EQ(step(), WRC_OK) << error();
-      ASSERT_EQ(wrc_contact_step(contact, &planar, &output), WRC_OK);
+      ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
       if (results == nullptr) continue;
       const auto* const of_wrench = reinterpret_cast<const char*>(&wrench);
       const auto* const of_output = reinterpret_cast<const char*>(&output);

@@ -52,7 +52,7 @@ struct Worn {
     result.y = profile.y.data();
     result.z = profile.z.data();
     char sentence[256] = "";
-    status = wrc_profile_take_off(&wear, &result, sentence, sizeof sentence);
+    status = wrc_profile_remove_wear(&wear, &result, sentence, sizeof sentence);
     text = sentence;
     profile.y.resize(result.count);
     profile.z.resize(result.count);
@@ -173,7 +173,7 @@ TEST(ProfileWear, RefusesWhatCrossesItself) {
   EXPECT_EQ(Worn(given, wear, std::vector<double>(400, 1e-5), 20).status, WRC_ERROR_BUFFER);
   depth[0] = -1.0;
   EXPECT_EQ(Worn(given, wear, depth).status, WRC_ERROR_RANGE);
-  EXPECT_EQ(wrc_profile_take_off(nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_profile_remove_wear(nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
 }
 
 /// EN 13715 has the S1002's flange 28 mm high and 32.5 mm thick, with qR 10.8 mm.

@@ -15,15 +15,15 @@ class ReferenceWheel {
  public:
   wrc_config config = wrc_config_default();
   wrc_profile &wheel = config.wheel, &rail = config.rail;
-  wrc_input input = wrc_input_default();
-  wrc_pose& pose = input.pose;
-  wrc_load& load = input.load;
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_pose& pose = input.pose;
+  wrc_planar_load& load = input.load;
   wrc_creepage& creepage = input.creepage;
   wrc_friction& friction = input.friction;
-  wrc_output output = wrc_output_default();
-  wrc_contact_point& point = output.point;
-  wrc_normal_solution& normal = output.normal;
-  wrc_forces& forces = output.forces;
+  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_point& point = output.point;
+  wrc_planar_normal_solution& normal = output.normal;
+  wrc_planar_forces& forces = output.forces;
   wrc_damage& damage = output.damage;
   int32_t side = WRC_SIDE_RIGHT;
   wrc_model* model = nullptr;
@@ -54,7 +54,7 @@ class ReferenceWheel {
   }
   int32_t step() {
     if (model == nullptr) create();
-    return wrc_contact_step(contact, &input, &output);
+    return wrc_planar_step(contact, &input, &output);
   }
   std::string error() const {
     char text[256];

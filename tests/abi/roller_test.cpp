@@ -228,8 +228,8 @@ TEST_F(Roller, DerivativesAreThoseOfDifferences) {
   wheel.velocity[0] = -10.0;
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     create(which);
-    wrc_wrench_sensitivities found{};
-    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK) << error();
+    wrc_wrench_derivatives found{};
+    ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK) << error();
     double number[6][17] = {}, largest[6][2] = {};
     for (int k = 0; k < 17; ++k) {
       double& value = k < 16 ? wrench_input(input, k) : input.distance;

@@ -1,4 +1,4 @@
-/// config.non_steady and wrc_contact_roll(): forces that remember, through the shared library.
+/// config.non_steady and wrc_planar_roll(): forces that remember, through the shared library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,13 +42,13 @@ class Contact {
   double limit() const { return friction.coefficient * ellipse.normal_force; }
 
   /// Rolls on and solves; forces over friction times load.
-  wrc_forces roll(double distance) {
-    EXPECT_EQ(wrc_contact_roll(contact_, distance), WRC_OK) << why();
+  wrc_planar_forces roll(double distance) {
+    EXPECT_EQ(wrc_planar_roll(contact_, distance), WRC_OK) << why();
     return solve();
   }
-  wrc_forces solve() {
-    wrc_forces forces{};
-    EXPECT_EQ(wrc_contact_tangential(contact_, &ellipse, &creepage, &friction, &forces), WRC_OK) << why();
+  wrc_planar_forces solve() {
+    wrc_planar_forces forces{};
+    EXPECT_EQ(wrc_planar_tangential(contact_, &ellipse, &creepage, &friction, &forces), WRC_OK) << why();
     forces.fx /= limit();
     forces.fy /= limit();
     forces.mz /= limit() * ellipse.a;
@@ -68,7 +68,7 @@ class Contact {
   wrc_contact* contact_ = nullptr;
 };
 
-double apart(const wrc_forces& a, const wrc_forces& b) { return std::hypot(a.fx - b.fx, a.fy - b.fy); }
+double apart(const wrc_planar_forces& a, const wrc_planar_forces& b) { return std::hypot(a.fx - b.fx, a.fy - b.fy); }
 
 // What rigid creepages put in over a cycle, friction takes out: elastic energy is the same again.
 TEST(RollingMemory, PowerIsTheWorkOfACycle) {
@@ -85,7 +85,7 @@ TEST(RollingMemory, PowerIsTheWorkOfACycle) {
         contact.creepage.longitudinal = factor * mean.longitudinal;
         contact.creepage.lateral = factor * mean.lateral;
         contact.creepage.spin = factor * mean.spin;
-        const wrc_forces forces = contact.roll(step);
+        const wrc_planar_forces forces = contact.roll(step);
         EXPECT_GE(forces.power, 0.0);
         if (cycle == 0) continue;
         const wrc_creepage& c = contact.creepage;
@@ -105,7 +105,7 @@ TEST(RollingMemory, WhatSticksTakesNoPower) {
   Contact contact, steady(false);
   contact.creepage.longitudinal *= 0.5;
   steady.creepage = contact.creepage;
-  wrc_forces forces{};
+  wrc_planar_forces forces{};
   for (int k = 0; k < 3; ++k) forces = contact.roll(0.2e-3);
   EXPECT_LT(forces.power, 0.05 * steady.solve().power);
   wrc_damage damage{};
@@ -116,8 +116,8 @@ TEST(RollingMemory, WhatSticksTakesNoPower) {
 TEST(RollingMemory, StepsThatStayTheSameEndInSteadyRolling) {
   for (const double step : {0.2e-3, 1.5e-3, 7e-3, 20e-3}) {
     Contact contact, steady(false);
-    const wrc_forces end = steady.solve();
-    wrc_forces forces{};
+    const wrc_planar_forces end = steady.solve();
+    wrc_planar_forces forces{};
     for (double rolled = 0.0; rolled < 60e-3; rolled += step) forces = contact.roll(step);
     EXPECT_LT(apart(forces, end), 2e-3) << step;
     EXPECT_NEAR(forces.mz, end.mz, 4e-3) << step;
@@ -127,7 +127,7 @@ TEST(RollingMemory, StepsThatStayTheSameEndInSteadyRolling) {
 TEST(RollingMemory, OneLongStepIsSteadyRolling) {
   Contact contact, steady(false);
   contact.roll(1e-3);
-  const wrc_forces forces = contact.roll(6.0 * 2.0 * contact.ellipse.a), end = steady.solve();
+  const wrc_planar_forces forces = contact.roll(6.0 * 2.0 * contact.ellipse.a), end = steady.solve();
   EXPECT_EQ(forces.fx, end.fx);
   EXPECT_EQ(forces.fy, end.fy);
   EXPECT_EQ(forces.mz, end.mz);
@@ -139,7 +139,7 @@ TEST(RollingMemory, BeginsWithoutTractionsAndStaysWhereItIs) {
   Contact contact;
   EXPECT_LT(apart(contact.solve(), {}), 5e-3);
   contact.roll(4e-3);
-  const wrc_forces before = contact.solve();
+  const wrc_planar_forces before = contact.solve();
   contact.creepage.longitudinal = -1e-3;
   EXPECT_LT(apart(contact.solve(), before), 5e-3);
   EXPECT_GT(apart(contact.roll(2e-3), before), 0.05);
@@ -176,7 +176,7 @@ TEST(RollingMemory, FollowsTheExactSolver) {
     if (k == 40) contact.creepage.longitudinal = -1.5e-3;
     problem.creepage = contact.creepage;
     ASSERT_EQ(wrc_exact_transient_step(bodies, &problem, &exact, nullptr, 0), WRC_OK);
-    const wrc_forces forces = contact.roll(problem.grid.dx);
+    const wrc_planar_forces forces = contact.roll(problem.grid.dx);
     worst = std::max(
         worst, std::hypot(forces.fx - exact.fx / contact.limit(), forces.fy - exact.fy / contact.limit()));
     largest = std::max(largest, std::fabs(forces.fx));
@@ -196,7 +196,7 @@ TEST(RollingMemory, DoesNotLeapAsTheStepGrowsLonger) {
   contact.creepage.lateral = 1e-3;
   constexpr int steps = 700;
   const double length = 2.0 * contact.ellipse.a, longest = 7.0 * length;
-  std::vector<wrc_forces> found;
+  std::vector<wrc_planar_forces> found;
   for (int k = 0; k <= steps; ++k) {
     ASSERT_EQ(wrc_contact_restore(contact.handle(), state.data(), bytes), WRC_OK);
     found.push_back(contact.roll(k * longest / steps));
@@ -212,15 +212,15 @@ TEST(RollingMemory, DoesNotLeapAsTheStepGrowsLonger) {
 TEST(RollingMemory, IsPartOfTheState) {
   Contact contact;
   contact.roll(2e-3);
-  ASSERT_EQ(wrc_contact_roll(contact.handle(), 0.5e-3), WRC_OK);
+  ASSERT_EQ(wrc_planar_roll(contact.handle(), 0.5e-3), WRC_OK);
   uint64_t bytes = 0;
   ASSERT_EQ(wrc_contact_state_size(contact.model(), &bytes), WRC_OK);
   std::vector<std::byte> state(bytes);
   ASSERT_EQ(wrc_contact_save(contact.handle(), state.data(), bytes), WRC_OK);
-  const wrc_forces once = contact.roll(0.5e-3);
+  const wrc_planar_forces once = contact.roll(0.5e-3);
   contact.roll(4e-3);
   ASSERT_EQ(wrc_contact_restore(contact.handle(), state.data(), bytes), WRC_OK);
-  const wrc_forces again = contact.roll(0.5e-3);
+  const wrc_planar_forces again = contact.roll(0.5e-3);
   EXPECT_EQ(once.fx, again.fx);
   EXPECT_EQ(once.fy, again.fy);
   EXPECT_EQ(once.mz, again.mz);
@@ -239,7 +239,7 @@ TEST(RollingMemory, PatchesThatGrowMoveAndVanishStayWithinFriction) {
     contact.creepage.longitudinal = 4e-3 * std::sin(0.13 * k);
     contact.creepage.lateral = 2e-3 * std::sin(0.23 * k);
     contact.creepage.spin = std::sin(0.17 * k);
-    const wrc_forces forces = contact.roll(k % 7 == 0 ? 0.0 : 1e-3 * (k % 5));
+    const wrc_planar_forces forces = contact.roll(k % 7 == 0 ? 0.0 : 1e-3 * (k % 5));
     EXPECT_LT(std::hypot(forces.fx, forces.fy), 1.01) << k;
     EXPECT_GE(forces.power, 0.0);
   }
@@ -247,17 +247,17 @@ TEST(RollingMemory, PatchesThatGrowMoveAndVanishStayWithinFriction) {
 
 TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   Contact contact, steady(false);
-  EXPECT_EQ(wrc_contact_roll(steady.handle(), 1e-3), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_planar_roll(steady.handle(), 1e-3), WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(steady.why().find("non_steady"), std::string::npos) << steady.why();
-  EXPECT_EQ(wrc_contact_roll(nullptr, 1e-3), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_roll(contact.handle(), -1e-3), WRC_ERROR_RANGE);
-  EXPECT_EQ(wrc_contact_roll(contact.handle(), std::nan("")), WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(wrc_planar_roll(nullptr, 1e-3), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_roll(contact.handle(), -1e-3), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_roll(contact.handle(), std::nan("")), WRC_ERROR_NOT_FINITE);
   contact.roll(1e-3);
-  wrc_sensitivity slopes{};
-  EXPECT_EQ(wrc_contact_sensitivities(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
-  wrc_forces forces{};
+  wrc_planar_derivatives slopes{};
+  EXPECT_EQ(wrc_planar_tangential_derivatives(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
+  wrc_planar_forces forces{};
   contact.creepage.speed = -1.0;
-  EXPECT_EQ(wrc_contact_tangential(contact.handle(), &contact.ellipse, &contact.creepage, &contact.friction,
+  EXPECT_EQ(wrc_planar_tangential(contact.handle(), &contact.ellipse, &contact.creepage, &contact.friction,
                                    &forces),
             WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
@@ -294,15 +294,15 @@ TEST(RollingMemory, OfAPoseStaysWithTheRail) {
   for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     wrc_contact* contact = nullptr;
     ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
-    wrc_input input = wrc_input_default();
-    wrc_output output = wrc_output_default();
+    wrc_planar_input input = wrc_planar_input_default();
+    wrc_planar_output output = wrc_planar_output_default();
     input.load.normal_force = 80e3;
     input.creepage.longitudinal = 8e-4;
     double before = 0.0, largest_change = 0.0;
     for (int k = 0; k < 60; ++k) {
       input.pose.lateral = 1e-5 * k * (side == WRC_SIDE_RIGHT ? 1.0 : -1.0);
-      ASSERT_EQ(wrc_contact_roll(contact, 0.5e-3), WRC_OK);
-      ASSERT_GE(wrc_contact_step(contact, &input, &output), 0);
+      ASSERT_EQ(wrc_planar_roll(contact, 0.5e-3), WRC_OK);
+      ASSERT_GE(wrc_planar_step(contact, &input, &output), 0);
       const double share = output.forces.fx / (0.3 * 80e3);
       if (k > 0) largest_change = std::max(largest_change, std::fabs(share - before));
       before = share;
@@ -312,10 +312,10 @@ TEST(RollingMemory, OfAPoseStaysWithTheRail) {
     // Apart, and in contact again: from nothing.
     input.load.prescribed = WRC_PRESCRIBE_APPROACH;
     input.load.approach = -1e-3;
-    EXPECT_EQ(wrc_contact_step(contact, &input, &output), WRC_FLAG_NO_CONTACT);
-    input.load.prescribed = WRC_PRESCRIBE_LOAD;
-    ASSERT_EQ(wrc_contact_roll(contact, 0.1e-3), WRC_OK);
-    ASSERT_GE(wrc_contact_step(contact, &input, &output), 0);
+    EXPECT_EQ(wrc_planar_step(contact, &input, &output), WRC_FLAG_NO_CONTACT);
+    input.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
+    ASSERT_EQ(wrc_planar_roll(contact, 0.1e-3), WRC_OK);
+    ASSERT_GE(wrc_planar_step(contact, &input, &output), 0);
     EXPECT_GT(output.forces.fx / (0.3 * 80e3), 0.2 * before);
     wrc_contact_destroy(contact);
   }

@@ -40,30 +40,30 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
       half.push_back(5e-3 * std::sqrt(1.05 - s * s));
       peak.push_back(9e8 * std::sqrt(1.05 - s * s) * (1.0 + 0.2 * s));
     }
-    wrc_strips strips = wrc_strips_default();
+    wrc_planar_strips strips = wrc_planar_strips_default();
     strips.count = 12;
     strips.y = y.data();
     strips.width = width.data();
     strips.centre = centre.data();
     strips.half_length = half.data();
     strips.peak = peak.data();
-    return wrc_contact_regularise(contact, &strips, nullptr);
+    return wrc_planar_regularise(contact, &strips, nullptr);
   }
-  int32_t roll() { return wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces); }
+  int32_t roll() { return wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces); }
 
-  wrc_motion motion = wrc_motion_default();
+  wrc_planar_motion motion = wrc_planar_motion_default();
   wrc_creepage kinematic = wrc_creepage_default();
 
   /// Geometry and normal problem of the pose, once for many motions.
   void press() {
-    ASSERT_EQ(wrc_contact_geometry(contact, &pose, &point), WRC_OK);
-    ASSERT_EQ(wrc_contact_normal(contact, nullptr, &load, &normal), WRC_OK);
+    ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
+    ASSERT_EQ(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_OK);
   }
   /// From the motion to the forces, as a host goes.
   int32_t move() {
-    const int32_t status = wrc_contact_creepages(contact, &motion, &kinematic);
+    const int32_t status = wrc_planar_creepages(contact, &motion, &kinematic);
     if (status < 0) return status;
-    return std::max(status, wrc_contact_tangential(contact, nullptr, &kinematic, &friction, &forces));
+    return std::max(status, wrc_planar_tangential(contact, nullptr, &kinematic, &friction, &forces));
   }
 };
 
@@ -79,7 +79,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
       creepage.speed = -25.0;
       ASSERT_EQ(take_strips(1.0), WRC_OK);
       ASSERT_GE(roll(), 0) << error();
-      const wrc_forces backwards = forces;
+      const wrc_planar_forces backwards = forces;
       ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
       const wrc_damage damaged = damage;
       std::vector<std::vector<double>> fields;
@@ -125,7 +125,7 @@ TEST_F(RollingWay, CellsCountFromTheLeadingEdge) {
 
 TEST_F(RollingWay, ForcesOpposeSlipWhicheverWayItRolls) {
   create();
-  wrc_forces of_way[2];
+  wrc_planar_forces of_way[2];
   for (int way = 0; way < 2; ++way) {
     creepage.speed = way == 0 ? 20.0 : -20.0;
     creepage.longitudinal = 0.1e-3;
@@ -141,20 +141,20 @@ TEST_F(RollingWay, ForcesOpposeSlipWhicheverWayItRolls) {
 TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
   for (const int32_t method : {preset_strip_fastsim, preset_fastsim_sdec, preset_modified_fastsim}) {
     create_with(method);
-    for (const double other_way : {0.0, 0.3, 0.5}) {
+    for (const double reverse_share : {0.0, 0.3, 0.5}) {
       creepage = wrc_creepage_default();
       creepage.longitudinal = -0.49e-3;
       creepage.lateral = -0.22e-3;
       creepage.spin = 0.29;
       creepage.speed = -5.0;
-      creepage.other_way = other_way;
+      creepage.reverse_share = reverse_share;
       const wrc_creepage at = creepage;
       ASSERT_GE(step(), 0) << error();
-      wrc_sensitivity found{};
-      ASSERT_GE(wrc_contact_sensitivities(contact, &found), 0) << error();
+      wrc_planar_derivatives found{};
+      ASSERT_GE(wrc_planar_tangential_derivatives(contact, &found), 0) << error();
       for (int of = 0; of < 3; ++of) {
         const double h = of == 2 ? 2e-4 : 1e-6;
-        wrc_forces ends[2];
+        wrc_planar_forces ends[2];
         for (int end = 0; end < 2; ++end) {
           creepage = at;
           (of == 0 ? creepage.longitudinal : of == 1 ? creepage.lateral : creepage.spin) += end == 0 ? -h : h;
@@ -167,7 +167,7 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
           // What the larger of the two derivatives of this input is, moments over the patch's size.
           const double scale = std::max(std::fabs(slope[0]), std::fabs(slope[1])) * (r == 2 ? 5e-3 : 1.0);
           EXPECT_NEAR(found.forces[r][of], slope[r], 0.01 * scale)
-              << method << ", row " << r << ", input " << of << ", " << other_way;
+              << method << ", row " << r << ", input " << of << ", " << reverse_share;
         }
       }
     }
@@ -208,8 +208,8 @@ TEST_F(RollingWay, TheMotionBackwardsIsTheMirrorImageToo) {
   press();
   ASSERT_EQ(move(), WRC_OK);
   const wrc_creepage forward = kinematic;
-  const wrc_forces driven = forces;
-  EXPECT_EQ(forward.other_way, 0.0);
+  const wrc_planar_forces driven = forces;
+  EXPECT_EQ(forward.reverse_share, 0.0);
 
   pose.yaw *= -1.0;
   motion.speed *= -1.0;
@@ -242,7 +242,7 @@ TEST_F(RollingWay, ForcesGoThroughStandstillWithoutAJump) {
   };
   using Forces = std::array<double, 3>;
   const auto forces_at = [&](const Rates& rates, double speed) {
-    motion = wrc_motion_default();
+    motion = wrc_planar_motion_default();
     motion.speed = speed;
     motion.lateral_velocity = rates.lateral;
     motion.yaw_rate = rates.yaw;
@@ -307,12 +307,12 @@ TEST_F(RollingWay, AWheelThatSlidesAtRestIsBrakedByFriction) {
       // The wheel's point slides by `velocity` in this direction while V = 0.
       const double angle = k * std::acos(-1.0) / 8.0;
       const double vx = velocity * std::cos(angle), vy = velocity * std::sin(angle);
-      motion = wrc_motion_default();
+      motion = wrc_planar_motion_default();
       motion.speed = 0.5 * vx;
       motion.pitch_rate = 0.5 * vx / point.rolling_radius;
       motion.lateral_velocity = vy / std::cos(point.angle);
       ASSERT_EQ(move(), WRC_FLAG_CREEPAGES_LIMITED);
-      EXPECT_NEAR(kinematic.other_way, 0.5, 1e-9);
+      EXPECT_NEAR(kinematic.reverse_share, 0.5, 1e-9);
       const double force = std::hypot(forces.fx, forces.fy);
       EXPECT_NEAR(force, limit, 0.01 * limit) << velocity << " " << k;
       EXPECT_LT((forces.fx * vx + forces.fy * vy) / (force * velocity), -0.999) << velocity << " " << k;
@@ -320,7 +320,7 @@ TEST_F(RollingWay, AWheelThatSlidesAtRestIsBrakedByFriction) {
     }
   }
   // Slowly it is held as by a damper: a tenth of friction at a hundredth of a millimetre per second or so.
-  motion = wrc_motion_default();
+  motion = wrc_planar_motion_default();
   motion.lateral_velocity = 1e-5;
   ASSERT_EQ(move(), WRC_FLAG_CREEPAGES_LIMITED);
   EXPECT_LT(forces.fy, -0.01 * limit);
@@ -382,7 +382,7 @@ TEST_F(RollingWay, NoMotionGivesCreepagesThatAreRefused) {
       ASSERT_TRUE(std::isfinite(forces.fx) && std::isfinite(forces.fy) && forces.power >= 0.0);
       // Both calls say so, or none: but for creepages cut at a speed where one way is enough.
       limited += status == WRC_FLAG_CREEPAGES_LIMITED;
-      ASSERT_EQ(status == WRC_FLAG_CREEPAGES_LIMITED || kinematic.other_way == 0.0, true);
+      ASSERT_EQ(status == WRC_FLAG_CREEPAGES_LIMITED || kinematic.reverse_share == 0.0, true);
     }
   }
   EXPECT_GT(limited, 1000);
@@ -393,14 +393,14 @@ TEST_F(RollingWay, SharesAndSpeedsOutsideTheirRangeAreNamed) {
   creepage.speed = -250.0;
   expect_refused(WRC_ERROR_RANGE, {"creepage.speed = -250 m/s is outside -200 .. 200 m/s"});
   creepage.speed = 1.0;
-  creepage.other_way = 0.6;
-  expect_refused(WRC_ERROR_RANGE, {"creepage.other_way = 0.6 is outside 0 .. 0.5"});
-  creepage.other_way = 0.2;
+  creepage.reverse_share = 0.6;
+  expect_refused(WRC_ERROR_RANGE, {"creepage.reverse_share = 0.6 is outside 0 .. 0.5"});
+  creepage.reverse_share = 0.2;
   EXPECT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED);
-  expect_words(error(), {"creepage.other_way = 0.2"});
-  creepage.other_way = 0.0;
+  expect_words(error(), {"creepage.reverse_share = 0.2"});
+  creepage.reverse_share = 0.0;
   motion.speed = -201.0;
-  EXPECT_EQ(wrc_contact_creepages(contact, &motion, &kinematic), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_planar_creepages(contact, &motion, &kinematic), WRC_ERROR_RANGE);
   expect_words(error(), {"motion.speed = -201 m/s is outside -200 .. 200 m/s"});
   expect_works();
 }

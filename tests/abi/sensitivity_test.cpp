@@ -24,21 +24,21 @@ class Sensitivities : public ReferenceContact {
 };
 
 TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
-  wrc_sensitivity s{};
-  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
+  wrc_planar_derivatives s{};
+  EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
-  ASSERT_EQ(wrc_contact_sensitivities(contact, &s), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_OK) << error();
   EXPECT_EQ(before, state());
 
   double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin, &friction.coefficient};
   const int columns[] = {0, 1, 2, 4};
   for (int k = 0; k < 4; ++k) {
     const double value = *inputs[k], step = 1e-5 * std::fabs(value);
-    wrc_forces ends[2] = {forces, forces};
+    wrc_planar_forces ends[2] = {forces, forces};
     for (int end = 0; end < 2; ++end) {
       *inputs[k] = value + (end == 0 ? -step : step);
-      ASSERT_EQ(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &ends[end]), WRC_OK);
+      ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &ends[end]), WRC_OK);
     }
     *inputs[k] = value;
     const double scale = std::fabs(forces.fx) / std::fabs(value);
@@ -85,30 +85,30 @@ TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;
-  ASSERT_EQ(wrc_contact_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
-  wrc_sensitivity s{};
-  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_OK) << error();
+  ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
+  wrc_planar_derivatives s{};
+  EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_OK) << error();
   EXPECT_LT(s.forces[0][0], 0.0);
   wrc_step_sensitivity of_step{};
   EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_ERROR_SEQUENCE);
-  EXPECT_NE(error().find("wrc_contact_normal"), std::string::npos) << error();
+  EXPECT_NE(error().find("wrc_planar_normal"), std::string::npos) << error();
 }
 
 TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   load.prescribed = WRC_PRESCRIBE_APPROACH;
   load.approach = -1e-3;
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
-  wrc_sensitivity s{};
+  wrc_planar_derivatives s{};
   wrc_step_sensitivity of_step{};
-  EXPECT_EQ(wrc_contact_sensitivities(contact, &s), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(s.forces[0][0], 0.0);
   EXPECT_EQ(of_step.by_load[3], 0.0);
-  EXPECT_EQ(wrc_contact_sensitivities(nullptr, &s), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_sensitivities(contact, nullptr), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_planar_tangential_derivatives(nullptr, &s), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_planar_tangential_derivatives(contact, nullptr), WRC_FLAG_NO_CONTACT);
 }
 
-/// Methods and laws without derivatives of their own: against differences of wrc_contact_tangential with
+/// Methods and laws without derivatives of their own: against differences of wrc_planar_tangential with
 /// steps of another size.
 TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
   struct Choice {
@@ -129,8 +129,8 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
     create();
     ASSERT_GE(step(), 0) << error();
     const std::vector<char> before = state();
-    wrc_sensitivity s{};
-    ASSERT_GE(wrc_contact_sensitivities(contact, &s), 0) << error();
+    wrc_planar_derivatives s{};
+    ASSERT_GE(wrc_planar_tangential_derivatives(contact, &s), 0) << error();
     EXPECT_EQ(state(), before);
 
     const double limit = forces.fn * friction.coefficient;
@@ -143,7 +143,7 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
       double ends[2][2];
       for (int end = 0; end < 2; ++end) {
         *inputs[k] = end == 0 ? at - steps[k] : at + steps[k];
-        ASSERT_GE(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces), 0) << error();
+        ASSERT_GE(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), 0) << error();
         ends[end][0] = forces.fx;
         ends[end][1] = forces.fy;
       }

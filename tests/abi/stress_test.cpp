@@ -159,7 +159,7 @@ class ContactStresses : public testing::Test {
       ASSERT_GE(wrc_model_create(&config, nullptr, &model), WRC_OK);  // unlike bodies: flagged
       ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
     }
-    ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, nullptr), WRC_OK);
+    ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, nullptr), WRC_OK);
   }
   int32_t find(const std::vector<double>& depths = {0.0, 1e-3, 2e-3}, int32_t body = WRC_BODY_RAIL) {
     return wrc_contact_stresses(contact, body, depths.data(), static_cast<uint32_t>(depths.size()),

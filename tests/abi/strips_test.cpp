@@ -10,7 +10,7 @@ class StripsOfTheCaller : public ReferenceContact {
  protected:
   std::vector<double> y{-1e-3, 0.0, 1e-3}, width{1e-3, 1e-3, 1e-3}, centre{0.0, 1e-4, 0.0},
       half{4e-3, 5e-3, 4e-3}, peak{8e8, 9e8, 8e8};
-  wrc_strips strips = wrc_strips_default();
+  wrc_planar_strips strips = wrc_planar_strips_default();
 
   int32_t take() {
     strips.count = 3;
@@ -19,7 +19,7 @@ class StripsOfTheCaller : public ReferenceContact {
     strips.centre = centre.data();
     strips.half_length = half.data();
     strips.peak = peak.data();
-    return wrc_contact_regularise(contact, &strips, &normal);
+    return wrc_planar_regularise(contact, &strips, &normal);
   }
   /// Refused with this number in the middle of this array; as good as before without it.
   void expect_refused_number(std::vector<double>& values, double wrong, int32_t status,
@@ -64,12 +64,12 @@ TEST_F(StripsOfTheCaller, ArraysThatAreMissingAreNamed) {
   for (int i = 0; i < 4; ++i) {
     const double* const kept = *needed[i];
     *needed[i] = nullptr;
-    EXPECT_EQ(wrc_contact_regularise(contact, &strips, &normal), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_planar_regularise(contact, &strips, &normal), WRC_ERROR_NULL);
     expect_words(error(), {names[i]});
     *needed[i] = kept;
   }
   strips.centre = nullptr;  // zero
-  EXPECT_EQ(wrc_contact_regularise(contact, &strips, &normal), WRC_OK) << error();
+  EXPECT_EQ(wrc_planar_regularise(contact, &strips, &normal), WRC_OK) << error();
 }
 
 }  // namespace

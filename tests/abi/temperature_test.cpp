@@ -25,7 +25,7 @@ class Temperature : public LoadedEllipse {
     make();
   }
   int32_t solve(const wrc_bulk_temperatures* bulk = nullptr) {
-    const int32_t status = wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces);
+    const int32_t status = wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces);
     return status < 0 ? status : wrc_contact_temperature(contact, bulk, &temperature);
   }
   std::vector<double> rises() {
@@ -150,11 +150,11 @@ TEST_F(Temperature, RefusesWhatMakesNoSense) {
   wrc_view view{};
   EXPECT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_temperature(nullptr, nullptr, &temperature), WRC_ERROR_NULL);
-  ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(wrc_contact_temperature(contact, nullptr, nullptr), WRC_OK);
   EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
-  ASSERT_EQ(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
+  ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   bulk.rail = 3000.0;

@@ -15,7 +15,7 @@ class UnlikeMaterials : public testing::Test, protected PlacedWheel {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
     contact = nullptr;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_FLAG_UNLIKE_MATERIALS);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_FLAG_DISSIMILAR_MATERIALS);
     take(WRC_SIDE_RIGHT);
   }
 };
@@ -29,7 +29,7 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   config.material.rail_shear_modulus = 60e9;
   config.material.rail_poisson = 0.24;
   char text[256];
-  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_FLAG_UNLIKE_MATERIALS);
+  EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_FLAG_DISSIMILAR_MATERIALS);
   const double combined = 72e9;
   const double coupling = 0.25 * combined * (0.4 / 90e9 - 0.52 / 60e9);  // -0.076
   const std::string sentence(text);

@@ -20,7 +20,7 @@ constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD;
 /// S1002 on the benchmark UIC60 with a little of everything.
 class WheelDerivatives : public testing::TestWithParam<int32_t>, protected PlacedWheel {
  protected:
-  wrc_wrench_sensitivities found{};
+  wrc_wrench_derivatives found{};
 
   WheelDerivatives() {
     friction.coefficient = 0.0;
@@ -58,7 +58,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
 
   /// Errors of a column over the largest entries of their rows among columns of places, or of velocities.
   void expect_differences(double tolerance, int32_t status = WRC_OK) {
-    ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), status);
+    ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), status);
     double differences[rows][columns];
     for (int k = 0; k < columns; ++k) {
       if (k == WRC_BY_Z && input.prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) continue;
@@ -189,7 +189,7 @@ TEST_P(WheelDerivatives, FiniteAtAnyPose) {
     wheel.velocity[0] = i % 10 == 0 ? 0.0 : between(-60.0, 60.0);
     wheel.angular_velocity[1] = i % 10 == 5 ? 0.0 : -wheel.velocity[0] / 0.46;
     input.damping = between(0.0, 1.0);
-    const int32_t status = wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found);
+    const int32_t status = wrc_contact_wrench_derivatives(contact, &input, &wrench, &found);
     ASSERT_GE(status, WRC_OK);
     for (const auto& row : found.wrench)
       for (const double entry : row) ASSERT_TRUE(std::isfinite(entry)) << i;
@@ -212,14 +212,14 @@ TEST_P(WheelDerivatives, AxesAndReferenceOfTheHost) {
 
 TEST_P(WheelDerivatives, OnlyByTheAxleOfARotation) {
   press(1e-3, 80e3);
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
-  const wrc_wrench_sensitivities by_angles = found;
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
+  const wrc_wrench_derivatives by_angles = found;
   const double cr = std::cos(wheel.roll), sr = std::sin(wheel.roll), cy = std::cos(wheel.yaw),
                sy = std::sin(wheel.yaw);
   const double rotation[9] = {cy, -sy, 0.0, cr * sy, cr * cy, -sr, sr * sy, sr * cy, cr};
   wheel.rotation = rotation;
   wheel.roll = wheel.yaw = 0.0;
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
   for (int r = 0; r < rows; ++r)
     for (int k = 0; k < columns; ++k)
       EXPECT_NEAR(found.wrench[r][k], by_angles.wrench[r][k],
@@ -228,20 +228,20 @@ TEST_P(WheelDerivatives, OnlyByTheAxleOfARotation) {
 
 TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
   press(1e-3, 80e3);
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
   EXPECT_EQ(found.z[WRC_BY_Z], 1.0);
   EXPECT_EQ(found.wrench[2][WRC_BY_VERTICAL_LOAD], 0.0);
   const double stiffness = -found.wrench[2][WRC_BY_Z];
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3;
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found), WRC_OK);
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
   EXPECT_NEAR(found.z[WRC_BY_VERTICAL_LOAD], 1.0 / stiffness, 1e-3 / stiffness);
   EXPECT_NEAR(found.wrench[2][WRC_BY_VERTICAL_LOAD], -1.0, 1e-12);
   EXPECT_NEAR(found.z[WRC_BY_RAIL_Z], 1.0, 1e-9);
   for (int r = 0; r < rows; ++r) EXPECT_EQ(found.wrench[r][WRC_BY_Z], 0.0);
   for (int k = 0; k < columns; ++k) EXPECT_NEAR(found.wrench[2][k], 0.0, 1e-9 * stiffness);
   // Loads are met to 1e-8, which at a stiffness of 1e9 N/m is 1e-12 m.
-  const wrc_wrench_sensitivities at_load = found;
+  const wrc_wrench_derivatives at_load = found;
   for (const int k : {WRC_BY_Y, WRC_BY_ROLL, WRC_BY_YAW, WRC_BY_RAIL_Y}) {
     const double value = *number(k), h = 1e-7;
     wrc_wrench ends[2] = {wrench, wrench};
@@ -261,13 +261,13 @@ TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
   press(1e-3, 80e3);
   wrc_wrench alone = wrc_wrench_default();
   ASSERT_EQ(wrc_contact_wrench(contact, &input, &alone), WRC_OK);
-  ASSERT_EQ(wrc_contact_wrench_sensitivities(contact, &input, &wrench, nullptr), WRC_OK);
+  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, nullptr), WRC_OK);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(wrench.force[i], alone.force[i]);
     EXPECT_EQ(wrench.moment[i], alone.moment[i]);
   }
   wheel.z = -0.05;
-  EXPECT_EQ(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found), WRC_FLAG_NO_CONTACT);
   for (const auto& row : found.wrench)
     for (const double entry : row) EXPECT_EQ(entry, 0.0);
 }

@@ -489,10 +489,10 @@ TEST_F(WheelOnRail, APrescribedLoadFindsItsHeight) {
 /// A load given costs at most three times the sweeps of the height given.
 TEST_F(WheelOnRail, APrescribedLoadTakesFewSweeps) {
   int32_t of_loads = 0, of_heights = 0;
-  for (const int32_t start : {WRC_START_ANEW, WRC_START_FROM_LAST}) {
+  for (const int32_t start : {WRC_START_COLD, WRC_START_WARM}) {
     for (int step = 0; step < 12; ++step) {
       wheel.y = 1e-3 + 0.4e-3 * step;
-      input.start = WRC_START_ANEW;
+      input.start = WRC_START_COLD;
       input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
       input.vertical_load = 40e3 + 5e3 * step;
       expect_works();
@@ -758,7 +758,7 @@ TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   };
   refuse(wheel.reference, {"wheel.reference", "wrc_wheel_reference"});
   refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
-  refuse(input.prescribed, {"input.prescribed", "wrc_wheel_prescribed"});
+  refuse(input.prescribed, {"input.prescribed", "wrc_prescribed"});
   const double at[] = {0.0}, zone[] = {0.2};
   friction.zones = 1;
   friction.zone_y = at;
@@ -948,10 +948,10 @@ TEST_P(WheelByMethods, DoesNotLeapWhereTheLowestPointDoes) {
 }
 
 TEST_P(WheelByMethods, DerivativesAreRefusedByName) {
-  wrc_wrench_sensitivities found{};
+  wrc_wrench_derivatives found{};
   const bool normal = GetParam() < normal_methods - 1;
   const bool the_default = !normal && GetParam() - normal_methods + 1 == preset_strip_fastsim;
-  const int32_t status = wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found);
+  const int32_t status = wrc_contact_wrench_derivatives(contact, &input, &wrench, &found);
   EXPECT_EQ(status, the_default ? WRC_OK : WRC_ERROR_UNSUPPORTED);
   if (the_default) return;
   ReferenceWheel::expect_words(error(),
@@ -1021,7 +1021,7 @@ TEST_F(WheelOnRail, PlacementByGaugeAndByOriginAgreeForANewRail) {
 // calls
 
 TEST_F(WheelOnRail, SavedStatesComeBackBitForBit) {
-  for (const int32_t start : {WRC_START_ANEW, WRC_START_FROM_LAST}) {
+  for (const int32_t start : {WRC_START_COLD, WRC_START_WARM}) {
     input.start = start;
     create();
     uint64_t bytes = 0, alignment = 0;
@@ -1062,7 +1062,7 @@ TEST_F(WheelOnRail, AWarmStartLeadsToTheSameSolution) {
   config.track.placement = WRC_PLACEMENT_GAUGE;
   config.track.rail_origin = 0.0;
   create();
-  input.start = WRC_START_FROM_LAST;
+  input.start = WRC_START_WARM;
   rail = wrc_rail_state_default();
   constexpr struct {
     double y, z, roll, yaw;
@@ -1089,16 +1089,16 @@ TEST_F(WheelOnRail, AWarmStartLeadsToTheSameSolution) {
 }
 
 TEST_F(WheelOnRail, TheStagesAndTheWheelStepAreStrangers) {
-  wrc_input planar = wrc_input_default();
+  wrc_planar_input planar = wrc_planar_input_default();
   planar.load.normal_force = 80e3;
   planar.creepage.longitudinal = 1e-3;
-  wrc_output output = wrc_output_default();
-  ASSERT_EQ(wrc_contact_step(contact, &planar, &output), WRC_OK);
+  wrc_planar_output output = wrc_planar_output_default();
+  ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
   expect_works();
   wrc_patch later = wrc_patch_default();
   EXPECT_EQ(wrc_contact_patch(contact, 0, &later), WRC_OK);
   EXPECT_EQ(later.forces.fx, output.forces.fx);
-  ASSERT_EQ(wrc_contact_step(contact, &planar, &output), WRC_OK);
+  ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
   wrc_region region = wrc_region_default();
   EXPECT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_GT(region.normal_force, 0.0);

@@ -94,8 +94,8 @@ wrc_contact* special = nullptr;
 void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrench) {
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities found{};
-  input.start = WRC_START_FROM_LAST;
+  wrc_wrench_derivatives found{};
+  input.start = WRC_START_WARM;
   input.wheel.y = 2.8e-3 + 0.2e-3 * (i % 16) / 16.0;
   input.wheel.z = 0.1e-3;
   input.wheel.yaw = 3e-3;
@@ -106,7 +106,7 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrenc
   if (part == Case::track || part == Case::round)
     wrc_contact_wrench(special, &input, &wrench);
   else if (derivatives)
-    wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+    wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   else
     wrc_contact_wrench(wheel.contact, &input, &wrench);
 }
@@ -153,10 +153,10 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
         wheel.geometry();
         break;
       case Case::normal:
-        wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
+        wrc_planar_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
         break;
       case Case::tangential:
-        wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+        wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
                                &wheel.output.forces);
         break;
       case Case::wrench:

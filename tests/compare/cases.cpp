@@ -36,7 +36,7 @@ double LineLoad::over(double from, double to) const {
   return sum;
 }
 
-double reference_shift(const Csv& file, const Case& rows, const wrc_contact_point& point) {
+double reference_shift(const Csv& file, const Case& rows, const wrc_planar_point& point) {
   return (1e-3 * file(rows.first, "ycp_rail_mm") - point.y_rail) / std::cos(point.angle);
 }
 

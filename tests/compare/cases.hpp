@@ -28,7 +28,7 @@ class LineLoad {
 
 /// What to add to the reference's lateral coordinate (origin at its contact reference location) to get ours
 /// (initial contact point) [m].
-double reference_shift(const Csv& file, const Case& rows, const wrc_contact_point& point);
+double reference_shift(const Csv& file, const Case& rows, const wrc_planar_point& point);
 
 /// Sum of |difference| over the reference's rows and what lies outside them, by the total load.
 double line_load_error(const Csv& file, const Case& rows, const LineLoad& ours, double shift);

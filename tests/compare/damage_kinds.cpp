@@ -104,7 +104,7 @@ wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
   const wrc_creepage creepage = creepage_of(file, row);
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = file(row, "mu");
-  int32_t status = wrc_contact_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
+  int32_t status = wrc_planar_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
   std::vector<double> depths;
   for (const double share : depth_shares) depths.push_back(share * std::min(ellipse.a, ellipse.b));
   wrc_stresses stresses = wrc_stresses_default();
@@ -155,7 +155,7 @@ double strip_temperature(const Csv& file, std::size_t row) {
   const wrc_creepage creepage = creepage_of(file, row);
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = file(row, "mu");
-  int32_t status = wrc_contact_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
+  int32_t status = wrc_planar_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
   wrc_temperature temperature = wrc_temperature_default();
   if (status >= 0) status = wrc_contact_temperature(solver.contact(), nullptr, &temperature);
   if (status < 0) throw std::runtime_error(solver.reason(status));

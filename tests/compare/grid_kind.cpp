@@ -9,7 +9,7 @@ namespace compare {
 namespace {
 
 /// The patch of one row on a grid of strips x cells, by the standard variant.
-wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
+wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
                  const std::string& name) {
   wrc_config config = wrc_config_default();
   config.material.shear_modulus = 1e6 * file(row, "G_MPa");
@@ -18,8 +18,8 @@ wrc_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells
   config.grid.cells = cells;
   const Solver solver(config);
   const Rolling rolling = rolling_of(file, row);
-  wrc_forces forces{};
-  const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
+  wrc_planar_forces forces{};
+  const int32_t status = wrc_planar_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
                                                 &rolling.friction, &forces);
   if (status < 0) report.fail(row, name, solver.reason(status));
   return forces;
@@ -47,10 +47,10 @@ Report compare_grid(const Csv& file, const Names& only) {
   for (const Grid& grid : grids) report.variants.push_back(grid.name);
 
   for (std::size_t row = 0; row < file.rows(); ++row) {
-    const wrc_forces exact = solve(file, row, finest, finest, report, report.default_variant);
+    const wrc_planar_forces exact = solve(file, row, finest, finest, report, report.default_variant);
     const double limit = file(row, "mu") * 1e3 * file(row, "N_kN");
     for (const Grid& grid : grids) {
-      const wrc_forces forces = solve(file, row, grid.strips, grid.cells, report, grid.name);
+      const wrc_planar_forces forces = solve(file, row, grid.strips, grid.cells, report, grid.name);
       auto& errors = report.errors[grid.name];
       errors["force"].add(row, std::hypot(forces.fx - exact.fx, forces.fy - exact.fy) / limit);
       errors["power"];

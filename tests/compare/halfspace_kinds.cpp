@@ -120,11 +120,11 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
   auto& errors = report.errors["exact"];
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t head = cases[i].first;
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = 1e-3 * file(head, "y_ws_mm");
     pose.yaw = file(head, "yaw_rad");
-    wrc_contact_point point{};
-    int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
+    wrc_planar_point point{};
+    int32_t status = wrc_planar_geometry(solver.contact(), &pose, &point);
     if (status < 0) {
       report.fail(i, "exact", solver.reason(status));
       continue;

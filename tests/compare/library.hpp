@@ -10,7 +10,7 @@
 
 namespace compare {
 
-/// Inputs of wrc_contact_tangential for one row of a file with the columns of sdec_cases.csv.
+/// Inputs of wrc_planar_tangential for one row of a file with the columns of sdec_cases.csv.
 struct Rolling {
   wrc_ellipse ellipse = wrc_ellipse_default();
   wrc_creepage creepage = wrc_creepage_default();

@@ -61,15 +61,15 @@ Report compare_normal(const Csv& file, const Names& only) {
     const Solver solver(config);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const std::size_t head = cases[i].first;
-      wrc_pose pose = wrc_pose_default();
+      wrc_planar_pose pose = wrc_planar_pose_default();
       pose.lateral = 1e-3 * file(head, "y_ws_mm");
       pose.yaw = file(head, "yaw_rad");
-      wrc_load load = wrc_load_default();
+      wrc_planar_load load = wrc_planar_load_default();
       load.normal_force = file(head, "Fn_N");
-      wrc_contact_point point{};
-      wrc_normal_solution normal{};
-      int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
-      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &normal);
+      wrc_planar_point point{};
+      wrc_planar_normal_solution normal{};
+      int32_t status = wrc_planar_geometry(solver.contact(), &pose, &point);
+      if (status >= 0) status = wrc_planar_normal(solver.contact(), nullptr, &load, &normal);
       if (status < 0) {
         report.fail(i, variant.name, solver.reason(status));
         continue;

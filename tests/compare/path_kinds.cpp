@@ -36,7 +36,7 @@ Load load_of(WheelCase& at, const Solver& solver) {
 std::vector<Load> scan(const Csv& file, std::size_t row, const Solver& solver, bool warm) {
   const auto steps = static_cast<std::size_t>(file(row, "steps"));
   WheelCase at = wheel_case(file, row);
-  at.input.start = warm ? WRC_START_FROM_LAST : WRC_START_ANEW;
+  at.input.start = warm ? WRC_START_WARM : WRC_START_COLD;
   if (file.text(row, "prescribed") == "load") {
     at.input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     at.input.vertical_load = file(row, "Q_N");

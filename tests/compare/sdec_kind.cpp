@@ -65,8 +65,8 @@ Report compare_sdec(const Csv& file, const Names& only) {
       const Solver solver(config);
 
       const Rolling rolling = rolling_of(file, row);
-      wrc_forces forces{};
-      const int32_t status = wrc_contact_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
+      wrc_planar_forces forces{};
+      const int32_t status = wrc_planar_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
                                                     &rolling.friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));

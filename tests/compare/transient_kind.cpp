@@ -174,7 +174,7 @@ class Exact : public Roller {
   char text_[256] = "";
 };
 
-/// wrc_contact_tangential() of a model with config.non_steady.
+/// wrc_planar_tangential() of a model with config.non_steady.
 class Strip : public Roller {
  public:
   explicit Strip(const Sequence& q) : solver_(config(q)) {}
@@ -184,9 +184,9 @@ class Strip : public Roller {
     const wrc_creepage creepage = q.creepage(s - 0.5 * q.step);
     wrc_friction friction = wrc_friction_default();
     friction.coefficient = q.friction;
-    wrc_forces forces{};
-    wrc_contact_roll(solver_.contact(), q.step);
-    const int32_t status = wrc_contact_tangential(solver_.contact(), &patch, &creepage, &friction, &forces);
+    wrc_planar_forces forces{};
+    wrc_planar_roll(solver_.contact(), q.step);
+    const int32_t status = wrc_planar_tangential(solver_.contact(), &patch, &creepage, &friction, &forces);
     if (status < 0) throw std::runtime_error(solver_.reason(status));
     return {forces.fx, forces.fy};
   }

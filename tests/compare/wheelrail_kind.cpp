@@ -49,18 +49,18 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       config.wheel.kind = WRC_PROFILE_S1002;
       config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
       const Solver solver(config);
-      wrc_pose pose = wrc_pose_default();
+      wrc_planar_pose pose = wrc_planar_pose_default();
       pose.lateral = 1e-3 * file(row, "y_ws_mm");
       pose.roll = file(row, "roll_rad");
       pose.yaw = file(row, "yaw_rad");
-      wrc_load load = wrc_load_default();
+      wrc_planar_load load = wrc_planar_load_default();
       load.normal_force = file(row, "Fn_N");
       wrc_friction friction = wrc_friction_default();
       friction.coefficient = file(row, "mu");
-      wrc_contact_point point{};
-      wrc_normal_solution normal{};
-      wrc_forces forces{};
-      int32_t status = wrc_contact_geometry(solver.contact(), &pose, &point);
+      wrc_planar_point point{};
+      wrc_planar_normal_solution normal{};
+      wrc_planar_forces forces{};
+      int32_t status = wrc_planar_geometry(solver.contact(), &pose, &point);
 
       // The file's creepages are those of the rail over the wheel, at the reference's contact location, and
       // so are its forces: with both signs changed they are ours. The creepage moves to our origin with the
@@ -71,9 +71,9 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       creepage.longitudinal = file(row, "cksi") + creepage.spin * y;
       creepage.lateral = file(row, "ceta");
       creepage.speed = file(row, "vs_mps");
-      if (status >= 0) status = wrc_contact_normal(solver.contact(), nullptr, &load, &normal);
+      if (status >= 0) status = wrc_planar_normal(solver.contact(), nullptr, &load, &normal);
       if (status >= 0)
-        status = wrc_contact_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
+        status = wrc_planar_tangential(solver.contact(), nullptr, &creepage, &friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));
         continue;

@@ -60,7 +60,7 @@ static void pose(int i, double in[inputs]) {
 
 static wrc_wheel_input as_struct(const double in[inputs]) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  input.start = WRC_START_ANEW; /* as the FMU */
+  input.start = WRC_START_COLD; /* as the FMU */
   input.wheel.y = in[0], input.wheel.z = in[1], input.wheel.roll = in[2], input.wheel.yaw = in[3];
   memcpy(input.wheel.velocity, in + 4, 3 * sizeof *in);
   memcpy(input.wheel.angular_velocity, in + 7, 3 * sizeof *in);
@@ -135,7 +135,7 @@ int main(int count, char** words) {
   for (uint32_t i = 0; i < outputs; ++i) out_number[i] = inputs + i;
   int differ = 0, touching = 0;
   wrc_wrench wrench = wrc_wrench_default();
-  static wrc_wrench_sensitivities slopes;
+  static wrc_wrench_derivatives slopes;
   for (int i = 0; i < poses; ++i) {
     double in[inputs], out2[outputs], out3[outputs], column[outputs];
     pose(i, in);
@@ -151,7 +151,7 @@ int main(int count, char** words) {
     memcpy(direct + 3, wrench.moment, 3 * sizeof *direct);
     touching += direct[2] < 0.0;
     differ += memcmp(direct, out2, sizeof direct) != 0 || memcmp(direct, out3, sizeof direct) != 0;
-    if (wrc_contact_wrench_sensitivities(contact, &input, &wrench, &slopes) < 0) return 11;
+    if (wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes) < 0) return 11;
     const double one = 1.0;
     const uint32_t by = (uint32_t)i % inputs;
     if (derivative2(two, out_number, outputs, &by, 1, &one, column) != fmi2OK) return 12;

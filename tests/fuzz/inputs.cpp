@@ -296,12 +296,12 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
                       made.deviation.data()};
 }
 
-wrc_pose make_pose(Choices& choices) {
-  wrc_pose pose = wrc_pose_default();
+wrc_planar_pose make_pose(Choices& choices) {
+  wrc_planar_pose pose = wrc_planar_pose_default();
   const bool far = choices.one_in(4);
-  pose.lateral = far ? anywhere(choices, member<wrc_pose>("lateral")) : choices.between(-0.008, 0.008);
-  pose.roll = far ? sized(choices, member<wrc_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
-  pose.yaw = sized(choices, member<wrc_pose>("yaw"), 1e-9);
+  pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
+  pose.roll = far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  pose.yaw = sized(choices, member<wrc_planar_pose>("yaw"), 1e-9);
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
   return pose;
@@ -390,19 +390,19 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
 }
 
-wrc_load make_load(Choices& choices) {
-  wrc_load load = wrc_load_default();
+wrc_planar_load make_load(Choices& choices) {
+  wrc_planar_load load = wrc_planar_load_default();
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
     load.approach =
-        choices.one_in(8) ? choices.between(-1.0, 0.0) : sized(choices, member<wrc_load>("approach"), 1e-15);
+        choices.one_in(8) ? choices.between(-1.0, 0.0) : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
   } else {
-    load.normal_force = sized(choices, member<wrc_load>("normal_force"));
+    load.normal_force = sized(choices, member<wrc_planar_load>("normal_force"));
   }
   if (choices.one_in(40)) load.normal_force = load.approach = choices.poison();
   if (choices.one_in(3)) {
-    load.damping = sized(choices, member<wrc_load>("damping"), 1e-9);
-    load.approach_velocity = sized(choices, member<wrc_load>("approach_velocity"), 1e-9);
+    load.damping = sized(choices, member<wrc_planar_load>("damping"), 1e-9);
+    load.approach_velocity = sized(choices, member<wrc_planar_load>("approach_velocity"), 1e-9);
     // Damped to next to nothing: 1 + 3/2 damping * velocity of the last digits.
     if (choices.one_in(4))
       load.approach_velocity = -2.0 / 3.0 / load.damping * (1.0 - choices.magnitude(1e-16, 1e-2));
@@ -413,14 +413,14 @@ wrc_load make_load(Choices& choices) {
   return load;
 }
 
-wrc_motion make_motion(Choices& choices) {
-  wrc_motion motion = wrc_motion_default();
-  motion.speed = sized(choices, member<wrc_motion>("speed"), 1e-6);
-  motion.lateral_velocity = sized(choices, member<wrc_motion>("lateral_velocity"), 1e-9);
-  motion.vertical_velocity = sized(choices, member<wrc_motion>("vertical_velocity"), 1e-9);
-  motion.roll_rate = sized(choices, member<wrc_motion>("roll_rate"), 1e-9);
-  motion.yaw_rate = sized(choices, member<wrc_motion>("yaw_rate"), 1e-9);
-  motion.pitch_rate = sized(choices, member<wrc_motion>("pitch_rate"), 1e-9);
+wrc_planar_motion make_motion(Choices& choices) {
+  wrc_planar_motion motion = wrc_planar_motion_default();
+  motion.speed = sized(choices, member<wrc_planar_motion>("speed"), 1e-6);
+  motion.lateral_velocity = sized(choices, member<wrc_planar_motion>("lateral_velocity"), 1e-9);
+  motion.vertical_velocity = sized(choices, member<wrc_planar_motion>("vertical_velocity"), 1e-9);
+  motion.roll_rate = sized(choices, member<wrc_planar_motion>("roll_rate"), 1e-9);
+  motion.yaw_rate = sized(choices, member<wrc_planar_motion>("yaw_rate"), 1e-9);
+  motion.pitch_rate = sized(choices, member<wrc_planar_motion>("pitch_rate"), 1e-9);
   if (choices.one_in(40)) motion.pitch_rate = choices.poison();
   return motion;
 }
@@ -443,7 +443,7 @@ wrc_creepage make_creepage(Choices& choices) {
   creepage.lateral = choices.signed_magnitude(1e-15, most);
   creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
   creepage.speed = sized(choices, member<wrc_creepage>("speed"), 1e-6);
-  if (choices.one_in(8)) creepage.other_way = anywhere(choices, member<wrc_creepage>("other_way"));
+  if (choices.one_in(8)) creepage.reverse_share = anywhere(choices, member<wrc_creepage>("reverse_share"));
   if (choices.one_in(40)) creepage.spin = choices.poison();
   return creepage;
 }
@@ -564,7 +564,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
   if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
-  gap.gap = wrc_gap_default();
+  gap.gap = wrc_planar_gap_default();
   gap.gap.rows = rows;
   gap.gap.y = gap.y.data();
   poison_one(choices, gap.y);
@@ -624,7 +624,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
   poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
-  strips.strips = wrc_strips_default();
+  strips.strips = wrc_planar_strips_default();
   strips.strips.count = count;
   strips.strips.y = strips.y.data();
   strips.strips.width = strips.width.data();

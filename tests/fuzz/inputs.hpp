@@ -15,11 +15,11 @@ struct ProfilePoints {
 };
 struct GapArrays {
   std::vector<double> y, height, centre, curvature, x, h;
-  wrc_gap gap{};
+  wrc_planar_gap gap{};
 };
 struct StripArrays {
   std::vector<double> y, width, centre, half_length, peak;
-  wrc_strips strips{};
+  wrc_planar_strips strips{};
 };
 struct FrictionArrays {
   std::vector<double> y, coefficient;
@@ -40,9 +40,9 @@ struct AlongTrackArrays {
 };
 /// Gives a configuration both, one or nothing.
 void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& made);
-wrc_pose make_pose(Choices& choices);
-wrc_load make_load(Choices& choices);
-wrc_motion make_motion(Choices& choices);
+wrc_planar_pose make_pose(Choices& choices);
+wrc_planar_load make_load(Choices& choices);
+wrc_planar_motion make_motion(Choices& choices);
 wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);

@@ -22,7 +22,7 @@ std::vector<double> doubles_from(const Struct& value, const double& first) {
   return values;
 }
 
-std::vector<double> all_doubles(const wrc_output& results) {
+std::vector<double> all_doubles(const wrc_planar_output& results) {
   std::vector<double> all = doubles_from(results.point, results.point.x);
   for (const auto& each :
        {doubles_from(results.normal, results.normal.ellipse.a),
@@ -73,7 +73,7 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_MORE_PATCHES:
     case WRC_FLAG_TABLE_RANGE:
     case WRC_FLAG_CREEPAGES_LIMITED:
-    case WRC_FLAG_LOAD_LEAPS:
+    case WRC_FLAG_LOAD_JUMPS:
     case WRC_FLAG_BEYOND_GAP:
     case WRC_FLAG_CLIMBING:
     case WRC_FLAG_BEYOND_SECTIONS:
@@ -161,22 +161,22 @@ class Case {
       height[j] = 0.5 * y[j] * y[j] / 0.3;
       curvature[j] = 1.0 / 0.46;
     }
-    wrc_gap gap = wrc_gap_default();
+    wrc_planar_gap gap = wrc_planar_gap_default();
     gap.rows = rows;
     gap.y = y;
     gap.height = height;
     gap.curvature = curvature;
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.load.normal_force = 80e3;
     input.creepage.longitudinal = 1e-3;
     input.creepage.spin = 0.3;
     std::vector<double> all;
-    for (const wrc_gap* each : {static_cast<const wrc_gap*>(&gap), static_cast<const wrc_gap*>(nullptr)}) {
+    for (const wrc_planar_gap* each : {static_cast<const wrc_planar_gap*>(&gap), static_cast<const wrc_planar_gap*>(nullptr)}) {
       if (each == nullptr && config_.wheel.kind == WRC_PROFILE_NONE) continue;
       input.gap = each;
-      wrc_output results = wrc_output_default();
+      wrc_planar_output results = wrc_planar_output_default();
       where_ = each != nullptr ? "good step with a gap" : "good step with a pose";
-      const std::int32_t status = timed([&] { return wrc_contact_step(contact_, &input, &results); });
+      const std::int32_t status = timed([&] { return wrc_planar_step(contact_, &input, &results); });
       check_step(status, results, input.load, input.creepage, input.friction.coefficient);
       all.push_back(status);
       for (double value : all_doubles(results)) all.push_back(value);
@@ -241,18 +241,18 @@ class Case {
   /// Creepages at whatever contact point is in the contact.
   void creepages() {
     where_ = "creepages";
-    const wrc_motion motion = make_motion(choices_);
+    const wrc_planar_motion motion = make_motion(choices_);
     wrc_creepage result = wrc_creepage_default();
-    const std::int32_t status = hand_over([&] { return wrc_contact_creepages(contact_, &motion, &result); });
+    const std::int32_t status = hand_over([&] { return wrc_planar_creepages(contact_, &motion, &result); });
     expect(documented(status), "the status is documented for this call");
     for (double value : doubles_from(result, result.longitudinal)) {
       expect(std::isfinite(value), "every creepage is finite");
       expect(status >= 0 || value == 0.0, "outputs of a failed call are zero");
     }
     expect(std::fabs(result.longitudinal) <= 10.0 && std::fabs(result.lateral) <= 10.0 &&
-               std::fabs(result.spin) <= 1e3 && std::fabs(result.speed) <= 200.0 && result.other_way >= 0.0 &&
-               result.other_way <= 0.5,
-           "wrc_contact_tangential takes the creepages");
+               std::fabs(result.spin) <= 1e3 && std::fabs(result.speed) <= 200.0 && result.reverse_share >= 0.0 &&
+               result.reverse_share <= 0.5,
+           "wrc_planar_tangential takes the creepages");
   }
 
   void call() {
@@ -278,21 +278,21 @@ class Case {
 
   void step(bool with_pose) {
     where_ = with_pose ? "step with a pose" : "step with a gap";
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.pose = make_pose(choices_);
     GapArrays gap;
     if (!with_pose) {
       make_gap(choices_, config_.grid.gap_rows, gap);
       input.gap = &gap.gap;
-      input.pose = wrc_pose_default();
+      input.pose = wrc_planar_pose_default();
     }
     input.load = make_load(choices_);
     input.creepage = make_creepage(choices_);
     FrictionArrays given;
     make_friction(choices_, config_.tangential.method, given);
     input.friction = given.friction;
-    wrc_output results = wrc_output_default();
-    const std::int32_t status = hand_over([&] { return wrc_contact_step(contact_, &input, &results); });
+    wrc_planar_output results = wrc_planar_output_default();
+    const std::int32_t status = hand_over([&] { return wrc_planar_step(contact_, &input, &results); });
     check_step(status, results, input.load, input.creepage, given.most());
     if (choices_.one_in(2)) wear();
     if (choices_.one_in(2)) temperatures();
@@ -371,12 +371,12 @@ class Case {
     for (int k = 0; k < 3; ++k) {
       expect(std::fabs(force[k] - wrench.force[k]) <= 1e-9 * size, "regions add up to the wrench");
     }
-    wrc_wrench_sensitivities found{};
-    hand_over([&] { return wrc_contact_wrench_sensitivities(contact_, &given.input, nullptr, &found); });
+    wrc_wrench_derivatives found{};
+    hand_over([&] { return wrc_contact_wrench_derivatives(contact_, &given.input, nullptr, &found); });
     expect(std::all_of(&found.wrench[0][0], &found.wrench[0][0] + 6 * WRC_WRENCH_INPUTS,
                        [](double entry) { return std::isfinite(entry); }),
            "every derivative is finite");
-    if (given.input.start != WRC_START_ANEW || !choices_.one_in(4)) return;
+    if (given.input.start != WRC_START_COLD || !choices_.one_in(4)) return;
     expect(wrc_contact_wrench(contact_, &given.input, &again) == status, "the same call has the same status");
     expect(std::memcmp(&wrench, &again, sizeof wrench) == 0, "the same call gives the same bits");
   }
@@ -388,9 +388,9 @@ class Case {
     FrictionArrays given;
     make_friction(choices_, config_.tangential.method, given);
     const wrc_friction& friction = given.friction;
-    wrc_output results = wrc_output_default();
+    wrc_planar_output results = wrc_planar_output_default();
     std::int32_t status = hand_over(
-        [&] { return wrc_contact_tangential(contact_, &ellipse, &creepage, &friction, &results.forces); });
+        [&] { return wrc_planar_tangential(contact_, &ellipse, &creepage, &friction, &results.forces); });
     if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &results.damage));
     check_results(status, results, given.most());
   }
@@ -403,14 +403,14 @@ class Case {
     FrictionArrays given;
     make_friction(choices_, config_.tangential.method, given);
     const wrc_friction& friction = given.friction;
-    wrc_output results = wrc_output_default();
+    wrc_planar_output results = wrc_planar_output_default();
     std::int32_t status =
-        hand_over([&] { return wrc_contact_regularise(contact_, &strips.strips, &results.normal); });
+        hand_over([&] { return wrc_planar_regularise(contact_, &strips.strips, &results.normal); });
     check_results(status, results, given.most());
     if (status < 0) return;
-    wrc_output rolling = wrc_output_default();
+    wrc_planar_output rolling = wrc_planar_output_default();
     status = hand_over(
-        [&] { return wrc_contact_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
+        [&] { return wrc_planar_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
     if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &rolling.damage));
     check_results(status, rolling, given.most());
   }
@@ -419,27 +419,27 @@ class Case {
   void stages_in_any_order() {
     where_ = "stages in any order";
     for (int i = 0; i < 4; ++i) {
-      const wrc_pose pose = make_pose(choices_);
-      const wrc_load load = make_load(choices_);
+      const wrc_planar_pose pose = make_pose(choices_);
+      const wrc_planar_load load = make_load(choices_);
       const wrc_creepage creepage = make_creepage(choices_);
       FrictionArrays given;
       make_friction(choices_, config_.tangential.method, given);
       const wrc_friction& friction = given.friction;
-      wrc_output results = wrc_output_default();
+      wrc_planar_output results = wrc_planar_output_default();
       std::int32_t status = WRC_OK;
       switch (choices_.below(7)) {
         case 0:
-          status = hand_over([&] { return wrc_contact_geometry(contact_, &pose, &results.point); });
+          status = hand_over([&] { return wrc_planar_geometry(contact_, &pose, &results.point); });
           break;
         case 1:
-          status = hand_over([&] { return wrc_contact_normal(contact_, nullptr, &load, &results.normal); });
+          status = hand_over([&] { return wrc_planar_normal(contact_, nullptr, &load, &results.normal); });
           break;
         case 2:
-          status = timed([&] { return wrc_contact_regularise(contact_, nullptr, &results.normal); });
+          status = timed([&] { return wrc_planar_regularise(contact_, nullptr, &results.normal); });
           break;
         case 3:
           status = hand_over([&] {
-            return wrc_contact_tangential(contact_, nullptr, &creepage, &friction, &results.forces);
+            return wrc_planar_tangential(contact_, nullptr, &creepage, &friction, &results.forces);
           });
           break;
         case 4:
@@ -456,18 +456,18 @@ class Case {
   }
 
   /// What must hold after a step.
-  void check_step(std::int32_t status, const wrc_output& results, const wrc_load& load,
+  void check_step(std::int32_t status, const wrc_planar_output& results, const wrc_planar_load& load,
                   const wrc_creepage& creepage, double friction) {
     check_results(status, results, friction);
     if (status < 0) return;
-    if (load.prescribed == WRC_PRESCRIBE_LOAD) {
+    if (load.prescribed == WRC_PRESCRIBE_NORMAL_FORCE) {
       expect(results.forces.fn > 0.0, "a prescribed load presses the bodies together");
       // The tolerance of the configuration, and what finite numbers allow.
       expect(std::fabs(results.forces.fn - load.normal_force) <=
                  (2.0 * config_.normal.load_tolerance + 1e-9) * load.normal_force,
              "the prescribed load is met");
     }
-    if (creepage.other_way > 0.0) return;  // the fields are those of one way
+    if (creepage.reverse_share > 0.0) return;  // the fields are those of one way
     // Where every cell with friction sticks the field has no power; force times creepage may leave a trace.
     const double allowed = 1e-6 * results.damage.power + 1e-9 * friction * results.forces.fn;
     expect(std::fabs(results.forces.power - results.damage.power - power_of_sticking_patches()) <= allowed,
@@ -503,7 +503,7 @@ class Case {
   }
 
   /// What must hold after any call.
-  void check_results(std::int32_t status, const wrc_output& results, double friction) {
+  void check_results(std::int32_t status, const wrc_planar_output& results, double friction) {
     expect(documented(status), "the status is documented for this call");
     const std::vector<double> all = all_doubles(results);
     expect(all_finite(all), "every output is finite");
@@ -514,7 +514,7 @@ class Case {
       expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
              "an error has a sentence");
     }
-    const wrc_forces& forces = results.forces;
+    const wrc_planar_forces& forces = results.forces;
     expect(forces.fn >= 0.0, "the normal force is compressive");
     constexpr double rounding = 1e-9;
     expect(std::hypot(forces.fx, forces.fy) <= friction * forces.fn * (1.0 + rounding) || forces.fn == 0.0,
@@ -522,7 +522,7 @@ class Case {
     expect(forces.power >= 0.0, "frictional power is not negative");
     expect(forces.adhesion_fraction >= 0.0 && forces.adhesion_fraction <= 1.0 + 1e-12, "adhesion is a share");
     expect(results.damage.power >= 0.0 && results.damage.peak_power_density >= 0.0, "power is not negative");
-    const wrc_normal_solution& normal = results.normal;
+    const wrc_planar_normal_solution& normal = results.normal;
     expect(std::fabs(normal.ellipse.psi) < 1.0, "the shape number is within -1 .. 1");
     expect(normal.area >= 0.0 && normal.peak_pressure >= 0.0 && normal.y_max >= normal.y_min,
            "the patch is a patch");

@@ -121,7 +121,7 @@ TEST(Creepages, VelocitiesOverTheRollingSpeedFromTheFloorOn) {
         running.wheel, running.contact,
         {.speed = speed, .lateral_velocity = 0.01, .pitch_rate = -speed / running.contact.rolling_radius});
     EXPECT_FALSE(c.limited) << speed;
-    EXPECT_EQ(c.other_way, 0.0);
+    EXPECT_EQ(c.reverse_share, 0.0);
     EXPECT_NEAR(c.rolling_speed, speed, 1e-12);
     EXPECT_EQ(c.lateral, 0.01 * running.contact.cosine / std::fabs(c.rolling_speed));
   }
@@ -141,7 +141,7 @@ TEST(Creepages, AreTwiceDifferentiableThroughStandstill) {
   for (int i = -400; i <= 400; ++i) {
     const RigidCreepage before = at(i - 1), here = at(i), after = at(i + 1);
     const auto forward_share = [](const RigidCreepage& c) {
-      return std::signbit(c.rolling_speed) ? c.other_way : 1.0 - c.other_way;
+      return std::signbit(c.rolling_speed) ? c.reverse_share : 1.0 - c.reverse_share;
     };
     const double second[] = {std::fabs(after.rolling_speed) - 2.0 * std::fabs(here.rolling_speed) +
                                  std::fabs(before.rolling_speed),
@@ -165,7 +165,7 @@ TEST(Creepages, SaturateAtStandstillAndKeepTheVelocity) {
   EXPECT_EQ(c.longitudinal, 0.0);
   EXPECT_NEAR(c.rolling_speed, 0.375 * floor_speed, 1e-15);
   EXPECT_NEAR(c.lateral * c.rolling_speed, 0.1 * running.contact.cosine, 1e-15);
-  EXPECT_NEAR(c.other_way, 0.5, 1e-15);
+  EXPECT_NEAR(c.reverse_share, 0.5, 1e-15);
   EXPECT_TRUE(c.limited);
   // All of them shrink together where one would be too large.
   const RigidCreepage fast =

@@ -454,8 +454,8 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   creepage.speed = 20.0;
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = mu;
-  wrc_forces totals = {};
-  ASSERT_EQ(wrc_contact_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
+  wrc_planar_forces totals = {};
+  ASSERT_EQ(wrc_planar_tangential(contact, &sdec, &creepage, &friction, &totals), WRC_OK);
   EXPECT_NEAR(totals.power, -20.0 * (totals.fx * 1e-3 - totals.fy * 5e-4 + totals.mz * 0.2),
               1e-12 * totals.power);
 

@@ -25,14 +25,14 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
       wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) < 0) {
     throw std::runtime_error("the wheel on the rail cannot be made");
   }
-  wrc_pose pose = wrc_pose_default();
+  wrc_planar_pose pose = wrc_planar_pose_default();
   pose.lateral = shift;
   pose.yaw = yaw;
-  wrc_load press = wrc_load_default();
+  wrc_planar_load press = wrc_planar_load_default();
   press.normal_force = load;
-  wrc_normal_solution normal{};
-  const bool solved = wrc_contact_geometry(contact, &pose, nullptr) == WRC_OK &&
-                      wrc_contact_normal(contact, nullptr, &press, &normal) == WRC_OK;
+  wrc_planar_normal_solution normal{};
+  const bool solved = wrc_planar_geometry(contact, &pose, nullptr) == WRC_OK &&
+                      wrc_planar_normal(contact, nullptr, &press, &normal) == WRC_OK;
   if (solved && normal.patches == 1) {
     p.a = normal.ellipse.a;
     p.b = normal.ellipse.b;

@@ -153,7 +153,7 @@ class Timed {
     creepage.speed = 1.0;
     wrc_friction friction = wrc_friction_default();
     friction.coefficient = c.friction;
-    wrc_contact_tangential(contact_, &ellipse, &creepage, &friction, nullptr);
+    wrc_planar_tangential(contact_, &ellipse, &creepage, &friction, nullptr);
   }
 
  private:
@@ -205,8 +205,8 @@ void report_speed(const ForceTable& table, const char* file) {
   }
   const double reference = median(sdec);
   std::printf("processor time, medians of interleaved runs (checksum %.6g)\n", sum);
-  std::printf("  FASTSIM-SDEC 32 x 32, wrc_contact_tangential   %8.0f ns   1\n", reference);
-  std::printf("  table, wrc_contact_tangential                  %8.0f ns   1/%.0f\n", median(call),
+  std::printf("  FASTSIM-SDEC 32 x 32, wrc_planar_tangential   %8.0f ns   1\n", reference);
+  std::printf("  table, wrc_planar_tangential                  %8.0f ns   1/%.0f\n", median(call),
               reference / median(call));
   std::printf("  table alone, scattered patches         %8.0f ns   1/%.0f\n", median(anywhere),
               reference / median(anywhere));

@@ -32,9 +32,9 @@ class Profiles {
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     demand(wrc_model_create(&config, nullptr, &model_) == WRC_OK, "no model");
     demand(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) == WRC_OK, "no contact");
-    const wrc_pose pose = wrc_pose_default();
-    wrc_contact_point point{};
-    demand(wrc_contact_geometry(contact_, &pose, &point) == WRC_OK, "no geometry");
+    const wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_point point{};
+    demand(wrc_planar_geometry(contact_, &pose, &point) == WRC_OK, "no geometry");
   }
   Profiles(const Profiles&) = delete;
   Profiles& operator=(const Profiles&) = delete;

@@ -17,7 +17,7 @@ def row(i, each):
     told = re.match(r"(?P<grid>[a-z ]+): [^;]+(; needs wrc_contact_(?P<call>tangential|damage|wear|temperature))?$", each.comment)
     if told is None or told["grid"] not in GRIDS:
         raise headers.Refused(f"{each.name}: a field's comment is 'cells: ...', 'strips: ...' or 'gap rows: ...', "
-                              "then perhaps '; needs wrc_contact_tangential', '_damage', '_wear' or '_temperature'")
+                              "then perhaps '; needs wrc_planar_tangential', '_damage', '_wear' or '_temperature'")
     if each.value != i:
         raise headers.Refused(f"{each.name}: fields are numbered from 0 in their order")
     grid = GRIDS[told["grid"]]

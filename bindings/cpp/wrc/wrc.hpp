@@ -27,7 +27,7 @@
  *   config.track.rail_inclination = 1.0 / 40.0;
  *   wrc::model model(config);
  *   wrc::contact contact(model, WRC_SIDE_RIGHT);
- *   wrc_input input = wrc_input_default();
+ *   wrc_planar_input input = wrc_planar_input_default();
  *   input.load.normal_force = 80e3;
  *   auto output = contact.step(input);
  *   wrc::field pressure = contact.field(0, WRC_FIELD_PRESSURE);

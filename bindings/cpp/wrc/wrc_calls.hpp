@@ -12,7 +12,7 @@ inline status config_check(const wrc_config& config, span<char> text) noexcept {
 /** wrc_model_size() */
 inline status model_size(const wrc_config& config, std::uint64_t& bytes, std::uint64_t& alignment) noexcept { return wrc_model_size(&config, &bytes, &alignment); }
 /** wrc_contact_step_batch() */
-inline status contact_step_batch(span<wrc_contact* const> contacts, span<const wrc_input> inputs, span<wrc_output> outputs, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(outputs, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_step_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), outputs.data(), detail::stride(outputs), statuses.data()); }
+inline status contact_step_batch(span<wrc_contact* const> contacts, span<const wrc_planar_input> inputs, span<wrc_planar_output> outputs, span<std::int32_t> statuses) noexcept { if (!detail::fits(inputs, contacts.size(), true)) return WRC_ERROR_BUFFER; if (!detail::fits(outputs, contacts.size(), false)) return WRC_ERROR_BUFFER; if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; return wrc_contact_step_batch(contacts.data(), static_cast<std::uint32_t>(contacts.size()), inputs.data(), detail::stride(inputs), outputs.data(), detail::stride(outputs), statuses.data()); }
 /** wrc_linear_coefficients() */
 inline status linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients& coefficients) noexcept { return wrc_linear_coefficients(a_over_b, psi, poisson, &coefficients); }
 inline expected<answer<wrc_coefficients>> try_linear_coefficients(double a_over_b, double psi, double poisson) noexcept { return detail::attempt_struct<wrc_coefficients>(wrc_coefficients(), [&](wrc_coefficients& found_) { return linear_coefficients(a_over_b, psi, poisson, found_); }); }
@@ -59,8 +59,8 @@ inline status exact_transient_create(const wrc_grid& grid, const wrc_materials& 
 inline status exact_transient_step(wrc_exact_transient& transient, const wrc_exact_rolling_problem& problem, wrc_exact_rolling_solution& solution, span<char> text) noexcept { return wrc_exact_transient_step(&transient, &problem, &solution, text.data(), text.size()); }
 /** wrc_equivalent_conicity() */
 inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conicity& conicity, span<char> text) noexcept { return wrc_equivalent_conicity(&problem, &conicity, text.data(), text.size()); }
-/** wrc_profile_take_off() */
-inline status profile_take_off(const wrc_profile_wear& wear, wrc_worn_profile& worn, span<char> text) noexcept { return wrc_profile_take_off(&wear, &worn, text.data(), text.size()); }
+/** wrc_profile_remove_wear() */
+inline status profile_take_off(const wrc_profile_wear& wear, wrc_worn_profile& worn, span<char> text) noexcept { return wrc_profile_remove_wear(&wear, &worn, text.data(), text.size()); }
 /** wrc_flange_dimensions() */
 inline status flange_dimensions(std::uint32_t count, const double* y, const double* z, double flange_back_to_origin, wrc_flange& flange, span<char> text) noexcept { return wrc_flange_dimensions(count, y, z, flange_back_to_origin, &flange, text.data(), text.size()); }
 
@@ -87,8 +87,8 @@ class model_calls {
 #endif
   /** wrc_model_arc_places() */
   status arc_places(std::int32_t body, std::uint32_t count, const double* arc, double* y, double* z) const noexcept { return wrc_model_arc_places(handle_, body, count, arc, y, z); }
-  /** wrc_profile_contact_functions() */
-  status profile_contact_functions(const wrc_contact_functions_problem& problem, wrc_contact_functions& functions, span<char> text) const noexcept { return wrc_profile_contact_functions(handle_, &problem, &functions, text.data(), text.size()); }
+  /** wrc_profile_wheelset_geometry() */
+  status profile_contact_functions(const wrc_wheelset_geometry_problem& problem, wrc_wheelset_geometry& functions, span<char> text) const noexcept { return wrc_profile_wheelset_geometry(handle_, &problem, &functions, text.data(), text.size()); }
 
  protected:
   const wrc_model* handle_ = nullptr;
@@ -107,37 +107,37 @@ class contact_calls {
   status restore_portable(span<const std::byte> buffer) noexcept { return wrc_contact_restore_portable(handle_, buffer.data(), buffer.size()); }
   /** wrc_contact_last_error() */
   status last_error(span<char> buffer) const noexcept { return wrc_contact_last_error(handle_, buffer.data(), buffer.size()); }
-  /** wrc_contact_geometry() */
-  status geometry(const wrc_pose& pose, wrc_contact_point& point) noexcept { return wrc_contact_geometry(handle_, &pose, &point); }
-  expected<answer<wrc_contact_point>> try_geometry(const wrc_pose& pose) noexcept { return detail::attempt_struct<wrc_contact_point>(wrc_contact_point(), [&](wrc_contact_point& found_) { return this->geometry(pose, found_); }); }
+  /** wrc_planar_geometry() */
+  status geometry(const wrc_planar_pose& pose, wrc_planar_point& point) noexcept { return wrc_planar_geometry(handle_, &pose, &point); }
+  expected<answer<wrc_planar_point>> try_geometry(const wrc_planar_pose& pose) noexcept { return detail::attempt_struct<wrc_planar_point>(wrc_planar_point(), [&](wrc_planar_point& found_) { return this->geometry(pose, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_contact_point> geometry(const wrc_pose& pose) { return detail::value_or_throw(try_geometry(pose), handle_); }
+  answer<wrc_planar_point> geometry(const wrc_planar_pose& pose) { return detail::value_or_throw(try_geometry(pose), handle_); }
 #endif
-  /** wrc_contact_creepages() */
-  status creepages(const wrc_motion& motion, wrc_creepage& creepage) noexcept { return wrc_contact_creepages(handle_, &motion, &creepage); }
-  expected<answer<wrc_creepage>> try_creepages(const wrc_motion& motion) noexcept { return detail::attempt_struct<wrc_creepage>(wrc_creepage_default(), [&](wrc_creepage& found_) { return this->creepages(motion, found_); }); }
+  /** wrc_planar_creepages() */
+  status creepages(const wrc_planar_motion& motion, wrc_creepage& creepage) noexcept { return wrc_planar_creepages(handle_, &motion, &creepage); }
+  expected<answer<wrc_creepage>> try_creepages(const wrc_planar_motion& motion) noexcept { return detail::attempt_struct<wrc_creepage>(wrc_creepage_default(), [&](wrc_creepage& found_) { return this->creepages(motion, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_creepage> creepages(const wrc_motion& motion) { return detail::value_or_throw(try_creepages(motion), handle_); }
+  answer<wrc_creepage> creepages(const wrc_planar_motion& motion) { return detail::value_or_throw(try_creepages(motion), handle_); }
 #endif
-  /** wrc_contact_normal() */
-  status normal(const wrc_gap* gap, const wrc_load& load, wrc_normal_solution& normal) noexcept { return wrc_contact_normal(handle_, gap, &load, &normal); }
-  expected<answer<wrc_normal_solution>> try_normal(const wrc_gap* gap, const wrc_load& load) noexcept { return detail::attempt_struct<wrc_normal_solution>(wrc_normal_solution(), [&](wrc_normal_solution& found_) { return this->normal(gap, load, found_); }); }
+  /** wrc_planar_normal() */
+  status normal(const wrc_planar_gap* gap, const wrc_planar_load& load, wrc_planar_normal_solution& normal) noexcept { return wrc_planar_normal(handle_, gap, &load, &normal); }
+  expected<answer<wrc_planar_normal_solution>> try_normal(const wrc_planar_gap* gap, const wrc_planar_load& load) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(wrc_planar_normal_solution(), [&](wrc_planar_normal_solution& found_) { return this->normal(gap, load, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_normal_solution> normal(const wrc_gap* gap, const wrc_load& load) { return detail::value_or_throw(try_normal(gap, load), handle_); }
+  answer<wrc_planar_normal_solution> normal(const wrc_planar_gap* gap, const wrc_planar_load& load) { return detail::value_or_throw(try_normal(gap, load), handle_); }
 #endif
-  /** wrc_contact_regularise() */
-  status regularise(const wrc_strips* strips, wrc_normal_solution& normal) noexcept { return wrc_contact_regularise(handle_, strips, &normal); }
-  expected<answer<wrc_normal_solution>> try_regularise(const wrc_strips* strips) noexcept { return detail::attempt_struct<wrc_normal_solution>(wrc_normal_solution(), [&](wrc_normal_solution& found_) { return this->regularise(strips, found_); }); }
+  /** wrc_planar_regularise() */
+  status regularise(const wrc_planar_strips* strips, wrc_planar_normal_solution& normal) noexcept { return wrc_planar_regularise(handle_, strips, &normal); }
+  expected<answer<wrc_planar_normal_solution>> try_regularise(const wrc_planar_strips* strips) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(wrc_planar_normal_solution(), [&](wrc_planar_normal_solution& found_) { return this->regularise(strips, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_normal_solution> regularise(const wrc_strips* strips) { return detail::value_or_throw(try_regularise(strips), handle_); }
+  answer<wrc_planar_normal_solution> regularise(const wrc_planar_strips* strips) { return detail::value_or_throw(try_regularise(strips), handle_); }
 #endif
-  /** wrc_contact_roll() */
-  status roll(double distance) noexcept { return wrc_contact_roll(handle_, distance); }
-  /** wrc_contact_tangential() */
-  status tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction, wrc_forces& forces) noexcept { return wrc_contact_tangential(handle_, ellipse, &creepage, &friction, &forces); }
-  expected<answer<wrc_forces>> try_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_forces>(wrc_forces(), [&](wrc_forces& found_) { return this->tangential(ellipse, creepage, friction, found_); }); }
+  /** wrc_planar_roll() */
+  status roll(double distance) noexcept { return wrc_planar_roll(handle_, distance); }
+  /** wrc_planar_tangential() */
+  status tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction, wrc_planar_forces& forces) noexcept { return wrc_planar_tangential(handle_, ellipse, &creepage, &friction, &forces); }
+  expected<answer<wrc_planar_forces>> try_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_planar_forces>(wrc_planar_forces(), [&](wrc_planar_forces& found_) { return this->tangential(ellipse, creepage, friction, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_forces> tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) { return detail::value_or_throw(try_tangential(ellipse, creepage, friction), handle_); }
+  answer<wrc_planar_forces> tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) { return detail::value_or_throw(try_tangential(ellipse, creepage, friction), handle_); }
 #endif
   /** wrc_contact_damage() */
   status damage(wrc_damage& damage) noexcept { return wrc_contact_damage(handle_, &damage); }
@@ -151,11 +151,11 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wear> wear(const wrc_wear_laws* laws) { return detail::value_or_throw(try_wear(laws), handle_); }
 #endif
-  /** wrc_contact_sensitivities() */
-  status sensitivities(wrc_sensitivity& sensitivity) noexcept { return wrc_contact_sensitivities(handle_, &sensitivity); }
-  expected<answer<wrc_sensitivity>> try_sensitivities() noexcept { return detail::attempt_struct<wrc_sensitivity>(wrc_sensitivity(), [&](wrc_sensitivity& found_) { return this->sensitivities(found_); }); }
+  /** wrc_planar_tangential_derivatives() */
+  status sensitivities(wrc_planar_derivatives& sensitivity) noexcept { return wrc_planar_tangential_derivatives(handle_, &sensitivity); }
+  expected<answer<wrc_planar_derivatives>> try_sensitivities() noexcept { return detail::attempt_struct<wrc_planar_derivatives>(wrc_planar_derivatives(), [&](wrc_planar_derivatives& found_) { return this->sensitivities(found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_sensitivity> sensitivities() { return detail::value_or_throw(try_sensitivities(), handle_); }
+  answer<wrc_planar_derivatives> sensitivities() { return detail::value_or_throw(try_sensitivities(), handle_); }
 #endif
   /** wrc_contact_step_sensitivities() */
   status step_sensitivities(wrc_step_sensitivity& sensitivity) noexcept { return wrc_contact_step_sensitivities(handle_, &sensitivity); }
@@ -163,11 +163,11 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_step_sensitivity> step_sensitivities() { return detail::value_or_throw(try_step_sensitivities(), handle_); }
 #endif
-  /** wrc_contact_step() */
-  status step(const wrc_input& input, wrc_output& output) noexcept { return wrc_contact_step(handle_, &input, &output); }
-  expected<answer<wrc_output>> try_step(const wrc_input& input) noexcept { return detail::attempt_struct<wrc_output>(wrc_output_default(), [&](wrc_output& found_) { return this->step(input, found_); }); }
+  /** wrc_planar_step() */
+  status step(const wrc_planar_input& input, wrc_planar_output& output) noexcept { return wrc_planar_step(handle_, &input, &output); }
+  expected<answer<wrc_planar_output>> try_step(const wrc_planar_input& input) noexcept { return detail::attempt_struct<wrc_planar_output>(wrc_planar_output_default(), [&](wrc_planar_output& found_) { return this->step(input, found_); }); }
 #ifdef WRC_EXCEPTIONS
-  answer<wrc_output> step(const wrc_input& input) { return detail::value_or_throw(try_step(input), handle_); }
+  answer<wrc_planar_output> step(const wrc_planar_input& input) { return detail::value_or_throw(try_step(input), handle_); }
 #endif
   /** wrc_contact_patch() */
   status patch(std::int32_t index, wrc_patch& patch) const noexcept { return wrc_contact_patch(handle_, index, &patch); }
@@ -187,8 +187,8 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wrench> wrench(const wrc_wheel_input& input) { return detail::value_or_throw(try_wrench(input), handle_); }
 #endif
-  /** wrc_contact_wrench_sensitivities() */
-  status wrench_sensitivities(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_sensitivities* sensitivities) noexcept { return wrc_contact_wrench_sensitivities(handle_, &input, wrench, sensitivities); }
+  /** wrc_contact_wrench_derivatives() */
+  status wrench_sensitivities(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_derivatives* sensitivities) noexcept { return wrc_contact_wrench_derivatives(handle_, &input, wrench, sensitivities); }
   /** wrc_contact_region() */
   status region(std::int32_t index, wrc_region& region) const noexcept { return wrc_contact_region(handle_, index, &region); }
   expected<answer<wrc_region>> try_region(std::int32_t index) const noexcept { return detail::attempt_struct<wrc_region>(wrc_region_default(), [&](wrc_region& found_) { return this->region(index, found_); }); }

@@ -225,11 +225,11 @@ def test_what_has_no_method_is_raw_only():
     version = wrc.raw.wrc_version()
     assert version >> 16 == 0 and len(wrc.raw.__all__) > 80
     assert not hasattr(wrc, "exact_normal")
-    assert wrc.raw.wrc_contact_geometry(None, wrc.Pose(), None) == wrc.Status.ERROR_NULL
+    assert wrc.raw.wrc_planar_geometry(None, wrc.Pose(), None) == wrc.Status.ERROR_NULL
     with pytest.raises(ctypes.ArgumentError, match="contiguous numpy array of f8"):
         wrc.raw.wrc_exact_gap(None, None, np.zeros(3, np.float32))
     with pytest.raises(ctypes.ArgumentError):
-        wrc.raw.wrc_contact_step(None, wrc.Pose(), None)
+        wrc.raw.wrc_planar_step(None, wrc.Pose(), None)
 
 
 def test_a_gap_of_the_caller(model):

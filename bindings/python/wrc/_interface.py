@@ -979,7 +979,7 @@ class Config(s.Struct):
       rail_sections: of a rail that changes along the track; 0: it is config.rail everywhere (0 .. 1000;
           default 0)
       non_steady: 1: contacts remember their tractions, and forces follow what changes over the distances told
-          to wrc_contact_roll(); one way of rolling, forwards, not with Contact.wrench; read by
+          to wrc_planar_roll(); one way of rolling, forwards, not with Contact.wrench; read by
           TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
       rail_section: rail_sections of them with rail_sections; config.rail is beside them what the rail's place
           follows from and what the stages see (required)
@@ -1044,7 +1044,7 @@ class Pose(s.Struct):
       yaw [rad]: about z: nose to the right is positive (-0.2 .. 0.2; default 0)
     """
 
-    _c_name_ = 'wrc_pose'
+    _c_name_ = 'wrc_planar_pose'
     __slots__ = ()
     lateral: float
     roll: float
@@ -1073,7 +1073,7 @@ class ContactPoint(s.Struct):
       rolling_radius [m]: of the wheel at the contact point
     """
 
-    _c_name_ = 'wrc_contact_point'
+    _c_name_ = 'wrc_planar_point'
     __slots__ = ()
     x: float
     y: float
@@ -1119,7 +1119,7 @@ class Gap(s.Struct):
       row_stride: elements from one row of h to the next, >= columns (default 0)
     """
 
-    _c_name_ = 'wrc_gap'
+    _c_name_ = 'wrc_planar_gap'
     __slots__ = ()
     rows: int = s.Count('rows')  # type: ignore[assignment]
     columns: int = s.Count('columns')  # type: ignore[assignment]
@@ -1163,7 +1163,7 @@ class Load(s.Struct):
       damping [s/m]: a prescribed load is the whole load; 0: none (0 .. 10; default 0)
     """
 
-    _c_name_ = 'wrc_load'
+    _c_name_ = 'wrc_planar_load'
     __slots__ = ()
     prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
     reserved: int
@@ -1196,7 +1196,7 @@ class Creepage(s.Struct):
           and the sliding speed of friction that falls (-200 .. 200; default 1)
       approach_velocity [m/s]: result of Contact.creepages(), not read: velocity of the wheel's point along
           the contact normal into the rail, for Load
-      other_way: share of forces, power, adhesion and sensitivities that is of rolling the other way than
+      reverse_share: share of forces, power, adhesion and sensitivities that is of rolling the other way than
           speed says: near standstill Contact.creepages() sets it, and both ways are solved; fields, what
           damage and wear make of them are of the way of speed (0 .. 0.5; default 0)
     """
@@ -1208,7 +1208,7 @@ class Creepage(s.Struct):
     spin: float
     speed: float
     approach_velocity: float
-    other_way: float
+    reverse_share: float
     _units_ = {'spin': '1/m', 'speed': 'm/s', 'approach_velocity': 'm/s'}
     _hidden_ = ()
     _fields_ = [
@@ -1217,7 +1217,7 @@ class Creepage(s.Struct):
         ('spin', c.c_double),
         ('speed', c.c_double),
         ('approach_velocity', c.c_double),
-        ('other_way', c.c_double),
+        ('reverse_share', c.c_double),
     ]
 assert c.sizeof(Creepage) == 48
 
@@ -1372,7 +1372,7 @@ class NormalSolution(s.Struct):
       y_max [m]: see y_min
     """
 
-    _c_name_ = 'wrc_normal_solution'
+    _c_name_ = 'wrc_planar_normal_solution'
     __slots__ = ()
     patches: int
     strips: int
@@ -1423,7 +1423,7 @@ class Strips(s.Struct):
       peak [Pa]: count of them (0 .. 1e11; required)
     """
 
-    _c_name_ = 'wrc_strips'
+    _c_name_ = 'wrc_planar_strips'
     __slots__ = ()
     count: int = s.Count('count')  # type: ignore[assignment]
     reserved: int
@@ -1459,7 +1459,7 @@ class Forces(s.Struct):
       available: bits of Available: what else stands here; where one is missing, 0 does
     """
 
-    _c_name_ = 'wrc_forces'
+    _c_name_ = 'wrc_planar_forces'
     __slots__ = ()
     fx: float
     fy: float
@@ -1553,7 +1553,7 @@ class Motion(s.Struct):
       pitch_rate [rad/s]: about the axle (y): negative rolling forward (-2000 .. 2000; default 0)
     """
 
-    _c_name_ = 'wrc_motion'
+    _c_name_ = 'wrc_planar_motion'
     __slots__ = ()
     speed: float
     lateral_velocity: float
@@ -1789,7 +1789,7 @@ class Sensitivity(s.Struct):
           with friction.zones, their mean over the load)
     """
 
-    _c_name_ = 'wrc_sensitivity'
+    _c_name_ = 'wrc_planar_derivatives'
     __slots__ = ()
     forces: np.ndarray = s.Array('forces', 0, (3, 5), c.c_double)  # type: ignore[assignment]
     _units_ = {}
@@ -1834,7 +1834,7 @@ class Input(s.Struct):
       friction: between the bodies
     """
 
-    _c_name_ = 'wrc_input'
+    _c_name_ = 'wrc_planar_input'
     __slots__ = ()
     struct_size: int
     reserved: int
@@ -1867,7 +1867,7 @@ class Output(s.Struct):
       damage: of the damage stage
     """
 
-    _c_name_ = 'wrc_output'
+    _c_name_ = 'wrc_planar_output'
     __slots__ = ()
     struct_size: int
     reserved: int
@@ -2258,7 +2258,7 @@ class WrenchSensitivities(s.Struct):
       z: of Wrench.z; columns the same
     """
 
-    _c_name_ = 'wrc_wrench_sensitivities'
+    _c_name_ = 'wrc_wrench_derivatives'
     __slots__ = ()
     wrench: np.ndarray = s.Array('wrench', 0, (6, 19), c.c_double)  # type: ignore[assignment]
     z: np.ndarray = s.Array('z', 912, (19,), c.c_double)  # type: ignore[assignment]
@@ -2934,7 +2934,7 @@ class ContactFunctionsProblem(s.Struct):
           .. 1e6; default 0)
     """
 
-    _c_name_ = 'wrc_contact_functions_problem'
+    _c_name_ = 'wrc_wheelset_geometry_problem'
     __slots__ = ()
     struct_size: int
     count: int = s.Count('count')  # type: ignore[assignment]
@@ -2970,7 +2970,7 @@ class ContactFunctions(s.Struct):
       y_rail_left [m]: see y_rail_right
     """
 
-    _c_name_ = 'wrc_contact_functions'
+    _c_name_ = 'wrc_wheelset_geometry'
     __slots__ = ()
     struct_size: int
     reserved: int
@@ -3206,19 +3206,19 @@ _wrc_status_text = _l.function(FUNCTIONS, 'wrc_status_text', c.c_char_p, [c.c_in
 _wrc_profile_init = _l.function(FUNCTIONS, 'wrc_profile_init', c.c_int32, [c.POINTER(Profile)])
 _wrc_config_init = _l.function(FUNCTIONS, 'wrc_config_init', c.c_int32, [c.POINTER(Config)])
 _wrc_heat_properties_init = _l.function(FUNCTIONS, 'wrc_heat_properties_init', c.c_int32, [c.POINTER(HeatProperties)])
-_wrc_pose_init = _l.function(FUNCTIONS, 'wrc_pose_init', c.c_int32, [c.POINTER(Pose)])
-_wrc_gap_init = _l.function(FUNCTIONS, 'wrc_gap_init', c.c_int32, [c.POINTER(Gap)])
-_wrc_load_init = _l.function(FUNCTIONS, 'wrc_load_init', c.c_int32, [c.POINTER(Load)])
+_wrc_pose_init = _l.function(FUNCTIONS, 'wrc_planar_pose_init', c.c_int32, [c.POINTER(Pose)])
+_wrc_gap_init = _l.function(FUNCTIONS, 'wrc_planar_gap_init', c.c_int32, [c.POINTER(Gap)])
+_wrc_load_init = _l.function(FUNCTIONS, 'wrc_planar_load_init', c.c_int32, [c.POINTER(Load)])
 _wrc_creepage_init = _l.function(FUNCTIONS, 'wrc_creepage_init', c.c_int32, [c.POINTER(Creepage)])
 _wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
 _wrc_friction_init = _l.function(FUNCTIONS, 'wrc_friction_init', c.c_int32, [c.POINTER(Friction)])
 _wrc_ellipse_init = _l.function(FUNCTIONS, 'wrc_ellipse_init', c.c_int32, [c.POINTER(Ellipse)])
-_wrc_strips_init = _l.function(FUNCTIONS, 'wrc_strips_init', c.c_int32, [c.POINTER(Strips)])
-_wrc_motion_init = _l.function(FUNCTIONS, 'wrc_motion_init', c.c_int32, [c.POINTER(Motion)])
+_wrc_strips_init = _l.function(FUNCTIONS, 'wrc_planar_strips_init', c.c_int32, [c.POINTER(Strips)])
+_wrc_motion_init = _l.function(FUNCTIONS, 'wrc_planar_motion_init', c.c_int32, [c.POINTER(Motion)])
 _wrc_wear_laws_init = _l.function(FUNCTIONS, 'wrc_wear_laws_init', c.c_int32, [c.POINTER(WearLaws)])
 _wrc_allocator_init = _l.function(FUNCTIONS, 'wrc_allocator_init', c.c_int32, [c.POINTER(Allocator)])
-_wrc_input_init = _l.function(FUNCTIONS, 'wrc_input_init', c.c_int32, [c.POINTER(Input)])
-_wrc_output_init = _l.function(FUNCTIONS, 'wrc_output_init', c.c_int32, [c.POINTER(Output)])
+_wrc_input_init = _l.function(FUNCTIONS, 'wrc_planar_input_init', c.c_int32, [c.POINTER(Input)])
+_wrc_output_init = _l.function(FUNCTIONS, 'wrc_planar_output_init', c.c_int32, [c.POINTER(Output)])
 _wrc_patch_init = _l.function(FUNCTIONS, 'wrc_patch_init', c.c_int32, [c.POINTER(Patch)])
 _wrc_config_use = _l.function(FUNCTIONS, 'wrc_config_use', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_char_p, c.c_uint64])
 _wrc_config_check = _l.function(FUNCTIONS, 'wrc_config_check', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_uint64])
@@ -3238,17 +3238,17 @@ _wrc_contact_portable_size = _l.function(FUNCTIONS, 'wrc_contact_portable_size',
 _wrc_contact_save_portable = _l.function(FUNCTIONS, 'wrc_contact_save_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_restore_portable = _l.function(FUNCTIONS, 'wrc_contact_restore_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_last_error = _l.function(FUNCTIONS, 'wrc_contact_last_error', c.c_int32, [c.c_void_p, c.c_char_p, c.c_uint64])
-_wrc_contact_geometry = _l.function(FUNCTIONS, 'wrc_contact_geometry', c.c_int32, [c.c_void_p, c.POINTER(Pose), c.POINTER(ContactPoint)])
-_wrc_contact_creepages = _l.function(FUNCTIONS, 'wrc_contact_creepages', c.c_int32, [c.c_void_p, c.POINTER(Motion), c.POINTER(Creepage)])
-_wrc_contact_normal = _l.function(FUNCTIONS, 'wrc_contact_normal', c.c_int32, [c.c_void_p, c.POINTER(Gap), c.POINTER(Load), c.POINTER(NormalSolution)])
-_wrc_contact_regularise = _l.function(FUNCTIONS, 'wrc_contact_regularise', c.c_int32, [c.c_void_p, c.POINTER(Strips), c.POINTER(NormalSolution)])
-_wrc_contact_roll = _l.function(FUNCTIONS, 'wrc_contact_roll', c.c_int32, [c.c_void_p, c.c_double])
-_wrc_contact_tangential = _l.function(FUNCTIONS, 'wrc_contact_tangential', c.c_int32, [c.c_void_p, c.POINTER(Ellipse), c.POINTER(Creepage), c.POINTER(Friction), c.POINTER(Forces)])
+_wrc_contact_geometry = _l.function(FUNCTIONS, 'wrc_planar_geometry', c.c_int32, [c.c_void_p, c.POINTER(Pose), c.POINTER(ContactPoint)])
+_wrc_contact_creepages = _l.function(FUNCTIONS, 'wrc_planar_creepages', c.c_int32, [c.c_void_p, c.POINTER(Motion), c.POINTER(Creepage)])
+_wrc_contact_normal = _l.function(FUNCTIONS, 'wrc_planar_normal', c.c_int32, [c.c_void_p, c.POINTER(Gap), c.POINTER(Load), c.POINTER(NormalSolution)])
+_wrc_contact_regularise = _l.function(FUNCTIONS, 'wrc_planar_regularise', c.c_int32, [c.c_void_p, c.POINTER(Strips), c.POINTER(NormalSolution)])
+_wrc_contact_roll = _l.function(FUNCTIONS, 'wrc_planar_roll', c.c_int32, [c.c_void_p, c.c_double])
+_wrc_contact_tangential = _l.function(FUNCTIONS, 'wrc_planar_tangential', c.c_int32, [c.c_void_p, c.POINTER(Ellipse), c.POINTER(Creepage), c.POINTER(Friction), c.POINTER(Forces)])
 _wrc_contact_damage = _l.function(FUNCTIONS, 'wrc_contact_damage', c.c_int32, [c.c_void_p, c.POINTER(Damage)])
 _wrc_contact_wear = _l.function(FUNCTIONS, 'wrc_contact_wear', c.c_int32, [c.c_void_p, c.POINTER(WearLaws), c.POINTER(Wear)])
-_wrc_contact_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_sensitivities', c.c_int32, [c.c_void_p, c.POINTER(Sensitivity)])
+_wrc_contact_sensitivities = _l.function(FUNCTIONS, 'wrc_planar_tangential_derivatives', c.c_int32, [c.c_void_p, c.POINTER(Sensitivity)])
 _wrc_contact_step_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_step_sensitivities', c.c_int32, [c.c_void_p, c.POINTER(StepSensitivity)])
-_wrc_contact_step = _l.function(FUNCTIONS, 'wrc_contact_step', c.c_int32, [c.c_void_p, c.POINTER(Input), c.POINTER(Output)])
+_wrc_contact_step = _l.function(FUNCTIONS, 'wrc_planar_step', c.c_int32, [c.c_void_p, c.POINTER(Input), c.POINTER(Output)])
 _wrc_contact_step_batch = _l.function(FUNCTIONS, 'wrc_contact_step_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(Input), c.c_uint64, c.POINTER(Output), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_step_flat = _l.function(FUNCTIONS, 'wrc_contact_step_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
 _wrc_contact_patch = _l.function(FUNCTIONS, 'wrc_contact_patch', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Patch)])
@@ -3263,7 +3263,7 @@ _wrc_wheel_input_init = _l.function(FUNCTIONS, 'wrc_wheel_input_init', c.c_int32
 _wrc_wrench_init = _l.function(FUNCTIONS, 'wrc_wrench_init', c.c_int32, [c.POINTER(Wrench)])
 _wrc_region_init = _l.function(FUNCTIONS, 'wrc_region_init', c.c_int32, [c.POINTER(Region)])
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
-_wrc_contact_wrench_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_wrench_sensitivities', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchSensitivities)])
+_wrc_contact_wrench_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchSensitivities)])
 _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
 _wrc_contact_region_ellipse = _l.function(FUNCTIONS, 'wrc_contact_region_ellipse', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Ellipse)])
 _wrc_contact_region_damage = _l.function(FUNCTIONS, 'wrc_contact_region_damage', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Damage)])
@@ -3304,15 +3304,15 @@ _wrc_exact_transient_step = _l.function(FUNCTIONS, 'wrc_exact_transient_step', c
 _wrc_exact_transient_destroy = _l.function(FUNCTIONS, 'wrc_exact_transient_destroy', None, [c.c_void_p])
 _wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_void_p, c.c_uint32, c.c_uint32, s.Progress, c.c_void_p, c.POINTER(ExactCheckResult)])
 _wrc_exact_wrench = _l.function(FUNCTIONS, 'wrc_exact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(ExactWrenchOptions), c.POINTER(Wrench)])
-_wrc_contact_functions_problem_init = _l.function(FUNCTIONS, 'wrc_contact_functions_problem_init', c.c_int32, [c.POINTER(ContactFunctionsProblem)])
-_wrc_contact_functions_init = _l.function(FUNCTIONS, 'wrc_contact_functions_init', c.c_int32, [c.POINTER(ContactFunctions)])
+_wrc_contact_functions_problem_init = _l.function(FUNCTIONS, 'wrc_wheelset_geometry_problem_init', c.c_int32, [c.POINTER(ContactFunctionsProblem)])
+_wrc_contact_functions_init = _l.function(FUNCTIONS, 'wrc_wheelset_geometry_init', c.c_int32, [c.POINTER(ContactFunctions)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
 _wrc_conicity_init = _l.function(FUNCTIONS, 'wrc_conicity_init', c.c_int32, [c.POINTER(Conicity)])
 _wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
 _wrc_worn_profile_init = _l.function(FUNCTIONS, 'wrc_worn_profile_init', c.c_int32, [c.POINTER(WornProfile)])
-_wrc_profile_contact_functions = _l.function(FUNCTIONS, 'wrc_profile_contact_functions', c.c_int32, [c.c_void_p, c.POINTER(ContactFunctionsProblem), c.POINTER(ContactFunctions), c.c_char_p, c.c_uint64])
+_wrc_profile_contact_functions = _l.function(FUNCTIONS, 'wrc_profile_wheelset_geometry', c.c_int32, [c.c_void_p, c.POINTER(ContactFunctionsProblem), c.POINTER(ContactFunctions), c.c_char_p, c.c_uint64])
 _wrc_equivalent_conicity = _l.function(FUNCTIONS, 'wrc_equivalent_conicity', c.c_int32, [c.POINTER(ConicityProblem), c.POINTER(Conicity), c.c_char_p, c.c_uint64])
-_wrc_profile_take_off = _l.function(FUNCTIONS, 'wrc_profile_take_off', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
+_wrc_profile_take_off = _l.function(FUNCTIONS, 'wrc_profile_remove_wear', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
 _wrc_flange_dimensions = _l.function(FUNCTIONS, 'wrc_flange_dimensions', c.c_int32, [c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), c.c_double, c.POINTER(Flange), c.c_char_p, c.c_uint64])
 
 
@@ -3356,13 +3356,13 @@ class ContactCalls(_l.Handle):
             Contact.tangential takes, as it stands: - Below |V| = 0.1 m/s, where creepages would grow without
             end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) / 8, u = |V| / 0.1 m/s, instead: 0.0375
             m/s at V = 0. speed has the amount of that divisor, so that it scales power right, and the sign of
-            V; other_way goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion through
+            V; reverse_share goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion through
             V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x
             load. - Where a creepage would pass its range (sliding far faster than rolling), all are divided
             by more; speed grows by it. - |speed| ends at 200 m/s. Theory manual, section 7.
 
         motion: of the wheelset, track frame
-        out: the creepages with speed, approach_velocity and other_way, ready to be passed on; None: a new one
+        out: the creepages with speed, approach_velocity and reverse_share, ready to be passed on; None: a new one
 
         C status: Status.OK; Status.FLAG_CREEPAGES_LIMITED (any of these three); Status.ERROR_NULL,
             _STRUCT_SIZE, _SEQUENCE (no Contact.geometry before), _NOT_FINITE, _RANGE.
@@ -3440,7 +3440,7 @@ class ContactCalls(_l.Handle):
         out: on the wheel, contact frame; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high
-            adhesion often: forces are usable), _CREEPAGES_LIMITED (creepage.other_way is not 0);
+            adhesion often: forces are usable), _CREEPAGES_LIMITED (creepage.reverse_share is not 0);
             Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over a profile without a
             Contact.geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED.
         """
@@ -3729,7 +3729,7 @@ class ContactCalls(_l.Handle):
             strip, q the power density, beta = sqrt(conductivity density specific_heat) of config.wheel_heat
             and config.rail_heat. Heat flows into the depth alone, which holds from some 0.1 m/s on (Peclet
             number V a density specific_heat / (2 conductivity) > 10); below, temperatures are too high and go
-            to zero with the speed. Near standstill (creepage.other_way) it is of the way of creepage.speed.
+            to zero with the speed. Near standstill (creepage.reverse_share) it is of the way of creepage.speed.
             Cost grows with strips * cells^2. May be called again with other bulk temperatures. Theory manual,
             section 6.
 
@@ -3785,7 +3785,7 @@ class ContactCalls(_l.Handle):
         out: exact forces and the errors; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
-            _SEQUENCE, _UNSUPPORTED (both ways of rolling blended: creepage.other_way is not 0), _MEMORY,
+            _SEQUENCE, _UNSUPPORTED (both ways of rolling blended: creepage.reverse_share is not 0), _MEMORY,
             _CANCELLED.
         """
         if out is None:
@@ -3906,27 +3906,27 @@ STRUCTS = {
     'wrc_config_tangential': ConfigTangential,
     'wrc_config_check_rail': ConfigCheckRail,
     'wrc_config': Config,
-    'wrc_pose': Pose,
-    'wrc_contact_point': ContactPoint,
-    'wrc_gap': Gap,
-    'wrc_load': Load,
+    'wrc_planar_pose': Pose,
+    'wrc_planar_point': ContactPoint,
+    'wrc_planar_gap': Gap,
+    'wrc_planar_load': Load,
     'wrc_creepage': Creepage,
     'wrc_bulk_temperatures': BulkTemperatures,
     'wrc_friction': Friction,
     'wrc_ellipse': Ellipse,
-    'wrc_normal_solution': NormalSolution,
-    'wrc_strips': Strips,
-    'wrc_forces': Forces,
+    'wrc_planar_normal_solution': NormalSolution,
+    'wrc_planar_strips': Strips,
+    'wrc_planar_forces': Forces,
     'wrc_patch': Patch,
-    'wrc_motion': Motion,
+    'wrc_planar_motion': Motion,
     'wrc_damage': Damage,
     'wrc_wear_laws': WearLaws,
     'wrc_wear': Wear,
     'wrc_coefficients': Coefficients,
-    'wrc_sensitivity': Sensitivity,
+    'wrc_planar_derivatives': Sensitivity,
     'wrc_step_sensitivity': StepSensitivity,
-    'wrc_input': Input,
-    'wrc_output': Output,
+    'wrc_planar_input': Input,
+    'wrc_planar_output': Output,
     'wrc_view': View,
     'wrc_allocator': Allocator,
     'wrc_wheel_state': WheelState,
@@ -3935,7 +3935,7 @@ STRUCTS = {
     'wrc_wheel_input': WheelInput,
     'wrc_wrench': Wrench,
     'wrc_region': Region,
-    'wrc_wrench_sensitivities': WrenchSensitivities,
+    'wrc_wrench_derivatives': WrenchSensitivities,
     'wrc_stress_peak': StressPeak,
     'wrc_stress_peaks': StressPeaks,
     'wrc_stresses': Stresses,
@@ -3954,8 +3954,8 @@ STRUCTS = {
     'wrc_exact_loads': ExactLoads,
     'wrc_exact_wrench_options': ExactWrenchOptions,
     'wrc_exact_check_result': ExactCheckResult,
-    'wrc_contact_functions_problem': ContactFunctionsProblem,
-    'wrc_contact_functions': ContactFunctions,
+    'wrc_wheelset_geometry_problem': ContactFunctionsProblem,
+    'wrc_wheelset_geometry': ContactFunctions,
     'wrc_conicity_problem': ConicityProblem,
     'wrc_conicity': Conicity,
     'wrc_profile_wear': ProfileWear,

@@ -123,11 +123,11 @@ inline constexpr Enumeration wrc_instruction_set{wrc_instruction_set_values, 4,
     "see enum wrc_instruction_set: WRC_INSTRUCTIONS_BEST (0), _BASELINE (1), _AVX2 (2), _AVX512 (3)"};
 
 inline constexpr Enumerator wrc_prescribed_values[] = {
-    {"WRC_PRESCRIBE_LOAD", WRC_PRESCRIBE_LOAD},
+    {"WRC_PRESCRIBE_NORMAL_FORCE", WRC_PRESCRIBE_NORMAL_FORCE},
     {"WRC_PRESCRIBE_APPROACH", WRC_PRESCRIBE_APPROACH},
 };
 inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 2,
-    "see enum wrc_prescribed: WRC_PRESCRIBE_LOAD (0), _APPROACH (1)"};
+    "see enum wrc_prescribed: WRC_PRESCRIBE_NORMAL_FORCE (0), _APPROACH (1)"};
 
 inline constexpr Enumerator wrc_available_values[] = {
     {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
@@ -180,15 +180,15 @@ inline constexpr Enumerator wrc_wheel_prescribed_values[] = {
     {"WRC_PRESCRIBE_HEIGHT", WRC_PRESCRIBE_HEIGHT},
     {"WRC_PRESCRIBE_VERTICAL_LOAD", WRC_PRESCRIBE_VERTICAL_LOAD},
 };
-inline constexpr Enumeration wrc_wheel_prescribed{wrc_wheel_prescribed_values, 2,
-    "see enum wrc_wheel_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
+inline constexpr Enumeration wrc_prescribed{wrc_wheel_prescribed_values, 2,
+    "see enum wrc_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
 
 inline constexpr Enumerator wrc_wheel_start_values[] = {
-    {"WRC_START_ANEW", WRC_START_ANEW},
-    {"WRC_START_FROM_LAST", WRC_START_FROM_LAST},
+    {"WRC_START_COLD", WRC_START_COLD},
+    {"WRC_START_WARM", WRC_START_WARM},
 };
-inline constexpr Enumeration wrc_wheel_start{wrc_wheel_start_values, 2,
-    "see enum wrc_wheel_start: WRC_START_ANEW (0), _FROM_LAST (1)"};
+inline constexpr Enumeration wrc_start{wrc_wheel_start_values, 2,
+    "see enum wrc_start: WRC_START_COLD (0), _FROM_LAST (1)"};
 
 inline constexpr Enumerator wrc_region_field_values[] = {
     {"WRC_REGION_X", WRC_REGION_X},
@@ -619,86 +619,86 @@ struct Description<wrc_config> {
 static_assert(sizeof(wrc_config) == 400, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_pose> {
-  static constexpr const char* name = "wrc_pose";
+struct Description<wrc_planar_pose> {
+  static constexpr const char* name = "wrc_planar_pose";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 24;
-  static constexpr wrc_pose defaults = [] {
-    wrc_pose value{};
+  static constexpr wrc_planar_pose defaults = [] {
+    wrc_planar_pose value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "lateral", .offset = offsetof(wrc_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "roll", .offset = offsetof(wrc_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "yaw", .offset = offsetof(wrc_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "lateral", .offset = offsetof(wrc_planar_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "roll", .offset = offsetof(wrc_planar_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "yaw", .offset = offsetof(wrc_planar_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
   };
 };
-static_assert(sizeof(wrc_pose) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_pose) == 24, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_contact_point> {
-  static constexpr const char* name = "wrc_contact_point";
+struct Description<wrc_planar_point> {
+  static constexpr const char* name = "wrc_planar_point";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 64;
-  static constexpr wrc_contact_point defaults = [] {
-    wrc_contact_point value{};
+  static constexpr wrc_planar_point defaults = [] {
+    wrc_planar_point value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "x", .offset = offsetof(wrc_contact_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y", .offset = offsetof(wrc_contact_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "z", .offset = offsetof(wrc_contact_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_wheel", .offset = offsetof(wrc_contact_point, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_rail", .offset = offsetof(wrc_contact_point, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "angle", .offset = offsetof(wrc_contact_point, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-      {.name = "vertical_gap", .offset = offsetof(wrc_contact_point, vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "rolling_radius", .offset = offsetof(wrc_contact_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "x", .offset = offsetof(wrc_planar_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_planar_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z", .offset = offsetof(wrc_planar_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel", .offset = offsetof(wrc_planar_point, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail", .offset = offsetof(wrc_planar_point, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "angle", .offset = offsetof(wrc_planar_point, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "vertical_gap", .offset = offsetof(wrc_planar_point, vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "rolling_radius", .offset = offsetof(wrc_planar_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_contact_point) == 64, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_point) == 64, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_gap> {
-  static constexpr const char* name = "wrc_gap";
+struct Description<wrc_planar_gap> {
+  static constexpr const char* name = "wrc_planar_gap";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 64;
-  static constexpr wrc_gap defaults = [] {
-    wrc_gap value{};
+  static constexpr wrc_planar_gap defaults = [] {
+    wrc_planar_gap value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "rows", .offset = offsetof(wrc_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.grid.gap_rows", .not_set = "was it set? its default is 0"},
-      {.name = "columns", .offset = offsetof(wrc_gap, columns), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
-      {.name = "y", .offset = offsetof(wrc_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_gap, rows)},
-      {.name = "height", .offset = offsetof(wrc_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
-      {.name = "centre", .offset = offsetof(wrc_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
-      {.name = "curvature", .offset = offsetof(wrc_gap, curvature), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 1e6, .unit = "1/m", .too_small = "rows must be convex; did you pass 1/mm, or a radius?", .too_large = "did you pass 1/um?", .asked = offsetof(wrc_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_gap, rows)},
-      {.name = "x", .offset = offsetof(wrc_gap, x), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::not_zero, .counted_by = offsetof(wrc_gap, columns)},
-      {.name = "h", .offset = offsetof(wrc_gap, h), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_gap, columns), .state = State::not_zero, .by_caller = true},
-      {.name = "row_stride", .offset = offsetof(wrc_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
+      {.name = "rows", .offset = offsetof(wrc_planar_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.grid.gap_rows", .not_set = "was it set? its default is 0"},
+      {.name = "columns", .offset = offsetof(wrc_planar_gap, columns), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
+      {.name = "y", .offset = offsetof(wrc_planar_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_gap, rows)},
+      {.name = "height", .offset = offsetof(wrc_planar_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
+      {.name = "centre", .offset = offsetof(wrc_planar_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
+      {.name = "curvature", .offset = offsetof(wrc_planar_gap, curvature), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 1e6, .unit = "1/m", .too_small = "rows must be convex; did you pass 1/mm, or a radius?", .too_large = "did you pass 1/um?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
+      {.name = "x", .offset = offsetof(wrc_planar_gap, x), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::not_zero, .counted_by = offsetof(wrc_planar_gap, columns)},
+      {.name = "h", .offset = offsetof(wrc_planar_gap, h), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::not_zero, .by_caller = true},
+      {.name = "row_stride", .offset = offsetof(wrc_planar_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_gap) == 64, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_gap) == 64, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_load> {
-  static constexpr const char* name = "wrc_load";
+struct Description<wrc_planar_load> {
+  static constexpr const char* name = "wrc_planar_load";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 40;
-  static constexpr wrc_load defaults = [] {
-    wrc_load value{};
+  static constexpr wrc_planar_load defaults = [] {
+    wrc_planar_load value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "prescribed", .offset = offsetof(wrc_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
-      {.name = "reserved", .offset = offsetof(wrc_load, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "normal_force", .offset = offsetof(wrc_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
-      {.name = "approach", .offset = offsetof(wrc_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "approach_velocity", .offset = offsetof(wrc_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "damping", .offset = offsetof(wrc_load, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "prescribed", .offset = offsetof(wrc_planar_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "reserved", .offset = offsetof(wrc_planar_load, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "normal_force", .offset = offsetof(wrc_planar_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
+      {.name = "approach", .offset = offsetof(wrc_planar_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "approach_velocity", .offset = offsetof(wrc_planar_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "damping", .offset = offsetof(wrc_planar_load, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
   };
 };
-static_assert(sizeof(wrc_load) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_load) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_creepage> {
@@ -716,7 +716,7 @@ struct Description<wrc_creepage> {
       {.name = "spin", .offset = offsetof(wrc_creepage, spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
       {.name = "speed", .offset = offsetof(wrc_creepage, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
       {.name = "approach_velocity", .offset = offsetof(wrc_creepage, approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
-      {.name = "other_way", .offset = offsetof(wrc_creepage, other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "reverse_share", .offset = offsetof(wrc_creepage, reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
   };
 };
 static_assert(sizeof(wrc_creepage) == 48, "run tools/interface/describe.py");
@@ -800,81 +800,81 @@ struct Description<wrc_ellipse> {
 static_assert(sizeof(wrc_ellipse) == 40, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_normal_solution> {
-  static constexpr const char* name = "wrc_normal_solution";
+struct Description<wrc_planar_normal_solution> {
+  static constexpr const char* name = "wrc_planar_normal_solution";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 136;
-  static constexpr wrc_normal_solution defaults = [] {
-    wrc_normal_solution value{};
+  static constexpr wrc_planar_normal_solution defaults = [] {
+    wrc_planar_normal_solution value{};
     value.ellipse = Description<wrc_ellipse>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "patches", .offset = offsetof(wrc_normal_solution, patches), .type = Type::int32, .rule = Rule::none},
-      {.name = "strips", .offset = offsetof(wrc_normal_solution, strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "iterations", .offset = offsetof(wrc_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_normal_solution, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "ellipse.a", .offset = offsetof(wrc_normal_solution, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.b", .offset = offsetof(wrc_normal_solution, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.psi", .offset = offsetof(wrc_normal_solution, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "ellipse.y", .offset = offsetof(wrc_normal_solution, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "ellipse.normal_force", .offset = offsetof(wrc_normal_solution, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "normal_force", .offset = offsetof(wrc_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damping_force", .offset = offsetof(wrc_normal_solution, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "approach", .offset = offsetof(wrc_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "stiffness", .offset = offsetof(wrc_normal_solution, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
-      {.name = "peak_pressure", .offset = offsetof(wrc_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "area", .offset = offsetof(wrc_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "length", .offset = offsetof(wrc_normal_solution, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "width", .offset = offsetof(wrc_normal_solution, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_min", .offset = offsetof(wrc_normal_solution, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_max", .offset = offsetof(wrc_normal_solution, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "patches", .offset = offsetof(wrc_planar_normal_solution, patches), .type = Type::int32, .rule = Rule::none},
+      {.name = "strips", .offset = offsetof(wrc_planar_normal_solution, strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_planar_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_normal_solution, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "ellipse.a", .offset = offsetof(wrc_planar_normal_solution, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_planar_normal_solution, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_planar_normal_solution, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_planar_normal_solution, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_planar_normal_solution, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "normal_force", .offset = offsetof(wrc_planar_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damping_force", .offset = offsetof(wrc_planar_normal_solution, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "approach", .offset = offsetof(wrc_planar_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "stiffness", .offset = offsetof(wrc_planar_normal_solution, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_planar_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_planar_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_planar_normal_solution, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_planar_normal_solution, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_planar_normal_solution, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_planar_normal_solution, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_normal_solution) == 136, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_normal_solution) == 136, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_strips> {
-  static constexpr const char* name = "wrc_strips";
+struct Description<wrc_planar_strips> {
+  static constexpr const char* name = "wrc_planar_strips";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 48;
-  static constexpr wrc_strips defaults = [] {
-    wrc_strips value{};
+  static constexpr wrc_planar_strips defaults = [] {
+    wrc_planar_strips value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "count", .offset = offsetof(wrc_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.grid.strips", .not_set = "was it set? its default is 0"},
-      {.name = "reserved", .offset = offsetof(wrc_strips, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "y", .offset = offsetof(wrc_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
-      {.name = "width", .offset = offsetof(wrc_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
-      {.name = "centre", .offset = offsetof(wrc_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
-      {.name = "half_length", .offset = offsetof(wrc_strips, half_length), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without length", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_strips, count)},
-      {.name = "peak", .offset = offsetof(wrc_strips, peak), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .counted_by = offsetof(wrc_strips, count)},
+      {.name = "count", .offset = offsetof(wrc_planar_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.grid.strips", .not_set = "was it set? its default is 0"},
+      {.name = "reserved", .offset = offsetof(wrc_planar_strips, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_planar_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "width", .offset = offsetof(wrc_planar_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "centre", .offset = offsetof(wrc_planar_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "half_length", .offset = offsetof(wrc_planar_strips, half_length), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without length", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "peak", .offset = offsetof(wrc_planar_strips, peak), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .counted_by = offsetof(wrc_planar_strips, count)},
   };
 };
-static_assert(sizeof(wrc_strips) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_strips) == 48, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_forces> {
-  static constexpr const char* name = "wrc_forces";
+struct Description<wrc_planar_forces> {
+  static constexpr const char* name = "wrc_planar_forces";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 56;
-  static constexpr wrc_forces defaults = [] {
-    wrc_forces value{};
+  static constexpr wrc_planar_forces defaults = [] {
+    wrc_planar_forces value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "fx", .offset = offsetof(wrc_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "fy", .offset = offsetof(wrc_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "fn", .offset = offsetof(wrc_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "mz", .offset = offsetof(wrc_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
-      {.name = "power", .offset = offsetof(wrc_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "adhesion_fraction", .offset = offsetof(wrc_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
-      {.name = "available", .offset = offsetof(wrc_forces, available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "fx", .offset = offsetof(wrc_planar_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fy", .offset = offsetof(wrc_planar_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fn", .offset = offsetof(wrc_planar_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "mz", .offset = offsetof(wrc_planar_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "power", .offset = offsetof(wrc_planar_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_planar_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_planar_forces, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_forces) == 56, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_forces) == 56, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_patch> {
@@ -885,7 +885,7 @@ struct Description<wrc_patch> {
     wrc_patch value{};
     value.struct_size = sizeof value;
     value.ellipse = Description<wrc_ellipse>::defaults;
-    value.forces = Description<wrc_forces>::defaults;
+    value.forces = Description<wrc_planar_forces>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -919,24 +919,24 @@ struct Description<wrc_patch> {
 static_assert(sizeof(wrc_patch) == 208, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_motion> {
-  static constexpr const char* name = "wrc_motion";
+struct Description<wrc_planar_motion> {
+  static constexpr const char* name = "wrc_planar_motion";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 48;
-  static constexpr wrc_motion defaults = [] {
-    wrc_motion value{};
+  static constexpr wrc_planar_motion defaults = [] {
+    wrc_planar_motion value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "speed", .offset = offsetof(wrc_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "lateral_velocity", .offset = offsetof(wrc_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
-      {.name = "vertical_velocity", .offset = offsetof(wrc_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
-      {.name = "roll_rate", .offset = offsetof(wrc_motion, roll_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
-      {.name = "yaw_rate", .offset = offsetof(wrc_motion, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
-      {.name = "pitch_rate", .offset = offsetof(wrc_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
+      {.name = "speed", .offset = offsetof(wrc_planar_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "lateral_velocity", .offset = offsetof(wrc_planar_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "vertical_velocity", .offset = offsetof(wrc_planar_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "roll_rate", .offset = offsetof(wrc_planar_motion, roll_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "yaw_rate", .offset = offsetof(wrc_planar_motion, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "pitch_rate", .offset = offsetof(wrc_planar_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
   };
 };
-static_assert(sizeof(wrc_motion) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_motion) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage> {
@@ -1064,19 +1064,19 @@ struct Description<wrc_coefficients> {
 static_assert(sizeof(wrc_coefficients) == 56, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_sensitivity> {
-  static constexpr const char* name = "wrc_sensitivity";
+struct Description<wrc_planar_derivatives> {
+  static constexpr const char* name = "wrc_planar_derivatives";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 120;
-  static constexpr wrc_sensitivity defaults = [] {
-    wrc_sensitivity value{};
+  static constexpr wrc_planar_derivatives defaults = [] {
+    wrc_planar_derivatives value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "forces", .offset = offsetof(wrc_sensitivity, forces), .type = Type::real, .elements = 15, .rule = Rule::none},
+      {.name = "forces", .offset = offsetof(wrc_planar_derivatives, forces), .type = Type::real, .elements = 15, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_sensitivity) == 120, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_derivatives) == 120, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_step_sensitivity> {
@@ -1095,126 +1095,126 @@ struct Description<wrc_step_sensitivity> {
 static_assert(sizeof(wrc_step_sensitivity) == 64, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_input> {
-  static constexpr const char* name = "wrc_input";
+struct Description<wrc_planar_input> {
+  static constexpr const char* name = "wrc_planar_input";
   static constexpr bool versioned = true;
   static constexpr std::size_t first = 256;
-  static constexpr wrc_input defaults = [] {
-    wrc_input value{};
+  static constexpr wrc_planar_input defaults = [] {
+    wrc_planar_input value{};
     value.struct_size = sizeof value;
-    value.pose = Description<wrc_pose>::defaults;
-    value.load = Description<wrc_load>::defaults;
+    value.pose = Description<wrc_planar_pose>::defaults;
+    value.load = Description<wrc_planar_load>::defaults;
     value.creepage = Description<wrc_creepage>::defaults;
     value.friction = Description<wrc_friction>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_input, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_input, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "pose.lateral", .offset = offsetof(wrc_input, pose.lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "pose.roll", .offset = offsetof(wrc_input, pose.roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "pose.yaw", .offset = offsetof(wrc_input, pose.yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "gap", .offset = offsetof(wrc_input, gap), .type = Type::pointer, .rule = Rule::none},
-      {.name = "load.prescribed", .offset = offsetof(wrc_input, load.prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
-      {.name = "load.reserved", .offset = offsetof(wrc_input, load.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "load.normal_force", .offset = offsetof(wrc_input, load.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
-      {.name = "load.approach", .offset = offsetof(wrc_input, load.approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "load.approach_velocity", .offset = offsetof(wrc_input, load.approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "load.damping", .offset = offsetof(wrc_input, load.damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "creepage.longitudinal", .offset = offsetof(wrc_input, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "creepage.lateral", .offset = offsetof(wrc_input, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "creepage.spin", .offset = offsetof(wrc_input, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
-      {.name = "creepage.speed", .offset = offsetof(wrc_input, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_input, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
-      {.name = "creepage.other_way", .offset = offsetof(wrc_input, creepage.other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
-      {.name = "friction.coefficient", .offset = offsetof(wrc_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
-      {.name = "friction.kind", .offset = offsetof(wrc_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
-      {.name = "friction.zone_frame", .offset = offsetof(wrc_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
-      {.name = "friction.fall_rate", .offset = offsetof(wrc_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
-      {.name = "friction.half_speed", .offset = offsetof(wrc_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
-      {.name = "friction.hot_ratio", .offset = offsetof(wrc_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.cold_temperature", .offset = offsetof(wrc_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.hot_temperature", .offset = offsetof(wrc_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.bulk.rail", .offset = offsetof(wrc_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.slope_reduction", .offset = offsetof(wrc_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.slope_limit", .offset = offsetof(wrc_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "friction.slope_fall", .offset = offsetof(wrc_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "friction.zone_y", .offset = offsetof(wrc_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_input, friction.zones)},
-      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_input, friction.zones)},
-      {.name = "friction.zones", .offset = offsetof(wrc_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "friction.reserved", .offset = offsetof(wrc_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "struct_size", .offset = offsetof(wrc_planar_input, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_input, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "pose.lateral", .offset = offsetof(wrc_planar_input, pose.lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "pose.roll", .offset = offsetof(wrc_planar_input, pose.roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "pose.yaw", .offset = offsetof(wrc_planar_input, pose.yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "gap", .offset = offsetof(wrc_planar_input, gap), .type = Type::pointer, .rule = Rule::none},
+      {.name = "load.prescribed", .offset = offsetof(wrc_planar_input, load.prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "load.reserved", .offset = offsetof(wrc_planar_input, load.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "load.normal_force", .offset = offsetof(wrc_planar_input, load.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
+      {.name = "load.approach", .offset = offsetof(wrc_planar_input, load.approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.approach_velocity", .offset = offsetof(wrc_planar_input, load.approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.damping", .offset = offsetof(wrc_planar_input, load.damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "creepage.longitudinal", .offset = offsetof(wrc_planar_input, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.lateral", .offset = offsetof(wrc_planar_input, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.spin", .offset = offsetof(wrc_planar_input, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "creepage.speed", .offset = offsetof(wrc_planar_input, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_planar_input, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "creepage.reverse_share", .offset = offsetof(wrc_planar_input, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_planar_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.kind", .offset = offsetof(wrc_planar_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_planar_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_planar_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_planar_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_planar_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_planar_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_planar_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_planar_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_planar_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_planar_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_planar_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_planar_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_planar_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_planar_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zones)},
+      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_planar_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_planar_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zones)},
+      {.name = "friction.zones", .offset = offsetof(wrc_planar_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_input) == 256, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_input) == 256, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_output> {
-  static constexpr const char* name = "wrc_output";
+struct Description<wrc_planar_output> {
+  static constexpr const char* name = "wrc_planar_output";
   static constexpr bool versioned = true;
   static constexpr std::size_t first = 344;
-  static constexpr wrc_output defaults = [] {
-    wrc_output value{};
+  static constexpr wrc_planar_output defaults = [] {
+    wrc_planar_output value{};
     value.struct_size = sizeof value;
-    value.point = Description<wrc_contact_point>::defaults;
-    value.normal = Description<wrc_normal_solution>::defaults;
-    value.forces = Description<wrc_forces>::defaults;
+    value.point = Description<wrc_planar_point>::defaults;
+    value.normal = Description<wrc_planar_normal_solution>::defaults;
+    value.forces = Description<wrc_planar_forces>::defaults;
     value.damage = Description<wrc_damage>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_output, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_output, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "point.x", .offset = offsetof(wrc_output, point.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y", .offset = offsetof(wrc_output, point.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.z", .offset = offsetof(wrc_output, point.z), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y_wheel", .offset = offsetof(wrc_output, point.y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y_rail", .offset = offsetof(wrc_output, point.y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.angle", .offset = offsetof(wrc_output, point.angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-      {.name = "point.vertical_gap", .offset = offsetof(wrc_output, point.vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.rolling_radius", .offset = offsetof(wrc_output, point.rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.patches", .offset = offsetof(wrc_output, normal.patches), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.strips", .offset = offsetof(wrc_output, normal.strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.iterations", .offset = offsetof(wrc_output, normal.iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.reserved", .offset = offsetof(wrc_output, normal.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "normal.ellipse.a", .offset = offsetof(wrc_output, normal.ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.ellipse.b", .offset = offsetof(wrc_output, normal.ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.ellipse.psi", .offset = offsetof(wrc_output, normal.ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "normal.ellipse.y", .offset = offsetof(wrc_output, normal.ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.ellipse.normal_force", .offset = offsetof(wrc_output, normal.ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.normal_force", .offset = offsetof(wrc_output, normal.normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "normal.damping_force", .offset = offsetof(wrc_output, normal.damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "normal.approach", .offset = offsetof(wrc_output, normal.approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.stiffness", .offset = offsetof(wrc_output, normal.stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
-      {.name = "normal.peak_pressure", .offset = offsetof(wrc_output, normal.peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "normal.area", .offset = offsetof(wrc_output, normal.area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "normal.length", .offset = offsetof(wrc_output, normal.length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.width", .offset = offsetof(wrc_output, normal.width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.y_min", .offset = offsetof(wrc_output, normal.y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.y_max", .offset = offsetof(wrc_output, normal.y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "forces.fx", .offset = offsetof(wrc_output, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fy", .offset = offsetof(wrc_output, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fn", .offset = offsetof(wrc_output, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.mz", .offset = offsetof(wrc_output, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
-      {.name = "forces.power", .offset = offsetof(wrc_output, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_output, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
-      {.name = "forces.available", .offset = offsetof(wrc_output, forces.available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "forces.reserved", .offset = offsetof(wrc_output, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "damage.power", .offset = offsetof(wrc_output, damage.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "damage.peak_power_density", .offset = offsetof(wrc_output, damage.peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
-      {.name = "damage.t_gamma", .offset = offsetof(wrc_output, damage.t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damage.t_gamma_no_spin", .offset = offsetof(wrc_output, damage.t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damage.utilisation", .offset = offsetof(wrc_output, damage.utilisation), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.load_factor", .offset = offsetof(wrc_output, damage.load_factor), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.shakedown_limit", .offset = offsetof(wrc_output, damage.shakedown_limit), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.fatigue_index", .offset = offsetof(wrc_output, damage.fatigue_index), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.local_fatigue_index", .offset = offsetof(wrc_output, damage.local_fatigue_index), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.available", .offset = offsetof(wrc_output, damage.available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "damage.reserved", .offset = offsetof(wrc_output, damage.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "struct_size", .offset = offsetof(wrc_planar_output, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_output, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "point.x", .offset = offsetof(wrc_planar_output, point.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y", .offset = offsetof(wrc_planar_output, point.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.z", .offset = offsetof(wrc_planar_output, point.z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_wheel", .offset = offsetof(wrc_planar_output, point.y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_rail", .offset = offsetof(wrc_planar_output, point.y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.angle", .offset = offsetof(wrc_planar_output, point.angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "point.vertical_gap", .offset = offsetof(wrc_planar_output, point.vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.rolling_radius", .offset = offsetof(wrc_planar_output, point.rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.patches", .offset = offsetof(wrc_planar_output, normal.patches), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.strips", .offset = offsetof(wrc_planar_output, normal.strips), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.iterations", .offset = offsetof(wrc_planar_output, normal.iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.reserved", .offset = offsetof(wrc_planar_output, normal.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "normal.ellipse.a", .offset = offsetof(wrc_planar_output, normal.ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.b", .offset = offsetof(wrc_planar_output, normal.ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.psi", .offset = offsetof(wrc_planar_output, normal.ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "normal.ellipse.y", .offset = offsetof(wrc_planar_output, normal.ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.ellipse.normal_force", .offset = offsetof(wrc_planar_output, normal.ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.normal_force", .offset = offsetof(wrc_planar_output, normal.normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.damping_force", .offset = offsetof(wrc_planar_output, normal.damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.approach", .offset = offsetof(wrc_planar_output, normal.approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.stiffness", .offset = offsetof(wrc_planar_output, normal.stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "normal.peak_pressure", .offset = offsetof(wrc_planar_output, normal.peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "normal.area", .offset = offsetof(wrc_planar_output, normal.area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "normal.length", .offset = offsetof(wrc_planar_output, normal.length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.width", .offset = offsetof(wrc_planar_output, normal.width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_min", .offset = offsetof(wrc_planar_output, normal.y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_max", .offset = offsetof(wrc_planar_output, normal.y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "forces.fx", .offset = offsetof(wrc_planar_output, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fy", .offset = offsetof(wrc_planar_output, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fn", .offset = offsetof(wrc_planar_output, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.mz", .offset = offsetof(wrc_planar_output, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "forces.power", .offset = offsetof(wrc_planar_output, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_planar_output, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "forces.available", .offset = offsetof(wrc_planar_output, forces.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "forces.reserved", .offset = offsetof(wrc_planar_output, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "damage.power", .offset = offsetof(wrc_planar_output, damage.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "damage.peak_power_density", .offset = offsetof(wrc_planar_output, damage.peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
+      {.name = "damage.t_gamma", .offset = offsetof(wrc_planar_output, damage.t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.t_gamma_no_spin", .offset = offsetof(wrc_planar_output, damage.t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.utilisation", .offset = offsetof(wrc_planar_output, damage.utilisation), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.load_factor", .offset = offsetof(wrc_planar_output, damage.load_factor), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.shakedown_limit", .offset = offsetof(wrc_planar_output, damage.shakedown_limit), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.fatigue_index", .offset = offsetof(wrc_planar_output, damage.fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.local_fatigue_index", .offset = offsetof(wrc_planar_output, damage.local_fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.available", .offset = offsetof(wrc_planar_output, damage.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "damage.reserved", .offset = offsetof(wrc_planar_output, damage.reserved), .type = Type::uint32, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_output) == 344, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_planar_output) == 344, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_view> {
@@ -1333,8 +1333,8 @@ struct Description<wrc_wheel_input> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_prescribed},
-      {.name = "start", .offset = offsetof(wrc_wheel_input, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_start},
+      {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "start", .offset = offsetof(wrc_wheel_input, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_start},
       {.name = "reserved", .offset = offsetof(wrc_wheel_input, reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "wheel.reference", .offset = offsetof(wrc_wheel_input, wheel.reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
       {.name = "wheel.angular_axes", .offset = offsetof(wrc_wheel_input, wheel.angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
@@ -1450,20 +1450,20 @@ struct Description<wrc_region> {
 static_assert(sizeof(wrc_region) == 192, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_wrench_sensitivities> {
-  static constexpr const char* name = "wrc_wrench_sensitivities";
+struct Description<wrc_wrench_derivatives> {
+  static constexpr const char* name = "wrc_wrench_derivatives";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 1064;
-  static constexpr wrc_wrench_sensitivities defaults = [] {
-    wrc_wrench_sensitivities value{};
+  static constexpr wrc_wrench_derivatives defaults = [] {
+    wrc_wrench_derivatives value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "wrench", .offset = offsetof(wrc_wrench_sensitivities, wrench), .type = Type::real, .elements = 114, .rule = Rule::none},
-      {.name = "z", .offset = offsetof(wrc_wrench_sensitivities, z), .type = Type::real, .elements = 19, .rule = Rule::none},
+      {.name = "wrench", .offset = offsetof(wrc_wrench_derivatives, wrench), .type = Type::real, .elements = 114, .rule = Rule::none},
+      {.name = "z", .offset = offsetof(wrc_wrench_derivatives, z), .type = Type::real, .elements = 19, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench_sensitivities) == 1064, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wrench_derivatives) == 1064, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peak> {
@@ -1761,7 +1761,7 @@ struct Description<wrc_exact_normal_problem> {
       {.name = "prescribed", .offset = offsetof(wrc_exact_normal_problem, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
       {.name = "max_iterations", .offset = offsetof(wrc_exact_normal_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 100000},
       {.name = "reserved", .offset = offsetof(wrc_exact_normal_problem, reserved), .type = Type::int32, .rule = Rule::zero},
-      {.name = "normal_force", .offset = offsetof(wrc_exact_normal_problem, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? WRC_PRESCRIBE_LOAD needs it, and its default is 0", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_LOAD},
+      {.name = "normal_force", .offset = offsetof(wrc_exact_normal_problem, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
       {.name = "approach", .offset = offsetof(wrc_exact_normal_problem, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
       {.name = "tolerance", .offset = offsetof(wrc_exact_normal_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 0.1},
       {.name = "materials.shear_modulus_1", .offset = offsetof(wrc_exact_normal_problem, materials.shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
@@ -1844,7 +1844,7 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "creepage.spin", .offset = offsetof(wrc_exact_rolling_problem, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
       {.name = "creepage.speed", .offset = offsetof(wrc_exact_rolling_problem, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
       {.name = "creepage.approach_velocity", .offset = offsetof(wrc_exact_rolling_problem, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
-      {.name = "creepage.other_way", .offset = offsetof(wrc_exact_rolling_problem, creepage.other_way), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_contact_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "creepage.reverse_share", .offset = offsetof(wrc_exact_rolling_problem, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
       {.name = "progress", .offset = offsetof(wrc_exact_rolling_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
@@ -1959,51 +1959,51 @@ struct Description<wrc_exact_check_result> {
 static_assert(sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_contact_functions_problem> {
-  static constexpr const char* name = "wrc_contact_functions_problem";
+struct Description<wrc_wheelset_geometry_problem> {
+  static constexpr const char* name = "wrc_wheelset_geometry_problem";
   static constexpr bool versioned = true;
   static constexpr std::size_t first = 24;
-  static constexpr wrc_contact_functions_problem defaults = [] {
-    wrc_contact_functions_problem value{};
+  static constexpr wrc_wheelset_geometry_problem defaults = [] {
+    wrc_wheelset_geometry_problem value{};
     value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_contact_functions_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "count", .offset = offsetof(wrc_contact_functions_problem, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many displacements there are", .not_set = "was it set? its default is 0"},
-      {.name = "lateral", .offset = offsetof(wrc_contact_functions_problem, lateral), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_contact_functions_problem, count)},
-      {.name = "wheel_load", .offset = offsetof(wrc_contact_functions_problem, wheel_load), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e6, .or_zero = true, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN?", .too_large = "did you pass a pressure, or grams?"},
+      {.name = "struct_size", .offset = offsetof(wrc_wheelset_geometry_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_wheelset_geometry_problem, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many displacements there are", .not_set = "was it set? its default is 0"},
+      {.name = "lateral", .offset = offsetof(wrc_wheelset_geometry_problem, lateral), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_wheelset_geometry_problem, count)},
+      {.name = "wheel_load", .offset = offsetof(wrc_wheelset_geometry_problem, wheel_load), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e6, .or_zero = true, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN?", .too_large = "did you pass a pressure, or grams?"},
   };
 };
-static_assert(sizeof(wrc_contact_functions_problem) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheelset_geometry_problem) == 24, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_contact_functions> {
-  static constexpr const char* name = "wrc_contact_functions";
+struct Description<wrc_wheelset_geometry> {
+  static constexpr const char* name = "wrc_wheelset_geometry";
   static constexpr bool versioned = true;
   static constexpr std::size_t first = 96;
-  static constexpr wrc_contact_functions defaults = [] {
-    wrc_contact_functions value{};
+  static constexpr wrc_wheelset_geometry defaults = [] {
+    wrc_wheelset_geometry value{};
     value.struct_size = sizeof value;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_contact_functions, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_contact_functions, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "vertical", .offset = offsetof(wrc_contact_functions, vertical), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "roll", .offset = offsetof(wrc_contact_functions, roll), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
-      {.name = "radius_difference", .offset = offsetof(wrc_contact_functions, radius_difference), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "radius_right", .offset = offsetof(wrc_contact_functions, radius_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "radius_left", .offset = offsetof(wrc_contact_functions, radius_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "angle_right", .offset = offsetof(wrc_contact_functions, angle_right), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
-      {.name = "angle_left", .offset = offsetof(wrc_contact_functions, angle_left), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
-      {.name = "y_wheel_right", .offset = offsetof(wrc_contact_functions, y_wheel_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "y_wheel_left", .offset = offsetof(wrc_contact_functions, y_wheel_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "y_rail_right", .offset = offsetof(wrc_contact_functions, y_rail_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
-      {.name = "y_rail_left", .offset = offsetof(wrc_contact_functions, y_rail_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "struct_size", .offset = offsetof(wrc_wheelset_geometry, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_wheelset_geometry, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "vertical", .offset = offsetof(wrc_wheelset_geometry, vertical), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "roll", .offset = offsetof(wrc_wheelset_geometry, roll), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "radius_difference", .offset = offsetof(wrc_wheelset_geometry, radius_difference), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "radius_right", .offset = offsetof(wrc_wheelset_geometry, radius_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "radius_left", .offset = offsetof(wrc_wheelset_geometry, radius_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "angle_right", .offset = offsetof(wrc_wheelset_geometry, angle_right), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "angle_left", .offset = offsetof(wrc_wheelset_geometry, angle_left), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
+      {.name = "y_wheel_right", .offset = offsetof(wrc_wheelset_geometry, y_wheel_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel_left", .offset = offsetof(wrc_wheelset_geometry, y_wheel_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail_right", .offset = offsetof(wrc_wheelset_geometry, y_rail_right), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail_left", .offset = offsetof(wrc_wheelset_geometry, y_rail_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_contact_functions) == 96, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wheelset_geometry) == 96, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_conicity_problem> {

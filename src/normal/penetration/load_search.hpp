@@ -255,7 +255,7 @@ class LoadSearch {
   }
 
   /// Narrows the leap between the ends of the bracket. If the load lies in it, that is the solution, with
-  /// WRC_FLAG_LOAD_LEAPS; if not, the bracket is what is left on the load's side.
+  /// WRC_FLAG_LOAD_JUMPS; if not, the bracket is what is left on the load's side.
   Fault look_into_leap() noexcept {
     // The slope of the larger patch, as far as one is known.
     const double chord = high_.normal_force / high_.approach;
@@ -274,7 +274,7 @@ class LoadSearch {
         solution_.normal_force = target_;
       else
         scale_to_target(after.normal_force);
-      return {.status = WRC_FLAG_LOAD_LEAPS,
+      return {.status = WRC_FLAG_LOAD_JUMPS,
               .field = "load.normal_force",
               .value = target_,
               .unit = "N",
@@ -327,7 +327,7 @@ class LoadSearch {
 /// The search ends at a load within problem.force_tolerance of the one prescribed. The last secant step is
 /// taken without another evaluation: the approach moves by it and the pressures are scaled to the load.
 ///
-/// WRC_FLAG_BEYOND_GAP past the ceiling, continue_beyond(). WRC_FLAG_LOAD_LEAPS where the load leaps past the
+/// WRC_FLAG_BEYOND_GAP past the ceiling, continue_beyond(). WRC_FLAG_LOAD_JUMPS where the load leaps past the
 /// target: join_gradually(), or where that is not possible the patch after the leap, scaled to the load.
 /// WRC_FLAG_ITERATION_CAP if the cap ended the search: the patch is then that of the last trial, scaled.
 template <class ScaleAt, class Force>

@@ -21,13 +21,13 @@ int main(void) {
       api->contact_create(model, WRC_SIDE_LEFT, NULL, &contact) < 0)
     return 3;
 
-  wrc_input input = wrc_input_default();
-  wrc_output output = wrc_output_default();
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = wrc_planar_output_default();
   input.pose.lateral = 2e-3;
   input.load.normal_force = 80e3;
   input.creepage.lateral = 0.4e-3;
   input.friction.coefficient = 0.35;
-  if (wrc_contact_step(contact, &input, &output) != WRC_OK) return 4;
+  if (wrc_planar_step(contact, &input, &output) != WRC_OK) return 4;
   bits("y", output.point.y);
   bits("peak pressure", output.normal.peak_pressure);
   bits("fy", output.forces.fy);
@@ -41,13 +41,13 @@ int main(void) {
 
   wrc_wheel_input wheel = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities slopes;
+  wrc_wrench_derivatives slopes;
   wheel.wheel.z = 0.3e-3;
   wheel.wheel.yaw = 2e-3;
   wheel.wheel.velocity[0] = 20.0;
   wheel.wheel.angular_velocity[1] = -20.0 / 0.46;
   wheel.damping = 0.1;
-  if (wrc_contact_wrench_sensitivities(contact, &wheel, &wrench, &slopes) != WRC_OK) return 7;
+  if (wrc_contact_wrench_derivatives(contact, &wheel, &wrench, &slopes) != WRC_OK) return 7;
   bits("force", wrench.force[2]);
   bits("steepest", wrench.steepest_angle);
   bits("stiffness", slopes.wrench[2][WRC_BY_Z]);
@@ -58,7 +58,7 @@ int main(void) {
   /* an option of which this host does not know is as it was: the default */
   input.load.normal_force = 80.0;
   char sentence[300];
-  if (wrc_contact_step(contact, &input, &output) != WRC_ERROR_RANGE) return 9;
+  if (wrc_planar_step(contact, &input, &output) != WRC_ERROR_RANGE) return 9;
   if (wrc_contact_last_error(contact, sentence, sizeof sentence) != WRC_OK) return 10;
   printf("%s\n", sentence);
   wrc_contact_destroy(contact);

@@ -14,22 +14,22 @@ void hash_view(const wrc_view& view, Hash& hash) {
 
 /// A contact with tractions in it.
 int32_t roll(wrc_contact* contact, double lateral) {
-  wrc_input input = wrc_input_default();
+  wrc_planar_input input = wrc_planar_input_default();
   input.pose.lateral = lateral;
   input.load.normal_force = 90e3;
   input.creepage.longitudinal = 1.5e-3;
   input.creepage.spin = -0.4;
   input.creepage.speed = 55.0;
-  return wrc_contact_step(contact, &input, nullptr);
+  return wrc_planar_step(contact, &input, nullptr);
 }
 
 void run_motion(wrc_contact* contact, Hash& hash) {
   Numbers numbers(5);
   for (int i = 0; i < 8; ++i) {
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = numbers.between(-5e-3, 7e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
-    wrc_motion motion = wrc_motion_default();
+    wrc_planar_motion motion = wrc_planar_motion_default();
     motion.speed = i == 0 ? 0.0 : numbers.between(1.0, 90.0);
     motion.pitch_rate = -motion.speed / numbers.between(0.455, 0.465);
     motion.lateral_velocity = numbers.between(-0.1, 0.1);
@@ -37,8 +37,8 @@ void run_motion(wrc_contact* contact, Hash& hash) {
     motion.roll_rate = numbers.between(-0.1, 0.1);
     motion.yaw_rate = numbers.between(-0.1, 0.1);
     wrc_creepage creepage = wrc_creepage_default();
-    hash.add(wrc_contact_geometry(contact, &pose, nullptr));
-    hash.add(wrc_contact_creepages(contact, &motion, &creepage));
+    hash.add(wrc_planar_geometry(contact, &pose, nullptr));
+    hash.add(wrc_planar_creepages(contact, &motion, &creepage));
     for (double number : {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed})
       hash.add(number);
   }
@@ -48,31 +48,31 @@ void run_motion(wrc_contact* contact, Hash& hash) {
 void run_standstill(wrc_contact* contact, Hash& hash) {
   Numbers numbers(8);
   for (int i = 0; i < 16; ++i) {
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = numbers.between(-4e-3, 5e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
-    wrc_load load = wrc_load_default();
+    wrc_planar_load load = wrc_planar_load_default();
     load.normal_force = 70e3;
     const double fastest = i % 4 == 0 ? 80.0 : 0.15;
-    wrc_motion motion = wrc_motion_default();
+    wrc_planar_motion motion = wrc_planar_motion_default();
     motion.speed = i == 1 ? 0.0 : numbers.between(-fastest, fastest);
     motion.pitch_rate = -motion.speed / numbers.between(0.459, 0.461);
     motion.lateral_velocity = numbers.between(-0.01, 0.01) * (i % 3);
     motion.yaw_rate = numbers.between(-0.05, 0.05);
     wrc_creepage creepage = wrc_creepage_default();
     const wrc_friction friction = wrc_friction_default();
-    wrc_forces forces{};
-    wrc_sensitivity sensitivity{};
-    hash.add(wrc_contact_geometry(contact, &pose, nullptr));
-    hash.add(wrc_contact_normal(contact, nullptr, &load, nullptr));
-    hash.add(wrc_contact_creepages(contact, &motion, &creepage));
+    wrc_planar_forces forces{};
+    wrc_planar_derivatives sensitivity{};
+    hash.add(wrc_planar_geometry(contact, &pose, nullptr));
+    hash.add(wrc_planar_normal(contact, nullptr, &load, nullptr));
+    hash.add(wrc_planar_creepages(contact, &motion, &creepage));
     for (double number :
-         {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed, creepage.other_way})
+         {creepage.longitudinal, creepage.lateral, creepage.spin, creepage.speed, creepage.reverse_share})
       hash.add(number);
-    hash.add(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces));
+    hash.add(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces));
     hash_forces(forces, hash);
     hash_fields(contact, hash);
-    hash.add(wrc_contact_sensitivities(contact, &sensitivity));
+    hash.add(wrc_planar_tangential_derivatives(contact, &sensitivity));
     for (const auto& row : sensitivity.forces)
       for (double number : row) hash.add(number);
   }
@@ -82,12 +82,12 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
 void run_geometry(wrc_contact* contact, Hash& hash) {
   Numbers numbers(6);
   for (int i = 0; i < 400; ++i) {
-    wrc_pose pose = wrc_pose_default();
+    wrc_planar_pose pose = wrc_planar_pose_default();
     pose.lateral = numbers.between(-6e-3, 7.5e-3);
     pose.roll = numbers.between(-5e-3, 5e-3);
     pose.yaw = numbers.between(-0.03, 0.03);
-    wrc_contact_point point{};
-    hash.add(wrc_contact_geometry(contact, &pose, &point));
+    wrc_planar_point point{};
+    hash.add(wrc_planar_geometry(contact, &pose, &point));
     hash_point(point, hash);
     if (i % 8 == 0) hash_fields(contact, hash);
   }
@@ -170,7 +170,7 @@ void run_temperature(wrc_contact* contact, Hash& hash) {
 
 void run_heated(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3}) {
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.pose.lateral = lateral;
     input.load.normal_force = 90e3;
     input.creepage.longitudinal = 6e-3;
@@ -178,8 +178,8 @@ void run_heated(wrc_contact* contact, Hash& hash) {
     input.creepage.speed = 55.0;
     input.friction.kind = WRC_FRICTION_TEMPERATURE;
     input.friction.bulk.wheel = 80.0;
-    wrc_output output = wrc_output_default();
-    const int32_t status = wrc_contact_step(contact, &input, &output);
+    wrc_planar_output output = wrc_planar_output_default();
+    const int32_t status = wrc_planar_step(contact, &input, &output);
     hash_step(contact, status, output, hash);
   }
 }
@@ -323,8 +323,8 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     add_forces(wrench, hash);
     hash.add(wrench.power);
     if (i % 3 != 0) continue;
-    wrc_wrench_sensitivities found{};
-    hash.add(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found));
+    wrc_wrench_derivatives found{};
+    hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
     for (const auto& row : found.wrench)
       for (double number : row) hash.add(number);
   }
@@ -347,8 +347,8 @@ void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
                           temperature.wheel_heat, temperature.rail_heat})
       hash.add(number);
     if (i % 3 != 0) continue;
-    wrc_wrench_sensitivities found{};
-    hash.add(wrc_contact_wrench_sensitivities(contact, &input, nullptr, &found));
+    wrc_wrench_derivatives found{};
+    hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
     for (const auto& row : found.wrench)
       for (double number : row) hash.add(number);
   }
@@ -370,8 +370,8 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 40; ++i) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
-    wrc_wrench_sensitivities found{};
-    hash.add(wrc_contact_wrench_sensitivities(i % 2 == 0 ? right : left, &input, nullptr, &found));
+    wrc_wrench_derivatives found{};
+    hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
     for (const auto& row : found.wrench)
       for (double number : row) hash.add(number);
     for (double number : found.z) hash.add(number);
@@ -381,8 +381,8 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
 /// A wrench's forces and sums, with its derivatives where they are wanted.
 void add_wrench(wrc_contact* contact, const wrc_wheel_input& input, bool derivatives, Hash& hash) {
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities found{};
-  hash.add(derivatives ? wrc_contact_wrench_sensitivities(contact, &input, &wrench, &found)
+  wrc_wrench_derivatives found{};
+  hash.add(derivatives ? wrc_contact_wrench_derivatives(contact, &input, &wrench, &found)
                        : wrc_contact_wrench(contact, &input, &wrench));
   add_forces(wrench, hash);
   for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
@@ -410,7 +410,7 @@ void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(9);
   for (int i = 0; i < 30; ++i) {
     wrc_wheel_input input = wheel_on_rail(i, numbers);
-    input.start = i % 4 == 0 ? WRC_START_FROM_LAST : WRC_START_ANEW;
+    input.start = i % 4 == 0 ? WRC_START_WARM : WRC_START_COLD;
     input.distance = numbers.between(-5e-3, 5e-3);
     input.roller_velocity = -input.wheel.angular_velocity[1] * numbers.between(0.99, 1.01);
     input.frame.speed = i % 2 == 0 ? 0.0 : numbers.between(-2.0, 2.0);
@@ -444,13 +444,13 @@ void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
 
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
-  wrc_input input = wrc_input_default();
-  wrc_output output = wrc_output_default();
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = wrc_planar_output_default();
   input.load.normal_force = 80e3;
   const auto refused = [&](double& number, double wrong) {
     const double kept = number;
     number = wrong;
-    hash.add(wrc_contact_step(contact, &input, &output));
+    hash.add(wrc_planar_step(contact, &input, &output));
     hash_normal(output.normal, hash);
     hash_forces(output.forces, hash);
     number = kept;

@@ -2,8 +2,8 @@
 /// ellipses.
 #include "golden/plan.hpp"
 
-wrc_gap HostGap::view() const {
-  wrc_gap gap = wrc_gap_default();
+wrc_planar_gap HostGap::view() const {
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = static_cast<uint32_t>(y.size());
   gap.columns = static_cast<uint32_t>(x.size());
   gap.y = y.data();
@@ -96,7 +96,7 @@ void add_gaps(Plan& plan) {
 }
 
 /// Pressure of the host as strips: two hills with a gap between, then the whole chain from
-/// wrc_contact_regularise on.
+/// wrc_planar_regularise on.
 void run_strips(wrc_contact* contact, Hash& hash) {
   Numbers numbers(3);
   for (int round = 0; round < 4; ++round) {
@@ -112,23 +112,23 @@ void run_strips(wrc_contact* contact, Hash& hash) {
       peak.push_back(numbers.between(2e8, 1.4e9));
       edge += w;
     }
-    wrc_strips strips = wrc_strips_default();
+    wrc_planar_strips strips = wrc_planar_strips_default();
     strips.count = static_cast<uint32_t>(y.size());
     strips.y = y.data();
     strips.width = width.data();
     strips.centre = round < 2 ? nullptr : centre.data();
     strips.half_length = half.data();
     strips.peak = peak.data();
-    wrc_normal_solution normal{};
-    wrc_forces forces{};
+    wrc_planar_normal_solution normal{};
+    wrc_planar_forces forces{};
     wrc_damage damage{};
     wrc_creepage creepage = wrc_creepage_default();
     creepage.longitudinal = numbers.between(-3e-3, 3e-3);
     creepage.lateral = numbers.between(-3e-3, 3e-3);
     creepage.spin = numbers.between(-0.5, 0.5);
     const wrc_friction friction = wrc_friction_default();
-    hash.add(wrc_contact_regularise(contact, &strips, &normal));
-    hash.add(wrc_contact_tangential(contact, nullptr, &creepage, &friction, &forces));
+    hash.add(wrc_planar_regularise(contact, &strips, &normal));
+    hash.add(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces));
     hash.add(wrc_contact_damage(contact, &damage));
     hash_normal(normal, hash);
     hash_forces(forces, hash);
@@ -149,7 +149,7 @@ void run_patches(wrc_contact* contact, Hash& hash) {
     ellipse.b = shape[1];
     ellipse.psi = shape[2];
     ellipse.normal_force = numbers.between(1e3, 2e5);
-    wrc_forces forces{};
+    wrc_planar_forces forces{};
     wrc_damage damage{};
     wrc_creepage creepage = wrc_creepage_default();
     const wrc_friction friction = wrc_friction_default();
@@ -157,7 +157,7 @@ void run_patches(wrc_contact* contact, Hash& hash) {
       creepage.longitudinal = numbers.between(-size, size);
       creepage.lateral = numbers.between(-size, size);
       creepage.spin = numbers.between(-size, size) / 5e-3;
-      hash.add(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces));
+      hash.add(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces));
       hash.add(wrc_contact_damage(contact, &damage));
       hash_forces(forces, hash);
       hash_damage(damage, hash);

@@ -28,7 +28,7 @@ std::vector<Step> steps_with_laws(int32_t tangential) {
     Step step;
     step.pose.lateral = i % 3 == 2 ? 5.1e-3 : numbers.between(-3e-3, 4e-3);
     step.load.normal_force = numbers.between(5e4, 1e5);
-    step.load.prescribed = i % 4 == 2 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
+    step.load.prescribed = i % 4 == 2 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_NORMAL_FORCE;
     step.load.approach = 70e-6;
     step.load.approach_velocity = 0.5;
     step.load.damping = 0.2;
@@ -44,16 +44,16 @@ std::vector<Step> steps_with_laws(int32_t tangential) {
 
 void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Hash& hash) {
   for (const Step& step : steps) {
-    wrc_input input = wrc_input_default();
+    wrc_planar_input input = wrc_planar_input_default();
     input.pose = step.pose;
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    wrc_output output = wrc_output_default();
-    wrc_sensitivity slopes{};
+    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_derivatives slopes{};
     wrc_step_sensitivity of_step{};
-    hash.add(wrc_contact_step(contact, &input, &output));
-    hash.add(wrc_contact_sensitivities(contact, &slopes));
+    hash.add(wrc_planar_step(contact, &input, &output));
+    hash.add(wrc_planar_tangential_derivatives(contact, &slopes));
     hash.add(wrc_contact_step_sensitivities(contact, &of_step));
     for (const auto& row : slopes.forces) {
       for (double number : row) hash.add(number);
@@ -79,9 +79,9 @@ void run_memory(wrc_contact* contact, Hash& hash) {
     const double length = i % 8 == 7 ? 0.2 : 0.005;
     wrc_friction friction = friction_number(i % 4 == 1 ? 0 : i, preset_strip_fastsim);
     friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
-    hash.add(wrc_contact_roll(contact, i % 5 == 0 ? 0.0 : numbers.between(0.0, length)));
-    wrc_forces forces{};
-    hash.add(wrc_contact_tangential(contact, &ellipse, &creepage, &friction, &forces));
+    hash.add(wrc_planar_roll(contact, i % 5 == 0 ? 0.0 : numbers.between(0.0, length)));
+    wrc_planar_forces forces{};
+    hash.add(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces));
     hash_forces(forces, hash);
   }
 }

@@ -16,14 +16,14 @@
 /// Rows or elements of an undeformed gap, and the struct that shows them to the library.
 struct HostGap {
   std::vector<double> y, height, centre, curvature, x, h;
-  wrc_gap view() const;
+  wrc_planar_gap view() const;
 };
 
 /// Input of one step.
 struct Step {
-  wrc_pose pose = wrc_pose_default();
+  wrc_planar_pose pose = wrc_planar_pose_default();
   const HostGap* gap = nullptr;  ///< in place of the pose
-  wrc_load load = wrc_load_default();
+  wrc_planar_load load = wrc_planar_load_default();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
 };
@@ -72,9 +72,9 @@ void add_laws(Plan& plan);         ///< friction over place and speed, sensitivi
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input
 
 // What the parts of the plan share.
-void hash_step(wrc_contact* contact, int32_t status, const wrc_output& output, Hash& hash);
-void hash_point(const wrc_contact_point& point, Hash& hash);
-void hash_normal(const wrc_normal_solution& of, Hash& hash);
-void hash_forces(const wrc_forces& forces, Hash& hash);
+void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& output, Hash& hash);
+void hash_point(const wrc_planar_point& point, Hash& hash);
+void hash_normal(const wrc_planar_normal_solution& of, Hash& hash);
+void hash_forces(const wrc_planar_forces& forces, Hash& hash);
 void hash_damage(const wrc_damage& damage, Hash& hash);
 void hash_fields(const wrc_contact* contact, Hash& hash);

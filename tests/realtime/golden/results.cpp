@@ -2,7 +2,7 @@
 /// grow.
 #include "golden/plan.hpp"
 
-void hash_point(const wrc_contact_point& point, Hash& hash) {
+void hash_point(const wrc_planar_point& point, Hash& hash) {
   for (double number : {point.x, point.y, point.z, point.y_wheel, point.y_rail, point.angle,
                         point.vertical_gap, point.rolling_radius})
     hash.add(number);
@@ -11,7 +11,7 @@ void hash_point(const wrc_contact_point& point, Hash& hash) {
 namespace {
 
 /// `of`: what the numbers that a patch shares with its contact are taken from.
-void hash_loaded(const wrc_normal_solution& of, int32_t strips, const wrc_ellipse& ellipse,
+void hash_loaded(const wrc_planar_normal_solution& of, int32_t strips, const wrc_ellipse& ellipse,
                  double normal_force, const double (&extent)[6], Hash& hash) {
   for (int32_t number : {strips, of.iterations, of.patches}) hash.add(number);
   for (double number : {ellipse.a, ellipse.b, ellipse.psi, normal_force, of.approach, of.stiffness})
@@ -21,12 +21,12 @@ void hash_loaded(const wrc_normal_solution& of, int32_t strips, const wrc_ellips
 
 }  // namespace
 
-void hash_normal(const wrc_normal_solution& of, Hash& hash) {
+void hash_normal(const wrc_planar_normal_solution& of, Hash& hash) {
   hash_loaded(of, of.strips, of.ellipse, of.normal_force,
               {of.peak_pressure, of.area, of.length, of.width, of.y_min, of.y_max}, hash);
 }
 
-void hash_forces(const wrc_forces& forces, Hash& hash) {
+void hash_forces(const wrc_planar_forces& forces, Hash& hash) {
   for (double number : {forces.fx, forces.fy, forces.fn, forces.mz, forces.power, forces.adhesion_fraction})
     hash.add(number);
 }
@@ -56,7 +56,7 @@ void hash_fields(const wrc_contact* contact, Hash& hash) {
   }
 }
 
-void hash_step(wrc_contact* contact, int32_t status, const wrc_output& output, Hash& hash) {
+void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& output, Hash& hash) {
   hash.add(status);
   hash_point(output.point, hash);
   hash_normal(output.normal, hash);

@@ -45,24 +45,24 @@ class Running {
   void prepare(std::size_t k) {
     const Step& step = job_->steps[k];
     if (step.gap != nullptr) gap_ = step.gap->view();
-    input = wrc_input_default();
+    input = wrc_planar_input_default();
     input.pose = step.pose;
     input.gap = step.gap == nullptr ? nullptr : &gap_;
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    output = wrc_output_default();
+    output = wrc_planar_output_default();
   }
 
-  /// wrc_contact_step() in its stages: the first flag counts.
+  /// wrc_planar_step() in its stages: the first flag counts.
   int32_t run_stages() {
     int32_t status = WRC_OK;
     const auto keep = [&](int32_t next) {
       if (status == WRC_OK || next < 0) status = next;
     };
-    if (input.gap == nullptr) keep(wrc_contact_geometry(contact_, &input.pose, &output.point));
-    keep(wrc_contact_normal(contact_, input.gap, &input.load, &output.normal));
-    keep(wrc_contact_tangential(contact_, nullptr, &input.creepage, &input.friction, &output.forces));
+    if (input.gap == nullptr) keep(wrc_planar_geometry(contact_, &input.pose, &output.point));
+    keep(wrc_planar_normal(contact_, input.gap, &input.load, &output.normal));
+    keep(wrc_planar_tangential(contact_, nullptr, &input.creepage, &input.friction, &output.forces));
     keep(wrc_contact_damage(contact_, &output.damage));
     return status;
   }
@@ -77,13 +77,13 @@ class Running {
   }
 
   Hash hash;
-  wrc_input input{};
-  wrc_output output{};
+  wrc_planar_input input{};
+  wrc_planar_output output{};
 
  private:
   const Job* job_;
   wrc_contact* contact_ = nullptr;
-  wrc_gap gap_{};
+  wrc_planar_gap gap_{};
 };
 
 void run_batches(std::vector<Running>& all) {
@@ -94,8 +94,8 @@ void run_batches(std::vector<Running>& all) {
     }
     if (going.empty()) return;
     std::vector<wrc_contact*> contacts;
-    std::vector<wrc_input> inputs;
-    std::vector<wrc_output> outputs;
+    std::vector<wrc_planar_input> inputs;
+    std::vector<wrc_planar_output> outputs;
     for (Running* each : going) {
       each->prepare(k);
       contacts.push_back(each->contact());
@@ -104,7 +104,7 @@ void run_batches(std::vector<Running>& all) {
     }
     std::vector<int32_t> statuses(going.size());
     wrc_contact_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(),
-                           sizeof(wrc_input), outputs.data(), sizeof(wrc_output), statuses.data());
+                           sizeof(wrc_planar_input), outputs.data(), sizeof(wrc_planar_output), statuses.data());
     for (std::size_t i = 0; i < going.size(); ++i) {
       going[i]->output = outputs[i];
       going[i]->keep(k, statuses[i]);
@@ -135,7 +135,7 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
     for (std::size_t k = 0; way != Way::batch && k < each.job().steps.size(); ++k) {
       each.prepare(k);
       each.keep(k, way == Way::stages ? each.run_stages()
-                                      : wrc_contact_step(each.contact(), &each.input, &each.output));
+                                      : wrc_planar_step(each.contact(), &each.input, &each.output));
     }
   }
   for (std::size_t i = 0; i < mine.size(); ++i) hashes[places[i]] = mine[i].hash.value();

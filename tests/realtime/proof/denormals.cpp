@@ -99,7 +99,7 @@ void print_denormals() {
       std::vector<double> none, tiny[std::size(sizes)];
       const auto time_with = [&](double size) {
         wheel.vary(7);
-        wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+        wheel.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
         wheel.creepage.speed = 1.0;
         wheel.friction = friction;
         Gap gap = usual;

@@ -46,35 +46,35 @@ int32_t step_flat(Wheel& wheel) {
 int32_t geometry(Wheel& wheel) { return wheel.geometry(); }
 
 int32_t creepages(Wheel& wheel) {
-  wrc_motion motion = wrc_motion_default();
+  wrc_planar_motion motion = wrc_planar_motion_default();
   wrc_creepage creepage = wrc_creepage_default();
   motion.speed = 40.0;
   motion.pitch_rate = -87.0;
   motion.yaw_rate = 0.02;
-  return wrc_contact_creepages(wheel.contact, &motion, &creepage);
+  return wrc_planar_creepages(wheel.contact, &motion, &creepage);
 }
 
 int32_t normal(Wheel& wheel) {
-  return wrc_contact_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
+  return wrc_planar_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
 }
 
 int32_t normal_of_elements(Wheel& wheel) {
-  wrc_gap gap = wrc_gap_default();
+  wrc_planar_gap gap = wrc_planar_gap_default();
   gap.rows = HostData::rows;
   gap.columns = HostData::columns;
   gap.row_stride = HostData::columns;
   gap.y = host.y;
   gap.x = host.x;
   gap.h = host.h;
-  return wrc_contact_normal(wheel.contact, &gap, &wheel.load, &wheel.output.normal);
+  return wrc_planar_normal(wheel.contact, &gap, &wheel.load, &wheel.output.normal);
 }
 
 int32_t regularise(Wheel& wheel) {
-  return wrc_contact_regularise(wheel.contact, nullptr, &wheel.output.normal);
+  return wrc_planar_regularise(wheel.contact, nullptr, &wheel.output.normal);
 }
 
 int32_t tangential(Wheel& wheel) {
-  return wrc_contact_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
+  return wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
                                 &wheel.output.forces);
 }
 
@@ -152,8 +152,8 @@ int32_t flash_temperature(Wheel&) {
 }
 
 int32_t sensitivities(Wheel& wheel) {
-  wrc_sensitivity forces{};
-  return wrc_contact_sensitivities(wheel.contact, &forces);
+  wrc_planar_derivatives forces{};
+  return wrc_planar_tangential_derivatives(wheel.contact, &forces);
 }
 
 int32_t step_sensitivities(Wheel& wheel) {
@@ -198,13 +198,13 @@ int32_t contact_init(Wheel& wheel) {
 }
 
 int32_t regularise_strips(Wheel& wheel) {
-  wrc_strips strips = wrc_strips_default();
+  wrc_planar_strips strips = wrc_planar_strips_default();
   strips.count = HostData::strips;
   strips.y = host.strip_y;
   strips.width = host.width;
   strips.half_length = host.half;
   strips.peak = host.peak;
-  return wrc_contact_regularise(wheel.contact, &strips, &wheel.output.normal);
+  return wrc_planar_regularise(wheel.contact, &strips, &wheel.output.normal);
 }
 
 int32_t tangential_patch(Wheel& wheel) {
@@ -215,7 +215,7 @@ int32_t tangential_patch(Wheel& wheel) {
   ellipse.normal_force = 80e3;
   wrc_friction friction = wheel.friction;
   friction.zone_frame = WRC_ZONES_CONTACT_FRAME;  // a patch of the host has no place on the rail
-  return wrc_contact_tangential(wheel.contact, &ellipse, &wheel.creepage, &friction, &wheel.output.forces);
+  return wrc_planar_tangential(wheel.contact, &ellipse, &wheel.creepage, &friction, &wheel.output.forces);
 }
 
 /// The pose of the wheel, its load as a vertical one or its approach as a depth below nominal height.
@@ -228,10 +228,10 @@ int32_t roll_on(Wheel& wheel) {
   ellipse.normal_force = 80e3;
   wrc_creepage creepage = wheel.creepage;
   creepage.speed = 1.0;
-  creepage.other_way = 0.0;
+  creepage.reverse_share = 0.0;
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = wheel.friction.coefficient;
-  wrc_forces forces{};
+  wrc_planar_forces forces{};
   int32_t worst = WRC_OK;
   struct Part {
     double distance, a;
@@ -239,8 +239,8 @@ int32_t roll_on(Wheel& wheel) {
   for (const Part& part : {Part{0.0, 6e-3}, Part{1e-300, 6e-3}, Part{1e-4, 5.8e-3}, Part{3e-3, 6.1e-3},
                            Part{0.012, 5e-3}, Part{0.05, 6e-3}, Part{1.0, 5.9e-3}}) {
     ellipse.a = part.a;
-    worst = std::min({worst, wrc_contact_roll(wheel.remembering, part.distance),
-                      wrc_contact_tangential(wheel.remembering, &ellipse, &creepage, &friction, &forces)});
+    worst = std::min({worst, wrc_planar_roll(wheel.remembering, part.distance),
+                      wrc_planar_tangential(wheel.remembering, &ellipse, &creepage, &friction, &forces)});
   }
   return worst;
 }
@@ -253,7 +253,7 @@ wrc_wheel_input wheel_input(const Wheel& wheel) {
   input.wheel.angular_velocity[1] = -87.0;
   input.rail.y_velocity = 0.01;
   input.friction.coefficient = wheel.friction.coefficient;
-  if (wheel.load.prescribed == WRC_PRESCRIBE_LOAD) {
+  if (wheel.load.prescribed == WRC_PRESCRIBE_NORMAL_FORCE) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = wheel.load.normal_force;
   } else {
@@ -276,8 +276,8 @@ int32_t wheel_heated(Wheel& wheel) {
   wrc_wheel_input input = wheel_input(wheel);
   input.friction.kind = WRC_FRICTION_TEMPERATURE;
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities found{};
-  int32_t status = wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+  wrc_wrench_derivatives found{};
+  int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   if (status == WRC_ERROR_UNSUPPORTED) status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   // it is for methods with tractions
   return wheel.methods.tangential == preset_table && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
@@ -286,8 +286,8 @@ int32_t wheel_heated(Wheel& wheel) {
 int32_t wheel_sensitivities(Wheel& wheel) {
   const wrc_wheel_input input = wheel_input(wheel);
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities found{};
-  const int32_t status = wrc_contact_wrench_sensitivities(wheel.contact, &input, &wrench, &found);
+  wrc_wrench_derivatives found{};
+  const int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   const bool the_default =
       wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
   return !the_default && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;  // it is the default's alone
@@ -320,8 +320,8 @@ int32_t wheel_along_track(Wheel& wheel) {
   input.distance = wheel.pose.lateral > 0.0 ? 2.5 : 1.25;  // no arithmetic that a trap would notice
   input.angle = wheel.pose.yaw;
   wrc_wrench wrench = wrc_wrench_default();
-  wrc_wrench_sensitivities found{};
-  const int32_t status = wrc_contact_wrench_sensitivities(along_track.contact, &input, &wrench, &found);
+  wrc_wrench_derivatives found{};
+  const int32_t status = wrc_contact_wrench_derivatives(along_track.contact, &input, &wrench, &found);
   return status == WRC_ERROR_LOAD ? WRC_OK : status;
 }
 
@@ -381,8 +381,8 @@ int32_t refused_input(Wheel& wheel) {
 }
 
 int32_t denormal_input(Wheel& wheel) {
-  wrc_pose& pose = wheel.pose;
-  const wrc_pose kept = pose;
+  wrc_planar_pose& pose = wheel.pose;
+  const wrc_planar_pose kept = pose;
   pose.lateral = pose.roll = pose.yaw = 5e-324;
   const int32_t status = wheel.step();
   pose = kept;
@@ -432,41 +432,41 @@ int32_t defaults_and_names(Wheel&) {
 
 const std::vector<Entry>& all_entries() {
   static const std::vector<Entry> entries = {
-      {"wrc_contact_step", step},
+      {"wrc_planar_step", step},
       {"wrc_contact_step_batch", step_batch},
       {"wrc_contact_step_flat", step_flat},
-      {"wrc_contact_geometry", geometry},
-      {"wrc_contact_creepages", creepages},
-      {"wrc_contact_normal", normal},
-      {"wrc_contact_regularise", regularise},
-      {"wrc_contact_tangential", tangential},
+      {"wrc_planar_geometry", geometry},
+      {"wrc_planar_creepages", creepages},
+      {"wrc_planar_normal", normal},
+      {"wrc_planar_regularise", regularise},
+      {"wrc_planar_tangential", tangential},
       {"wrc_contact_damage", damage_numbers},
       {"wrc_contact_wear", wear_numbers},
       {"wrc_contact_temperature", temperatures},
       {"wrc_contact_accumulate, stages", accumulate_stages},
       {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_stresses", stresses},
-      {"wrc_contact_sensitivities", sensitivities},
+      {"wrc_planar_tangential_derivatives", sensitivities},
       {"wrc_contact_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},
       {"wrc_contact_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
       {"wrc_contact_save_portable, _restore_portable", portable_state},
       {"wrc_contact_init", contact_init},
-      {"wrc_contact_normal, gap by elements", normal_of_elements},
-      {"wrc_contact_regularise, strips", regularise_strips},
-      {"wrc_contact_tangential, double ellipse", tangential_patch},
-      {"wrc_contact_roll, wrc_contact_tangential with memory", roll_on},
+      {"wrc_planar_normal, gap by elements", normal_of_elements},
+      {"wrc_planar_regularise, strips", regularise_strips},
+      {"wrc_planar_tangential, double ellipse", tangential_patch},
+      {"wrc_planar_roll, wrc_planar_tangential with memory", roll_on},
       {"wrc_contact_wrench, _batch", wheel_step},
       {"wrc_contact_wrench, friction over temperature", wheel_heated},
       {"wrc_contact_wrench_flat", wheel_step_flat},
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_region_ellipse, _damage, _temperature, _field", wheel_region_results},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
-      {"wrc_contact_wrench_sensitivities", wheel_sensitivities},
-      {"wrc_contact_wrench_sensitivities, along the track", wheel_along_track},
-      {"wrc_contact_step refused, wrc_contact_last_error", refused_input},
-      {"wrc_contact_step, denormal pose", denormal_input},
+      {"wrc_contact_wrench_derivatives", wheel_sensitivities},
+      {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},
+      {"wrc_planar_step refused, wrc_contact_last_error", refused_input},
+      {"wrc_planar_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
       {"wrc_contact_size, _state_size, _portable_size", contact_sizes},
       {"wrc_linear_coefficients, ...", plain_numbers},

@@ -92,7 +92,7 @@ class OneWheel : public Subject {
   }
   void input(int i) override {
     wheel_.vary(i);
-    wheel_.load.prescribed = WRC_PRESCRIBE_LOAD;
+    wheel_.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
     // There and back through all positions in 4000 steps, as a wheelset moves: 6 um per step.
     position_ = std::min(i % 4000, 4000 - i % 4000) * (positions - 1) / 2000;
   }
@@ -132,7 +132,7 @@ class EightWheels : public Subject {
       Wheel& wheel = *wheels_[static_cast<std::size_t>(k)];
       const auto at = static_cast<std::size_t>(k);
       wheel.vary(i + 100 * k);
-      wheel.load.prescribed = WRC_PRESCRIBE_LOAD;
+      wheel.load.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
       wheel.load.normal_force = 50e3 + 0.25 * wheel.load.normal_force;  // 60 .. 80 kN: above they merge
       wheel.pose.yaw = 0.0;
       const int position = std::abs((i + 25 * k) % 200 - 100) * (positions - 1) / 100;
@@ -140,14 +140,14 @@ class EightWheels : public Subject {
       shown_[at] = shown(gaps_[at][static_cast<std::size_t>(position)]);
       inputs_[at] = wheel.input;
       if (!from_pose_) inputs_[at].gap = &shown_[at];
-      outputs_[at] = wrc_output_default();
+      outputs_[at] = wrc_planar_output_default();
     }
   }
   void work() override {
-    wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_input), outputs_.data(),
-                           sizeof(wrc_output), nullptr);
+    wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_planar_input), outputs_.data(),
+                           sizeof(wrc_planar_output), nullptr);
     ++cycles_;
-    for (const wrc_output& output : outputs_) patches_ += output.normal.patches;
+    for (const wrc_planar_output& output : outputs_) patches_ += output.normal.patches;
   }
   void save() override {
     for (const auto& wheel : wheels_) wheel->save();
@@ -169,9 +169,9 @@ class EightWheels : public Subject {
   std::vector<std::unique_ptr<Wheel>> wheels_;
   std::vector<wrc_contact*> contacts_;
   std::vector<std::vector<Gap>> gaps_;
-  std::vector<wrc_input> inputs_;
-  std::vector<wrc_output> outputs_;
-  std::vector<wrc_gap> shown_;
+  std::vector<wrc_planar_input> inputs_;
+  std::vector<wrc_planar_output> outputs_;
+  std::vector<wrc_planar_gap> shown_;
 };
 
 struct Time {

@@ -81,7 +81,7 @@ void Wheel::vary(int i) {
   const double t = 0.001 * i;
   pose.lateral = 1e-3 + 6e-3 * std::sin(7.0 * t);
   pose.yaw = 8e-3 * std::sin(3.0 * t);
-  load.prescribed = i % 4 == 3 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_LOAD;
+  load.prescribed = i % 4 == 3 ? WRC_PRESCRIBE_APPROACH : WRC_PRESCRIBE_NORMAL_FORCE;
   load.normal_force = 80e3 + 40e3 * std::sin(11.0 * t);
   load.approach = 60e-6 + 61e-6 * std::sin(5.0 * t);
   creepage.longitudinal = 3e-3 * std::sin(13.0 * t);
@@ -105,12 +105,12 @@ void Wheel::vary_laws(int i) {
   load.approach_velocity = 4.0 * std::sin(0.023 * i);
 }
 
-int32_t Wheel::step() { return wrc_contact_step(contact, &input, &output); }
+int32_t Wheel::step() { return wrc_planar_step(contact, &input, &output); }
 
 int32_t Wheel::step_with(const Gap& gap) {
-  const wrc_gap rows = shown(gap);
+  const wrc_planar_gap rows = shown(gap);
   input.gap = &rows;
-  const int32_t status = wrc_contact_step(contact, &input, &output);
+  const int32_t status = wrc_planar_step(contact, &input, &output);
   input.gap = nullptr;
   return status;
 }
@@ -130,8 +130,8 @@ Gap Wheel::gap_of_pose() {
   return gap;
 }
 
-wrc_gap shown(const Gap& gap) {
-  wrc_gap rows = wrc_gap_default();
+wrc_planar_gap shown(const Gap& gap) {
+  wrc_planar_gap rows = wrc_planar_gap_default();
   rows.rows = static_cast<uint32_t>(gap.y.size());
   rows.y = gap.y.data();
   rows.height = gap.height.data();

@@ -51,7 +51,7 @@ class Wheel {
 
   int32_t step();                     ///< from the pose
   int32_t step_with(const Gap& gap);  ///< from a gap of the host
-  int32_t geometry() { return wrc_contact_geometry(contact, &pose, &output.point); }
+  int32_t geometry() { return wrc_planar_geometry(contact, &pose, &output.point); }
   Gap gap_of_pose();  ///< what the geometry left in the contact
   int32_t save() { return wrc_contact_save(contact, state.data(), state.size()); }
   int32_t restore() { return wrc_contact_restore(contact, state.data(), state.size()); }
@@ -61,12 +61,12 @@ class Wheel {
   wrc_contact* contact = nullptr;
   wrc_model* remembering_model = nullptr;  ///< one with config.non_steady, without profiles
   wrc_contact* remembering = nullptr;
-  wrc_input input = wrc_input_default();
-  wrc_pose& pose = input.pose;
-  wrc_load& load = input.load;
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_pose& pose = input.pose;
+  wrc_planar_load& load = input.load;
   wrc_creepage& creepage = input.creepage;
   wrc_friction& friction = input.friction;
-  wrc_output output = wrc_output_default();
+  wrc_planar_output output = wrc_planar_output_default();
   std::vector<char> state;          ///< room for a saved contact
   char* spare = nullptr;            ///< room for another contact, aligned as contacts are
   std::uint64_t contact_bytes = 0;  ///< of that room
@@ -75,5 +75,5 @@ class Wheel {
   std::vector<char> spare_memory_;
 };
 
-/// wrc_gap that shows rows of a host's gap.
-wrc_gap shown(const Gap& gap);
+/// wrc_planar_gap that shows rows of a host's gap.
+wrc_planar_gap shown(const Gap& gap);

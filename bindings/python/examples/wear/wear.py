@@ -206,7 +206,7 @@ def worn(profile, depth, passages):
     y, z, text = np.zeros(400), np.zeros(400), ctypes.create_string_buffer(256)
     wear = wrc.ProfileWear(y=profile[0], z=profile[1], depth=depth, first=FIRST, width=WIDTH, passages=passages, largest_depth=0.2e-3)
     found = wrc.WornProfile(capacity=400, y=y, z=z)
-    called(wrc.raw.wrc_profile_take_off(wear, found, text, 256), text)
+    called(wrc.raw.wrc_profile_remove_wear(wear, found, text, 256), text)
     return np.array([y[:found.count], z[:found.count]]), found.passages, found.depth
 
 
