@@ -2,73 +2,72 @@
 module layout
   use, intrinsic :: iso_c_binding
   implicit none
-  integer(c_size_t), bind(C) :: layout_wrc_profile(6)
-  integer(c_size_t), bind(C) :: layout_wrc_config_material(6)
-  integer(c_size_t), bind(C) :: layout_wrc_heat_properties(4)
-  integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(3)
-  integer(c_size_t), bind(C) :: layout_wrc_config_track(7)
-  integer(c_size_t), bind(C) :: layout_wrc_rail_section(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config_roundness(6)
-  integer(c_size_t), bind(C) :: layout_wrc_config_grid(6)
-  integer(c_size_t), bind(C) :: layout_wrc_config_normal(6)
-  integer(c_size_t), bind(C) :: layout_wrc_config_tangential(8)
-  integer(c_size_t), bind(C) :: layout_wrc_config_check_rail(4)
-  integer(c_size_t), bind(C) :: layout_wrc_config(19)
-  integer(c_size_t), bind(C) :: layout_wrc_pose(4)
-  integer(c_size_t), bind(C) :: layout_wrc_contact_point(9)
-  integer(c_size_t), bind(C) :: layout_wrc_gap(10)
-  integer(c_size_t), bind(C) :: layout_wrc_load(7)
-  integer(c_size_t), bind(C) :: layout_wrc_creepage(7)
-  integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(3)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(18)
-  integer(c_size_t), bind(C) :: layout_wrc_ellipse(6)
-  integer(c_size_t), bind(C) :: layout_wrc_normal_solution(16)
-  integer(c_size_t), bind(C) :: layout_wrc_strips(8)
-  integer(c_size_t), bind(C) :: layout_wrc_forces(9)
-  integer(c_size_t), bind(C) :: layout_wrc_patch(15)
-  integer(c_size_t), bind(C) :: layout_wrc_motion(7)
-  integer(c_size_t), bind(C) :: layout_wrc_damage(12)
-  integer(c_size_t), bind(C) :: layout_wrc_wear_laws(25)
-  integer(c_size_t), bind(C) :: layout_wrc_wear(5)
-  integer(c_size_t), bind(C) :: layout_wrc_coefficients(8)
-  integer(c_size_t), bind(C) :: layout_wrc_sensitivity(2)
-  integer(c_size_t), bind(C) :: layout_wrc_step_sensitivity(3)
-  integer(c_size_t), bind(C) :: layout_wrc_input(8)
-  integer(c_size_t), bind(C) :: layout_wrc_output(7)
-  integer(c_size_t), bind(C) :: layout_wrc_view(6)
-  integer(c_size_t), bind(C) :: layout_wrc_allocator(4)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_state(10)
-  integer(c_size_t), bind(C) :: layout_wrc_rail_state(7)
-  integer(c_size_t), bind(C) :: layout_wrc_frame_motion(5)
+  integer(c_size_t), bind(C) :: layout_wrc_profile(7)
+  integer(c_size_t), bind(C) :: layout_wrc_material(5)
+  integer(c_size_t), bind(C) :: layout_wrc_heat_properties(5)
+  integer(c_size_t), bind(C) :: layout_wrc_config_wheelset(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config_track(8)
+  integer(c_size_t), bind(C) :: layout_wrc_rail_section(9)
+  integer(c_size_t), bind(C) :: layout_wrc_config_roundness(7)
+  integer(c_size_t), bind(C) :: layout_wrc_config_check_rail(5)
+  integer(c_size_t), bind(C) :: layout_wrc_config_normal(5)
+  integer(c_size_t), bind(C) :: layout_wrc_config_tangential(7)
+  integer(c_size_t), bind(C) :: layout_wrc_config_surface(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config_planar(11)
+  integer(c_size_t), bind(C) :: layout_wrc_config(21)
+  integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
+  integer(c_size_t), bind(C) :: layout_wrc_view(4)
+  integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(4)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(19)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_state(16)
+  integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
+  integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(14)
-  integer(c_size_t), bind(C) :: layout_wrc_wrench(15)
-  integer(c_size_t), bind(C) :: layout_wrc_region(20)
-  integer(c_size_t), bind(C) :: layout_wrc_wrench_sensitivities(3)
-  integer(c_size_t), bind(C) :: layout_wrc_stress_peak(5)
-  integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(4)
+  integer(c_size_t), bind(C) :: layout_wrc_wrench(16)
+  integer(c_size_t), bind(C) :: layout_wrc_wrench_derivatives(5)
+  integer(c_size_t), bind(C) :: layout_wrc_creepage(8)
+  integer(c_size_t), bind(C) :: layout_wrc_ellipse(7)
+  integer(c_size_t), bind(C) :: layout_wrc_region(31)
+  integer(c_size_t), bind(C) :: layout_wrc_damage(13)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_pose(5)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_motion(8)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_point(10)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_gap(11)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_load(8)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_strips(9)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_normal_solution(17)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_forces(10)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_derivatives(4)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_input(8)
+  integer(c_size_t), bind(C) :: layout_wrc_planar_output(7)
+  integer(c_size_t), bind(C) :: layout_wrc_wear_laws(25)
+  integer(c_size_t), bind(C) :: layout_wrc_wear(6)
+  integer(c_size_t), bind(C) :: layout_wrc_coefficients(9)
+  integer(c_size_t), bind(C) :: layout_wrc_stress_peak(6)
+  integer(c_size_t), bind(C) :: layout_wrc_stress_peaks(5)
   integer(c_size_t), bind(C) :: layout_wrc_stresses(6)
   integer(c_size_t), bind(C) :: layout_wrc_temperature(11)
-  integer(c_size_t), bind(C) :: layout_wrc_damage_bin(5)
+  integer(c_size_t), bind(C) :: layout_wrc_damage_bin(6)
   integer(c_size_t), bind(C) :: layout_wrc_damage_bins(10)
   integer(c_size_t), bind(C) :: layout_wrc_fatigue_laws(7)
   integer(c_size_t), bind(C) :: layout_wrc_accumulation(7)
-  integer(c_size_t), bind(C) :: layout_wrc_damage_totals(4)
-  integer(c_size_t), bind(C) :: layout_wrc_grid(7)
-  integer(c_size_t), bind(C) :: layout_wrc_materials(5)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(13)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_normal_solution(9)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(14)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(14)
+  integer(c_size_t), bind(C) :: layout_wrc_damage_totals(5)
+  integer(c_size_t), bind(C) :: layout_wrc_grid(8)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(14)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_normal_solution(11)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(15)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(16)
   integer(c_size_t), bind(C) :: layout_wrc_exact_loads(8)
   integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(9)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_check_options(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
-  integer(c_size_t), bind(C) :: layout_wrc_contact_functions_problem(5)
-  integer(c_size_t), bind(C) :: layout_wrc_contact_functions(14)
+  integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry_problem(5)
+  integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry(14)
   integer(c_size_t), bind(C) :: layout_wrc_conicity_problem(10)
   integer(c_size_t), bind(C) :: layout_wrc_conicity(6)
   integer(c_size_t), bind(C) :: layout_wrc_profile_wear(14)
   integer(c_size_t), bind(C) :: layout_wrc_worn_profile(10)
-  integer(c_size_t), bind(C) :: layout_wrc_flange(4)
+  integer(c_size_t), bind(C) :: layout_wrc_flange(5)
 end module
 program layout_test
   use wrc
@@ -76,47 +75,46 @@ program layout_test
   implicit none
   integer :: failures = 0
   call test_wrc_profile()
-  call test_wrc_config_material()
+  call test_wrc_material()
   call test_wrc_heat_properties()
   call test_wrc_config_wheelset()
   call test_wrc_config_track()
   call test_wrc_rail_section()
   call test_wrc_config_roundness()
-  call test_wrc_config_grid()
+  call test_wrc_config_check_rail()
   call test_wrc_config_normal()
   call test_wrc_config_tangential()
-  call test_wrc_config_check_rail()
+  call test_wrc_config_surface()
+  call test_wrc_config_planar()
   call test_wrc_config()
-  call test_wrc_pose()
-  call test_wrc_contact_point()
-  call test_wrc_gap()
-  call test_wrc_load()
-  call test_wrc_creepage()
+  call test_wrc_allocator()
+  call test_wrc_view()
   call test_wrc_bulk_temperatures()
   call test_wrc_friction()
-  call test_wrc_ellipse()
-  call test_wrc_normal_solution()
-  call test_wrc_strips()
-  call test_wrc_forces()
-  call test_wrc_patch()
-  call test_wrc_motion()
-  call test_wrc_damage()
-  call test_wrc_wear_laws()
-  call test_wrc_wear()
-  call test_wrc_coefficients()
-  call test_wrc_sensitivity()
-  call test_wrc_step_sensitivity()
-  call test_wrc_input()
-  call test_wrc_output()
-  call test_wrc_view()
-  call test_wrc_allocator()
   call test_wrc_wheel_state()
   call test_wrc_rail_state()
   call test_wrc_frame_motion()
   call test_wrc_wheel_input()
   call test_wrc_wrench()
+  call test_wrc_wrench_derivatives()
+  call test_wrc_creepage()
+  call test_wrc_ellipse()
   call test_wrc_region()
-  call test_wrc_wrench_sensitivities()
+  call test_wrc_damage()
+  call test_wrc_planar_pose()
+  call test_wrc_planar_motion()
+  call test_wrc_planar_point()
+  call test_wrc_planar_gap()
+  call test_wrc_planar_load()
+  call test_wrc_planar_strips()
+  call test_wrc_planar_normal_solution()
+  call test_wrc_planar_forces()
+  call test_wrc_planar_derivatives()
+  call test_wrc_planar_input()
+  call test_wrc_planar_output()
+  call test_wrc_wear_laws()
+  call test_wrc_wear()
+  call test_wrc_coefficients()
   call test_wrc_stress_peak()
   call test_wrc_stress_peaks()
   call test_wrc_stresses()
@@ -127,27 +125,26 @@ program layout_test
   call test_wrc_accumulation()
   call test_wrc_damage_totals()
   call test_wrc_grid()
-  call test_wrc_materials()
   call test_wrc_exact_normal_problem()
   call test_wrc_exact_normal_solution()
   call test_wrc_exact_rolling_problem()
   call test_wrc_exact_rolling_solution()
   call test_wrc_exact_loads()
   call test_wrc_exact_wrench_options()
+  call test_wrc_exact_check_options()
   call test_wrc_exact_check_result()
-  call test_wrc_contact_functions_problem()
-  call test_wrc_contact_functions()
+  call test_wrc_wheelset_geometry_problem()
+  call test_wrc_wheelset_geometry()
   call test_wrc_conicity_problem()
   call test_wrc_conicity()
   call test_wrc_profile_wear()
   call test_wrc_worn_profile()
   call test_wrc_flange()
-  print '(i0,a)', 67, ' types compared'
+  print '(i0,a)', 66, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
     type(wrc_profile), target :: a
-    call wrc_init(a)
     call same('wrc_profile', 'size', c_sizeof(a), layout_wrc_profile(1))
     call same('wrc_profile', 'kind', &
       distance(c_loc(a), c_loc(a%kind)), layout_wrc_profile(2))
@@ -159,24 +156,24 @@ contains
       distance(c_loc(a), c_loc(a%z)), layout_wrc_profile(5))
     call same('wrc_profile', 'smoothing', &
       distance(c_loc(a), c_loc(a%smoothing)), layout_wrc_profile(6))
+    call same('wrc_profile', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_profile(7))
   end subroutine
-  subroutine test_wrc_config_material()
-    type(wrc_config_material), target :: a
-    call same('wrc_config_material', 'size', c_sizeof(a), layout_wrc_config_material(1))
-    call same('wrc_config_material', 'shear_modulus', &
-      distance(c_loc(a), c_loc(a%shear_modulus)), layout_wrc_config_material(2))
-    call same('wrc_config_material', 'poisson', &
-      distance(c_loc(a), c_loc(a%poisson)), layout_wrc_config_material(3))
-    call same('wrc_config_material', 'shear_yield', &
-      distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_config_material(4))
-    call same('wrc_config_material', 'rail_shear_modulus', &
-      distance(c_loc(a), c_loc(a%rail_shear_modulus)), layout_wrc_config_material(5))
-    call same('wrc_config_material', 'rail_poisson', &
-      distance(c_loc(a), c_loc(a%rail_poisson)), layout_wrc_config_material(6))
+  subroutine test_wrc_material()
+    type(wrc_material), target :: a
+    call wrc_init(a)
+    call same('wrc_material', 'size', c_sizeof(a), layout_wrc_material(1))
+    call same('wrc_material', 'shear_modulus', &
+      distance(c_loc(a), c_loc(a%shear_modulus)), layout_wrc_material(2))
+    call same('wrc_material', 'poisson', &
+      distance(c_loc(a), c_loc(a%poisson)), layout_wrc_material(3))
+    call same('wrc_material', 'shear_yield', &
+      distance(c_loc(a), c_loc(a%shear_yield)), layout_wrc_material(4))
+    call same('wrc_material', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_material(5))
   end subroutine
   subroutine test_wrc_heat_properties()
     type(wrc_heat_properties), target :: a
-    call wrc_init(a)
     call same('wrc_heat_properties', 'size', c_sizeof(a), layout_wrc_heat_properties(1))
     call same('wrc_heat_properties', 'conductivity', &
       distance(c_loc(a), c_loc(a%conductivity)), layout_wrc_heat_properties(2))
@@ -184,22 +181,26 @@ contains
       distance(c_loc(a), c_loc(a%density)), layout_wrc_heat_properties(3))
     call same('wrc_heat_properties', 'specific_heat', &
       distance(c_loc(a), c_loc(a%specific_heat)), layout_wrc_heat_properties(4))
+    call same('wrc_heat_properties', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_heat_properties(5))
   end subroutine
   subroutine test_wrc_config_wheelset()
     type(wrc_config_wheelset), target :: a
     call same('wrc_config_wheelset', 'size', c_sizeof(a), layout_wrc_config_wheelset(1))
     call same('wrc_config_wheelset', 'wheel_radius', &
       distance(c_loc(a), c_loc(a%wheel_radius)), layout_wrc_config_wheelset(2))
-    call same('wrc_config_wheelset', 'flange_back_distance', &
-      distance(c_loc(a), c_loc(a%flange_back_distance)), layout_wrc_config_wheelset(3))
+    call same('wrc_config_wheelset', 'tape_circle_distance', &
+      distance(c_loc(a), c_loc(a%tape_circle_distance)), layout_wrc_config_wheelset(3))
+    call same('wrc_config_wheelset', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_wheelset(4))
   end subroutine
   subroutine test_wrc_config_track()
     type(wrc_config_track), target :: a
     call same('wrc_config_track', 'size', c_sizeof(a), layout_wrc_config_track(1))
     call same('wrc_config_track', 'placement', &
       distance(c_loc(a), c_loc(a%placement)), layout_wrc_config_track(2))
-    call same('wrc_config_track', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_track(3))
+    call same('wrc_config_track', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_config_track(3))
     call same('wrc_config_track', 'gauge', &
       distance(c_loc(a), c_loc(a%gauge)), layout_wrc_config_track(4))
     call same('wrc_config_track', 'gauge_depth', &
@@ -208,6 +209,8 @@ contains
       distance(c_loc(a), c_loc(a%rail_inclination)), layout_wrc_config_track(6))
     call same('wrc_config_track', 'rail_origin', &
       distance(c_loc(a), c_loc(a%rail_origin)), layout_wrc_config_track(7))
+    call same('wrc_config_track', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_track(8))
   end subroutine
   subroutine test_wrc_rail_section()
     type(wrc_rail_section), target :: a
@@ -218,42 +221,44 @@ contains
       distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_section(3))
     call same('wrc_rail_section', 'z', &
       distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_section(4))
-    call same('wrc_rail_section', 'face', &
-      distance(c_loc(a), c_loc(a%face)), layout_wrc_rail_section(5))
+    call same('wrc_rail_section', 'surface', &
+      distance(c_loc(a), c_loc(a%surface)), layout_wrc_rail_section(5))
+    call same('wrc_rail_section', 'mark_count', &
+      distance(c_loc(a), c_loc(a%mark_count)), layout_wrc_rail_section(6))
     call same('wrc_rail_section', 'marks', &
-      distance(c_loc(a), c_loc(a%marks)), layout_wrc_rail_section(6))
-    call same('wrc_rail_section', 'mark', &
-      distance(c_loc(a), c_loc(a%mark)), layout_wrc_rail_section(7))
+      distance(c_loc(a), c_loc(a%marks)), layout_wrc_rail_section(7))
     call same('wrc_rail_section', 'profile', &
       distance(c_loc(a), c_loc(a%profile)), layout_wrc_rail_section(8))
+    call same('wrc_rail_section', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_rail_section(9))
   end subroutine
   subroutine test_wrc_config_roundness()
     type(wrc_config_roundness), target :: a
     call same('wrc_config_roundness', 'size', c_sizeof(a), layout_wrc_config_roundness(1))
+    call same('wrc_config_roundness', 'angle_count', &
+      distance(c_loc(a), c_loc(a%angle_count)), layout_wrc_config_roundness(2))
+    call same('wrc_config_roundness', 'row_count', &
+      distance(c_loc(a), c_loc(a%row_count)), layout_wrc_config_roundness(3))
     call same('wrc_config_roundness', 'angles', &
-      distance(c_loc(a), c_loc(a%angles)), layout_wrc_config_roundness(2))
-    call same('wrc_config_roundness', 'rows', &
-      distance(c_loc(a), c_loc(a%rows)), layout_wrc_config_roundness(3))
-    call same('wrc_config_roundness', 'angle', &
-      distance(c_loc(a), c_loc(a%angle)), layout_wrc_config_roundness(4))
+      distance(c_loc(a), c_loc(a%angles)), layout_wrc_config_roundness(4))
     call same('wrc_config_roundness', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_config_roundness(5))
-    call same('wrc_config_roundness', 'deviation', &
-      distance(c_loc(a), c_loc(a%deviation)), layout_wrc_config_roundness(6))
+    call same('wrc_config_roundness', 'deviations', &
+      distance(c_loc(a), c_loc(a%deviations)), layout_wrc_config_roundness(6))
+    call same('wrc_config_roundness', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_roundness(7))
   end subroutine
-  subroutine test_wrc_config_grid()
-    type(wrc_config_grid), target :: a
-    call same('wrc_config_grid', 'size', c_sizeof(a), layout_wrc_config_grid(1))
-    call same('wrc_config_grid', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_config_grid(2))
-    call same('wrc_config_grid', 'cells', &
-      distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_grid(3))
-    call same('wrc_config_grid', 'gap_rows', &
-      distance(c_loc(a), c_loc(a%gap_rows)), layout_wrc_config_grid(4))
-    call same('wrc_config_grid', 'max_patches', &
-      distance(c_loc(a), c_loc(a%max_patches)), layout_wrc_config_grid(5))
-    call same('wrc_config_grid', 'gap_limit', &
-      distance(c_loc(a), c_loc(a%gap_limit)), layout_wrc_config_grid(6))
+  subroutine test_wrc_config_check_rail()
+    type(wrc_config_check_rail), target :: a
+    call same('wrc_config_check_rail', 'size', c_sizeof(a), layout_wrc_config_check_rail(1))
+    call same('wrc_config_check_rail', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_config_check_rail(2))
+    call same('wrc_config_check_rail', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_config_check_rail(3))
+    call same('wrc_config_check_rail', 'profile', &
+      distance(c_loc(a), c_loc(a%profile)), layout_wrc_config_check_rail(4))
+    call same('wrc_config_check_rail', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_check_rail(5))
   end subroutine
   subroutine test_wrc_config_normal()
     type(wrc_config_normal), target :: a
@@ -262,12 +267,10 @@ contains
       distance(c_loc(a), c_loc(a%method)), layout_wrc_config_normal(2))
     call same('wrc_config_normal', 'max_iterations', &
       distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_config_normal(3))
-    call same('wrc_config_normal', 'max_sweeps', &
-      distance(c_loc(a), c_loc(a%max_sweeps)), layout_wrc_config_normal(4))
-    call same('wrc_config_normal', 'warm_start', &
-      distance(c_loc(a), c_loc(a%warm_start)), layout_wrc_config_normal(5))
     call same('wrc_config_normal', 'load_tolerance', &
-      distance(c_loc(a), c_loc(a%load_tolerance)), layout_wrc_config_normal(6))
+      distance(c_loc(a), c_loc(a%load_tolerance)), layout_wrc_config_normal(4))
+    call same('wrc_config_normal', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_normal(5))
   end subroutine
   subroutine test_wrc_config_tangential()
     type(wrc_config_tangential), target :: a
@@ -280,22 +283,44 @@ contains
       distance(c_loc(a), c_loc(a%bound)), layout_wrc_config_tangential(4))
     call same('wrc_config_tangential', 'flexibility', &
       distance(c_loc(a), c_loc(a%flexibility)), layout_wrc_config_tangential(5))
-    call same('wrc_config_tangential', 'regularisation', &
-      distance(c_loc(a), c_loc(a%regularisation)), layout_wrc_config_tangential(6))
+    call same('wrc_config_tangential', 'force_table', &
+      distance(c_loc(a), c_loc(a%force_table)), layout_wrc_config_tangential(6))
     call same('wrc_config_tangential', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_tangential(7))
-    call same('wrc_config_tangential', 'force_table', &
-      distance(c_loc(a), c_loc(a%force_table)), layout_wrc_config_tangential(8))
   end subroutine
-  subroutine test_wrc_config_check_rail()
-    type(wrc_config_check_rail), target :: a
-    call same('wrc_config_check_rail', 'size', c_sizeof(a), layout_wrc_config_check_rail(1))
-    call same('wrc_config_check_rail', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_config_check_rail(2))
-    call same('wrc_config_check_rail', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_config_check_rail(3))
-    call same('wrc_config_check_rail', 'profile', &
-      distance(c_loc(a), c_loc(a%profile)), layout_wrc_config_check_rail(4))
+  subroutine test_wrc_config_surface()
+    type(wrc_config_surface), target :: a
+    call same('wrc_config_surface', 'size', c_sizeof(a), layout_wrc_config_surface(1))
+    call same('wrc_config_surface', 'cells', &
+      distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_surface(2))
+    call same('wrc_config_surface', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_config_surface(3))
+    call same('wrc_config_surface', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_surface(4))
+  end subroutine
+  subroutine test_wrc_config_planar()
+    type(wrc_config_planar), target :: a
+    call same('wrc_config_planar', 'size', c_sizeof(a), layout_wrc_config_planar(1))
+    call same('wrc_config_planar', 'strips', &
+      distance(c_loc(a), c_loc(a%strips)), layout_wrc_config_planar(2))
+    call same('wrc_config_planar', 'cells', &
+      distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_planar(3))
+    call same('wrc_config_planar', 'gap_rows', &
+      distance(c_loc(a), c_loc(a%gap_rows)), layout_wrc_config_planar(4))
+    call same('wrc_config_planar', 'max_patches', &
+      distance(c_loc(a), c_loc(a%max_patches)), layout_wrc_config_planar(5))
+    call same('wrc_config_planar', 'max_sweeps', &
+      distance(c_loc(a), c_loc(a%max_sweeps)), layout_wrc_config_planar(6))
+    call same('wrc_config_planar', 'start', &
+      distance(c_loc(a), c_loc(a%start)), layout_wrc_config_planar(7))
+    call same('wrc_config_planar', 'regularisation', &
+      distance(c_loc(a), c_loc(a%regularisation)), layout_wrc_config_planar(8))
+    call same('wrc_config_planar', 'non_steady', &
+      distance(c_loc(a), c_loc(a%non_steady)), layout_wrc_config_planar(9))
+    call same('wrc_config_planar', 'gap_limit', &
+      distance(c_loc(a), c_loc(a%gap_limit)), layout_wrc_config_planar(10))
+    call same('wrc_config_planar', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_planar(11))
   end subroutine
   subroutine test_wrc_config()
     type(wrc_config), target :: a
@@ -309,122 +334,60 @@ contains
       distance(c_loc(a), c_loc(a%wheel)), layout_wrc_config(4))
     call same('wrc_config', 'rail', &
       distance(c_loc(a), c_loc(a%rail)), layout_wrc_config(5))
-    call same('wrc_config', 'material', &
-      distance(c_loc(a), c_loc(a%material)), layout_wrc_config(6))
+    call same('wrc_config', 'wheel_material', &
+      distance(c_loc(a), c_loc(a%wheel_material)), layout_wrc_config(6))
+    call same('wrc_config', 'rail_material', &
+      distance(c_loc(a), c_loc(a%rail_material)), layout_wrc_config(7))
     call same('wrc_config', 'wheel_heat', &
-      distance(c_loc(a), c_loc(a%wheel_heat)), layout_wrc_config(7))
+      distance(c_loc(a), c_loc(a%wheel_heat)), layout_wrc_config(8))
     call same('wrc_config', 'rail_heat', &
-      distance(c_loc(a), c_loc(a%rail_heat)), layout_wrc_config(8))
+      distance(c_loc(a), c_loc(a%rail_heat)), layout_wrc_config(9))
     call same('wrc_config', 'wheelset', &
-      distance(c_loc(a), c_loc(a%wheelset)), layout_wrc_config(9))
+      distance(c_loc(a), c_loc(a%wheelset)), layout_wrc_config(10))
     call same('wrc_config', 'track', &
-      distance(c_loc(a), c_loc(a%track)), layout_wrc_config(10))
-    call same('wrc_config', 'grid', &
-      distance(c_loc(a), c_loc(a%grid)), layout_wrc_config(11))
+      distance(c_loc(a), c_loc(a%track)), layout_wrc_config(11))
     call same('wrc_config', 'normal', &
       distance(c_loc(a), c_loc(a%normal)), layout_wrc_config(12))
     call same('wrc_config', 'tangential', &
       distance(c_loc(a), c_loc(a%tangential)), layout_wrc_config(13))
-    call same('wrc_config', 'rail_sections', &
-      distance(c_loc(a), c_loc(a%rail_sections)), layout_wrc_config(14))
-    call same('wrc_config', 'non_steady', &
-      distance(c_loc(a), c_loc(a%non_steady)), layout_wrc_config(15))
-    call same('wrc_config', 'rail_section', &
-      distance(c_loc(a), c_loc(a%rail_section)), layout_wrc_config(16))
+    call same('wrc_config', 'surface', &
+      distance(c_loc(a), c_loc(a%surface)), layout_wrc_config(14))
+    call same('wrc_config', 'planar', &
+      distance(c_loc(a), c_loc(a%planar)), layout_wrc_config(15))
     call same('wrc_config', 'roundness', &
-      distance(c_loc(a), c_loc(a%roundness)), layout_wrc_config(17))
+      distance(c_loc(a), c_loc(a%roundness)), layout_wrc_config(16))
     call same('wrc_config', 'roller_curvature', &
-      distance(c_loc(a), c_loc(a%roller_curvature)), layout_wrc_config(18))
+      distance(c_loc(a), c_loc(a%roller_curvature)), layout_wrc_config(17))
     call same('wrc_config', 'check_rail', &
-      distance(c_loc(a), c_loc(a%check_rail)), layout_wrc_config(19))
+      distance(c_loc(a), c_loc(a%check_rail)), layout_wrc_config(18))
+    call same('wrc_config', 'rail_section_count', &
+      distance(c_loc(a), c_loc(a%rail_section_count)), layout_wrc_config(19))
+    call same('wrc_config', 'rail_section_size', &
+      distance(c_loc(a), c_loc(a%rail_section_size)), layout_wrc_config(20))
+    call same('wrc_config', 'rail_sections', &
+      distance(c_loc(a), c_loc(a%rail_sections)), layout_wrc_config(21))
   end subroutine
-  subroutine test_wrc_pose()
-    type(wrc_planar_pose), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_pose', 'size', c_sizeof(a), layout_wrc_pose(1))
-    call same('wrc_planar_pose', 'lateral', &
-      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_pose(2))
-    call same('wrc_planar_pose', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_pose(3))
-    call same('wrc_planar_pose', 'yaw', &
-      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_pose(4))
+  subroutine test_wrc_allocator()
+    type(wrc_allocator), target :: a
+    call same('wrc_allocator', 'size', c_sizeof(a), layout_wrc_allocator(1))
+    call same('wrc_allocator', 'user', &
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_allocator(2))
+    call same('wrc_allocator', 'allocate', &
+      distance(c_loc(a), c_loc(a%allocate)), layout_wrc_allocator(3))
+    call same('wrc_allocator', 'release', &
+      distance(c_loc(a), c_loc(a%release)), layout_wrc_allocator(4))
+    call same('wrc_allocator', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_allocator(5))
   end subroutine
-  subroutine test_wrc_contact_point()
-    type(wrc_planar_point), target :: a
-    call same('wrc_planar_point', 'size', c_sizeof(a), layout_wrc_contact_point(1))
-    call same('wrc_planar_point', 'x', &
-      distance(c_loc(a), c_loc(a%x)), layout_wrc_contact_point(2))
-    call same('wrc_planar_point', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_contact_point(3))
-    call same('wrc_planar_point', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_contact_point(4))
-    call same('wrc_planar_point', 'y_wheel', &
-      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_contact_point(5))
-    call same('wrc_planar_point', 'y_rail', &
-      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_contact_point(6))
-    call same('wrc_planar_point', 'angle', &
-      distance(c_loc(a), c_loc(a%angle)), layout_wrc_contact_point(7))
-    call same('wrc_planar_point', 'vertical_gap', &
-      distance(c_loc(a), c_loc(a%vertical_gap)), layout_wrc_contact_point(8))
-    call same('wrc_planar_point', 'rolling_radius', &
-      distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_contact_point(9))
-  end subroutine
-  subroutine test_wrc_gap()
-    type(wrc_planar_gap), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_gap', 'size', c_sizeof(a), layout_wrc_gap(1))
-    call same('wrc_planar_gap', 'rows', &
-      distance(c_loc(a), c_loc(a%rows)), layout_wrc_gap(2))
-    call same('wrc_planar_gap', 'columns', &
-      distance(c_loc(a), c_loc(a%columns)), layout_wrc_gap(3))
-    call same('wrc_planar_gap', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_gap(4))
-    call same('wrc_planar_gap', 'height', &
-      distance(c_loc(a), c_loc(a%height)), layout_wrc_gap(5))
-    call same('wrc_planar_gap', 'centre', &
-      distance(c_loc(a), c_loc(a%centre)), layout_wrc_gap(6))
-    call same('wrc_planar_gap', 'curvature', &
-      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_gap(7))
-    call same('wrc_planar_gap', 'x', &
-      distance(c_loc(a), c_loc(a%x)), layout_wrc_gap(8))
-    call same('wrc_planar_gap', 'h', &
-      distance(c_loc(a), c_loc(a%h)), layout_wrc_gap(9))
-    call same('wrc_planar_gap', 'row_stride', &
-      distance(c_loc(a), c_loc(a%row_stride)), layout_wrc_gap(10))
-  end subroutine
-  subroutine test_wrc_load()
-    type(wrc_planar_load), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_load', 'size', c_sizeof(a), layout_wrc_load(1))
-    call same('wrc_planar_load', 'prescribed', &
-      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_load(2))
-    call same('wrc_planar_load', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_load(3))
-    call same('wrc_planar_load', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_load(4))
-    call same('wrc_planar_load', 'approach', &
-      distance(c_loc(a), c_loc(a%approach)), layout_wrc_load(5))
-    call same('wrc_planar_load', 'approach_velocity', &
-      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_load(6))
-    call same('wrc_planar_load', 'damping', &
-      distance(c_loc(a), c_loc(a%damping)), layout_wrc_load(7))
-  end subroutine
-  subroutine test_wrc_creepage()
-    type(wrc_creepage), target :: a
-    call wrc_init(a)
-    call same('wrc_creepage', 'size', c_sizeof(a), layout_wrc_creepage(1))
-    call same('wrc_creepage', 'longitudinal', &
-      distance(c_loc(a), c_loc(a%longitudinal)), layout_wrc_creepage(2))
-    call same('wrc_creepage', 'lateral', &
-      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_creepage(3))
-    call same('wrc_creepage', 'spin', &
-      distance(c_loc(a), c_loc(a%spin)), layout_wrc_creepage(4))
-    call same('wrc_creepage', 'speed', &
-      distance(c_loc(a), c_loc(a%speed)), layout_wrc_creepage(5))
-    call same('wrc_creepage', 'approach_velocity', &
-      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_creepage(6))
-    call same('wrc_creepage', 'reverse_share', &
-      distance(c_loc(a), c_loc(a%reverse_share)), layout_wrc_creepage(7))
+  subroutine test_wrc_view()
+    type(wrc_view), target :: a
+    call same('wrc_view', 'size', c_sizeof(a), layout_wrc_view(1))
+    call same('wrc_view', 'data', &
+      distance(c_loc(a), c_loc(a%data)), layout_wrc_view(2))
+    call same('wrc_view', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_view(3))
+    call same('wrc_view', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_view(4))
   end subroutine
   subroutine test_wrc_bulk_temperatures()
     type(wrc_bulk_temperatures), target :: a
@@ -434,6 +397,8 @@ contains
       distance(c_loc(a), c_loc(a%wheel)), layout_wrc_bulk_temperatures(2))
     call same('wrc_bulk_temperatures', 'rail', &
       distance(c_loc(a), c_loc(a%rail)), layout_wrc_bulk_temperatures(3))
+    call same('wrc_bulk_temperatures', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_bulk_temperatures(4))
   end subroutine
   subroutine test_wrc_friction()
     type(wrc_friction), target :: a
@@ -441,10 +406,10 @@ contains
     call same('wrc_friction', 'size', c_sizeof(a), layout_wrc_friction(1))
     call same('wrc_friction', 'coefficient', &
       distance(c_loc(a), c_loc(a%coefficient)), layout_wrc_friction(2))
-    call same('wrc_friction', 'kind', &
-      distance(c_loc(a), c_loc(a%kind)), layout_wrc_friction(3))
-    call same('wrc_friction', 'zone_frame', &
-      distance(c_loc(a), c_loc(a%zone_frame)), layout_wrc_friction(4))
+    call same('wrc_friction', 'speed_law', &
+      distance(c_loc(a), c_loc(a%speed_law)), layout_wrc_friction(3))
+    call same('wrc_friction', 'temperature_law', &
+      distance(c_loc(a), c_loc(a%temperature_law)), layout_wrc_friction(4))
     call same('wrc_friction', 'kinetic_ratio', &
       distance(c_loc(a), c_loc(a%kinetic_ratio)), layout_wrc_friction(5))
     call same('wrc_friction', 'fall_rate', &
@@ -467,16 +432,183 @@ contains
       distance(c_loc(a), c_loc(a%slope_fall)), layout_wrc_friction(14))
     call same('wrc_friction', 'zone_y', &
       distance(c_loc(a), c_loc(a%zone_y)), layout_wrc_friction(15))
-    call same('wrc_friction', 'zone_coefficient', &
-      distance(c_loc(a), c_loc(a%zone_coefficient)), layout_wrc_friction(16))
-    call same('wrc_friction', 'zones', &
-      distance(c_loc(a), c_loc(a%zones)), layout_wrc_friction(17))
+    call same('wrc_friction', 'zone_coefficients', &
+      distance(c_loc(a), c_loc(a%zone_coefficients)), layout_wrc_friction(16))
+    call same('wrc_friction', 'zone_count', &
+      distance(c_loc(a), c_loc(a%zone_count)), layout_wrc_friction(17))
+    call same('wrc_friction', 'zone_frame', &
+      distance(c_loc(a), c_loc(a%zone_frame)), layout_wrc_friction(18))
     call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(18))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(19))
+  end subroutine
+  subroutine test_wrc_wheel_state()
+    type(wrc_wheel_state), target :: a
+    call same('wrc_wheel_state', 'size', c_sizeof(a), layout_wrc_wheel_state(1))
+    call same('wrc_wheel_state', 'reference', &
+      distance(c_loc(a), c_loc(a%reference)), layout_wrc_wheel_state(2))
+    call same('wrc_wheel_state', 'orientation', &
+      distance(c_loc(a), c_loc(a%orientation)), layout_wrc_wheel_state(3))
+    call same('wrc_wheel_state', 'angular_axes', &
+      distance(c_loc(a), c_loc(a%angular_axes)), layout_wrc_wheel_state(4))
+    call same('wrc_wheel_state', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_wheel_state(5))
+    call same('wrc_wheel_state', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_wheel_state(6))
+    call same('wrc_wheel_state', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wheel_state(7))
+    call same('wrc_wheel_state', 'roll', &
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_wheel_state(8))
+    call same('wrc_wheel_state', 'yaw', &
+      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_wheel_state(9))
+    call same('wrc_wheel_state', 'velocity', &
+      distance(c_loc(a), c_loc(a%velocity)), layout_wrc_wheel_state(10))
+    call same('wrc_wheel_state', 'roll_rate', &
+      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_wheel_state(11))
+    call same('wrc_wheel_state', 'pitch_rate', &
+      distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_wheel_state(12))
+    call same('wrc_wheel_state', 'yaw_rate', &
+      distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_wheel_state(13))
+    call same('wrc_wheel_state', 'angular_velocity', &
+      distance(c_loc(a), c_loc(a%angular_velocity)), layout_wrc_wheel_state(14))
+    call same('wrc_wheel_state', 'rotation', &
+      distance(c_loc(a), c_loc(a%rotation)), layout_wrc_wheel_state(15))
+    call same('wrc_wheel_state', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wheel_state(16))
+  end subroutine
+  subroutine test_wrc_rail_state()
+    type(wrc_rail_state), target :: a
+    call same('wrc_rail_state', 'size', c_sizeof(a), layout_wrc_rail_state(1))
+    call same('wrc_rail_state', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_state(2))
+    call same('wrc_rail_state', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_state(3))
+    call same('wrc_rail_state', 'roll', &
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_rail_state(4))
+    call same('wrc_rail_state', 'y_slope', &
+      distance(c_loc(a), c_loc(a%y_slope)), layout_wrc_rail_state(5))
+    call same('wrc_rail_state', 'z_slope', &
+      distance(c_loc(a), c_loc(a%z_slope)), layout_wrc_rail_state(6))
+    call same('wrc_rail_state', 'y_velocity', &
+      distance(c_loc(a), c_loc(a%y_velocity)), layout_wrc_rail_state(7))
+    call same('wrc_rail_state', 'z_velocity', &
+      distance(c_loc(a), c_loc(a%z_velocity)), layout_wrc_rail_state(8))
+    call same('wrc_rail_state', 'roll_rate', &
+      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_rail_state(9))
+    call same('wrc_rail_state', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_rail_state(10))
+  end subroutine
+  subroutine test_wrc_frame_motion()
+    type(wrc_frame_motion), target :: a
+    call same('wrc_frame_motion', 'size', c_sizeof(a), layout_wrc_frame_motion(1))
+    call same('wrc_frame_motion', 'speed', &
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_frame_motion(2))
+    call same('wrc_frame_motion', 'curvature', &
+      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_frame_motion(3))
+    call same('wrc_frame_motion', 'vertical_curvature', &
+      distance(c_loc(a), c_loc(a%vertical_curvature)), layout_wrc_frame_motion(4))
+    call same('wrc_frame_motion', 'twist', &
+      distance(c_loc(a), c_loc(a%twist)), layout_wrc_frame_motion(5))
+    call same('wrc_frame_motion', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_frame_motion(6))
+  end subroutine
+  subroutine test_wrc_wheel_input()
+    type(wrc_wheel_input), target :: a
+    call wrc_init(a)
+    call same('wrc_wheel_input', 'size', c_sizeof(a), layout_wrc_wheel_input(1))
+    call same('wrc_wheel_input', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheel_input(2))
+    call same('wrc_wheel_input', 'prescribed', &
+      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_wheel_input(3))
+    call same('wrc_wheel_input', 'start', &
+      distance(c_loc(a), c_loc(a%start)), layout_wrc_wheel_input(4))
+    call same('wrc_wheel_input', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_wheel_input(5))
+    call same('wrc_wheel_input', 'wheel', &
+      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_wheel_input(6))
+    call same('wrc_wheel_input', 'rail', &
+      distance(c_loc(a), c_loc(a%rail)), layout_wrc_wheel_input(7))
+    call same('wrc_wheel_input', 'frame', &
+      distance(c_loc(a), c_loc(a%frame)), layout_wrc_wheel_input(8))
+    call same('wrc_wheel_input', 'friction', &
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_wheel_input(9))
+    call same('wrc_wheel_input', 'vertical_load', &
+      distance(c_loc(a), c_loc(a%vertical_load)), layout_wrc_wheel_input(10))
+    call same('wrc_wheel_input', 'damping', &
+      distance(c_loc(a), c_loc(a%damping)), layout_wrc_wheel_input(11))
+    call same('wrc_wheel_input', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_wheel_input(12))
+    call same('wrc_wheel_input', 'angle', &
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_wheel_input(13))
+    call same('wrc_wheel_input', 'roller_rate', &
+      distance(c_loc(a), c_loc(a%roller_rate)), layout_wrc_wheel_input(14))
+  end subroutine
+  subroutine test_wrc_wrench()
+    type(wrc_wrench), target :: a
+    call same('wrc_wrench', 'size', c_sizeof(a), layout_wrc_wrench(1))
+    call same('wrc_wrench', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench(2))
+    call same('wrc_wrench', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_wrench(3))
+    call same('wrc_wrench', 'region_count', &
+      distance(c_loc(a), c_loc(a%region_count)), layout_wrc_wrench(4))
+    call same('wrc_wrench', 'iterations', &
+      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_wrench(5))
+    call same('wrc_wrench', 'force', &
+      distance(c_loc(a), c_loc(a%force)), layout_wrc_wrench(6))
+    call same('wrc_wrench', 'moment', &
+      distance(c_loc(a), c_loc(a%moment)), layout_wrc_wrench(7))
+    call same('wrc_wrench', 'rail_force', &
+      distance(c_loc(a), c_loc(a%rail_force)), layout_wrc_wrench(8))
+    call same('wrc_wrench', 'rail_moment', &
+      distance(c_loc(a), c_loc(a%rail_moment)), layout_wrc_wrench(9))
+    call same('wrc_wrench', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench(10))
+    call same('wrc_wrench', 'clearance', &
+      distance(c_loc(a), c_loc(a%clearance)), layout_wrc_wrench(11))
+    call same('wrc_wrench', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_wrench(12))
+    call same('wrc_wrench', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_wrench(13))
+    call same('wrc_wrench', 'peak_pressure', &
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_wrench(14))
+    call same('wrc_wrench', 'power', &
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_wrench(15))
+    call same('wrc_wrench', 'steepest_angle', &
+      distance(c_loc(a), c_loc(a%steepest_angle)), layout_wrc_wrench(16))
+  end subroutine
+  subroutine test_wrc_wrench_derivatives()
+    type(wrc_wrench_derivatives), target :: a
+    call same('wrc_wrench_derivatives', 'size', c_sizeof(a), layout_wrc_wrench_derivatives(1))
+    call same('wrc_wrench_derivatives', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench_derivatives(2))
+    call same('wrc_wrench_derivatives', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_wrench_derivatives(3))
+    call same('wrc_wrench_derivatives', 'wrench', &
+      distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_derivatives(4))
+    call same('wrc_wrench_derivatives', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_derivatives(5))
+  end subroutine
+  subroutine test_wrc_creepage()
+    type(wrc_creepage), target :: a
+    call wrc_init(a)
+    call same('wrc_creepage', 'size', c_sizeof(a), layout_wrc_creepage(1))
+    call same('wrc_creepage', 'longitudinal', &
+      distance(c_loc(a), c_loc(a%longitudinal)), layout_wrc_creepage(2))
+    call same('wrc_creepage', 'lateral', &
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_creepage(3))
+    call same('wrc_creepage', 'spin', &
+      distance(c_loc(a), c_loc(a%spin)), layout_wrc_creepage(4))
+    call same('wrc_creepage', 'speed', &
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_creepage(5))
+    call same('wrc_creepage', 'approach_velocity', &
+      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_creepage(6))
+    call same('wrc_creepage', 'reverse_share', &
+      distance(c_loc(a), c_loc(a%reverse_share)), layout_wrc_creepage(7))
+    call same('wrc_creepage', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_creepage(8))
   end subroutine
   subroutine test_wrc_ellipse()
     type(wrc_ellipse), target :: a
-    call wrc_init(a)
     call same('wrc_ellipse', 'size', c_sizeof(a), layout_wrc_ellipse(1))
     call same('wrc_ellipse', 'a', &
       distance(c_loc(a), c_loc(a%a)), layout_wrc_ellipse(2))
@@ -488,129 +620,72 @@ contains
       distance(c_loc(a), c_loc(a%y)), layout_wrc_ellipse(5))
     call same('wrc_ellipse', 'normal_force', &
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_ellipse(6))
+    call same('wrc_ellipse', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_ellipse(7))
   end subroutine
-  subroutine test_wrc_normal_solution()
-    type(wrc_planar_normal_solution), target :: a
-    call same('wrc_planar_normal_solution', 'size', c_sizeof(a), layout_wrc_normal_solution(1))
-    call same('wrc_planar_normal_solution', 'patches', &
-      distance(c_loc(a), c_loc(a%patches)), layout_wrc_normal_solution(2))
-    call same('wrc_planar_normal_solution', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_normal_solution(3))
-    call same('wrc_planar_normal_solution', 'iterations', &
-      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_normal_solution(4))
-    call same('wrc_planar_normal_solution', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_normal_solution(5))
-    call same('wrc_planar_normal_solution', 'ellipse', &
-      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_normal_solution(6))
-    call same('wrc_planar_normal_solution', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_normal_solution(7))
-    call same('wrc_planar_normal_solution', 'damping_force', &
-      distance(c_loc(a), c_loc(a%damping_force)), layout_wrc_normal_solution(8))
-    call same('wrc_planar_normal_solution', 'approach', &
-      distance(c_loc(a), c_loc(a%approach)), layout_wrc_normal_solution(9))
-    call same('wrc_planar_normal_solution', 'stiffness', &
-      distance(c_loc(a), c_loc(a%stiffness)), layout_wrc_normal_solution(10))
-    call same('wrc_planar_normal_solution', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_normal_solution(11))
-    call same('wrc_planar_normal_solution', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_normal_solution(12))
-    call same('wrc_planar_normal_solution', 'length', &
-      distance(c_loc(a), c_loc(a%length)), layout_wrc_normal_solution(13))
-    call same('wrc_planar_normal_solution', 'width', &
-      distance(c_loc(a), c_loc(a%width)), layout_wrc_normal_solution(14))
-    call same('wrc_planar_normal_solution', 'y_min', &
-      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_normal_solution(15))
-    call same('wrc_planar_normal_solution', 'y_max', &
-      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_normal_solution(16))
-  end subroutine
-  subroutine test_wrc_strips()
-    type(wrc_planar_strips), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_strips', 'size', c_sizeof(a), layout_wrc_strips(1))
-    call same('wrc_planar_strips', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_strips(2))
-    call same('wrc_planar_strips', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_strips(3))
-    call same('wrc_planar_strips', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_strips(4))
-    call same('wrc_planar_strips', 'width', &
-      distance(c_loc(a), c_loc(a%width)), layout_wrc_strips(5))
-    call same('wrc_planar_strips', 'centre', &
-      distance(c_loc(a), c_loc(a%centre)), layout_wrc_strips(6))
-    call same('wrc_planar_strips', 'half_length', &
-      distance(c_loc(a), c_loc(a%half_length)), layout_wrc_strips(7))
-    call same('wrc_planar_strips', 'peak', &
-      distance(c_loc(a), c_loc(a%peak)), layout_wrc_strips(8))
-  end subroutine
-  subroutine test_wrc_forces()
-    type(wrc_planar_forces), target :: a
-    call same('wrc_planar_forces', 'size', c_sizeof(a), layout_wrc_forces(1))
-    call same('wrc_planar_forces', 'fx', &
-      distance(c_loc(a), c_loc(a%fx)), layout_wrc_forces(2))
-    call same('wrc_planar_forces', 'fy', &
-      distance(c_loc(a), c_loc(a%fy)), layout_wrc_forces(3))
-    call same('wrc_planar_forces', 'fn', &
-      distance(c_loc(a), c_loc(a%fn)), layout_wrc_forces(4))
-    call same('wrc_planar_forces', 'mz', &
-      distance(c_loc(a), c_loc(a%mz)), layout_wrc_forces(5))
-    call same('wrc_planar_forces', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_forces(6))
-    call same('wrc_planar_forces', 'adhesion_fraction', &
-      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_forces(7))
-    call same('wrc_planar_forces', 'available', &
-      distance(c_loc(a), c_loc(a%available)), layout_wrc_forces(8))
-    call same('wrc_planar_forces', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_forces(9))
-  end subroutine
-  subroutine test_wrc_patch()
-    type(wrc_patch), target :: a
-    call wrc_init(a)
-    call same('wrc_patch', 'size', c_sizeof(a), layout_wrc_patch(1))
-    call same('wrc_patch', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_patch(2))
-    call same('wrc_patch', 'available', &
-      distance(c_loc(a), c_loc(a%available)), layout_wrc_patch(3))
-    call same('wrc_patch', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_patch(4))
-    call same('wrc_patch', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_patch(5))
-    call same('wrc_patch', 'ellipse', &
-      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_patch(6))
-    call same('wrc_patch', 'forces', &
-      distance(c_loc(a), c_loc(a%forces)), layout_wrc_patch(7))
-    call same('wrc_patch', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_patch(8))
-    call same('wrc_patch', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_patch(9))
-    call same('wrc_patch', 'length', &
-      distance(c_loc(a), c_loc(a%length)), layout_wrc_patch(10))
-    call same('wrc_patch', 'width', &
-      distance(c_loc(a), c_loc(a%width)), layout_wrc_patch(11))
-    call same('wrc_patch', 'y_min', &
-      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_patch(12))
-    call same('wrc_patch', 'y_max', &
-      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_patch(13))
-    call same('wrc_patch', 'point', &
-      distance(c_loc(a), c_loc(a%point)), layout_wrc_patch(14))
-    call same('wrc_patch', 'normal', &
-      distance(c_loc(a), c_loc(a%normal)), layout_wrc_patch(15))
-  end subroutine
-  subroutine test_wrc_motion()
-    type(wrc_planar_motion), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_motion', 'size', c_sizeof(a), layout_wrc_motion(1))
-    call same('wrc_planar_motion', 'speed', &
-      distance(c_loc(a), c_loc(a%speed)), layout_wrc_motion(2))
-    call same('wrc_planar_motion', 'lateral_velocity', &
-      distance(c_loc(a), c_loc(a%lateral_velocity)), layout_wrc_motion(3))
-    call same('wrc_planar_motion', 'vertical_velocity', &
-      distance(c_loc(a), c_loc(a%vertical_velocity)), layout_wrc_motion(4))
-    call same('wrc_planar_motion', 'roll_rate', &
-      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_motion(5))
-    call same('wrc_planar_motion', 'yaw_rate', &
-      distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_motion(6))
-    call same('wrc_planar_motion', 'pitch_rate', &
-      distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_motion(7))
+  subroutine test_wrc_region()
+    type(wrc_region), target :: a
+    call same('wrc_region', 'size', c_sizeof(a), layout_wrc_region(1))
+    call same('wrc_region', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_region(2))
+    call same('wrc_region', 'available', &
+      distance(c_loc(a), c_loc(a%available)), layout_wrc_region(3))
+    call same('wrc_region', 'strip_count', &
+      distance(c_loc(a), c_loc(a%strip_count)), layout_wrc_region(4))
+    call same('wrc_region', 'cell_count', &
+      distance(c_loc(a), c_loc(a%cell_count)), layout_wrc_region(5))
+    call same('wrc_region', 'surface', &
+      distance(c_loc(a), c_loc(a%surface)), layout_wrc_region(6))
+    call same('wrc_region', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_region(7))
+    call same('wrc_region', 'point', &
+      distance(c_loc(a), c_loc(a%point)), layout_wrc_region(8))
+    call same('wrc_region', 'normal', &
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_region(9))
+    call same('wrc_region', 'y_wheel', &
+      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_region(10))
+    call same('wrc_region', 'z_wheel', &
+      distance(c_loc(a), c_loc(a%z_wheel)), layout_wrc_region(11))
+    call same('wrc_region', 'y_rail', &
+      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_region(12))
+    call same('wrc_region', 'z_rail', &
+      distance(c_loc(a), c_loc(a%z_rail)), layout_wrc_region(13))
+    call same('wrc_region', 'angle', &
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_region(14))
+    call same('wrc_region', 'rolling_radius', &
+      distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_region(15))
+    call same('wrc_region', 'force', &
+      distance(c_loc(a), c_loc(a%force)), layout_wrc_region(16))
+    call same('wrc_region', 'moment', &
+      distance(c_loc(a), c_loc(a%moment)), layout_wrc_region(17))
+    call same('wrc_region', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_region(18))
+    call same('wrc_region', 'longitudinal_force', &
+      distance(c_loc(a), c_loc(a%longitudinal_force)), layout_wrc_region(19))
+    call same('wrc_region', 'lateral_force', &
+      distance(c_loc(a), c_loc(a%lateral_force)), layout_wrc_region(20))
+    call same('wrc_region', 'spin_moment', &
+      distance(c_loc(a), c_loc(a%spin_moment)), layout_wrc_region(21))
+    call same('wrc_region', 'creepage', &
+      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_region(22))
+    call same('wrc_region', 'ellipse', &
+      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_region(23))
+    call same('wrc_region', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_region(24))
+    call same('wrc_region', 'length', &
+      distance(c_loc(a), c_loc(a%length)), layout_wrc_region(25))
+    call same('wrc_region', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_region(26))
+    call same('wrc_region', 'y_min', &
+      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_region(27))
+    call same('wrc_region', 'y_max', &
+      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_region(28))
+    call same('wrc_region', 'peak_pressure', &
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_region(29))
+    call same('wrc_region', 'power', &
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_region(30))
+    call same('wrc_region', 'adhesion_fraction', &
+      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_region(31))
   end subroutine
   subroutine test_wrc_damage()
     type(wrc_damage), target :: a
@@ -635,8 +710,228 @@ contains
       distance(c_loc(a), c_loc(a%local_fatigue_index)), layout_wrc_damage(10))
     call same('wrc_damage', 'available', &
       distance(c_loc(a), c_loc(a%available)), layout_wrc_damage(11))
+    call same('wrc_damage', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_damage(12))
     call same('wrc_damage', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage(12))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage(13))
+  end subroutine
+  subroutine test_wrc_planar_pose()
+    type(wrc_planar_pose), target :: a
+    call same('wrc_planar_pose', 'size', c_sizeof(a), layout_wrc_planar_pose(1))
+    call same('wrc_planar_pose', 'lateral', &
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_planar_pose(2))
+    call same('wrc_planar_pose', 'roll', &
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_planar_pose(3))
+    call same('wrc_planar_pose', 'yaw', &
+      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_planar_pose(4))
+    call same('wrc_planar_pose', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_pose(5))
+  end subroutine
+  subroutine test_wrc_planar_motion()
+    type(wrc_planar_motion), target :: a
+    call same('wrc_planar_motion', 'size', c_sizeof(a), layout_wrc_planar_motion(1))
+    call same('wrc_planar_motion', 'speed', &
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_planar_motion(2))
+    call same('wrc_planar_motion', 'lateral_velocity', &
+      distance(c_loc(a), c_loc(a%lateral_velocity)), layout_wrc_planar_motion(3))
+    call same('wrc_planar_motion', 'vertical_velocity', &
+      distance(c_loc(a), c_loc(a%vertical_velocity)), layout_wrc_planar_motion(4))
+    call same('wrc_planar_motion', 'roll_rate', &
+      distance(c_loc(a), c_loc(a%roll_rate)), layout_wrc_planar_motion(5))
+    call same('wrc_planar_motion', 'yaw_rate', &
+      distance(c_loc(a), c_loc(a%yaw_rate)), layout_wrc_planar_motion(6))
+    call same('wrc_planar_motion', 'pitch_rate', &
+      distance(c_loc(a), c_loc(a%pitch_rate)), layout_wrc_planar_motion(7))
+    call same('wrc_planar_motion', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_motion(8))
+  end subroutine
+  subroutine test_wrc_planar_point()
+    type(wrc_planar_point), target :: a
+    call same('wrc_planar_point', 'size', c_sizeof(a), layout_wrc_planar_point(1))
+    call same('wrc_planar_point', 'x', &
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_planar_point(2))
+    call same('wrc_planar_point', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_planar_point(3))
+    call same('wrc_planar_point', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_planar_point(4))
+    call same('wrc_planar_point', 'y_wheel', &
+      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_planar_point(5))
+    call same('wrc_planar_point', 'y_rail', &
+      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_planar_point(6))
+    call same('wrc_planar_point', 'angle', &
+      distance(c_loc(a), c_loc(a%angle)), layout_wrc_planar_point(7))
+    call same('wrc_planar_point', 'vertical_gap', &
+      distance(c_loc(a), c_loc(a%vertical_gap)), layout_wrc_planar_point(8))
+    call same('wrc_planar_point', 'rolling_radius', &
+      distance(c_loc(a), c_loc(a%rolling_radius)), layout_wrc_planar_point(9))
+    call same('wrc_planar_point', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_point(10))
+  end subroutine
+  subroutine test_wrc_planar_gap()
+    type(wrc_planar_gap), target :: a
+    call same('wrc_planar_gap', 'size', c_sizeof(a), layout_wrc_planar_gap(1))
+    call same('wrc_planar_gap', 'row_count', &
+      distance(c_loc(a), c_loc(a%row_count)), layout_wrc_planar_gap(2))
+    call same('wrc_planar_gap', 'column_count', &
+      distance(c_loc(a), c_loc(a%column_count)), layout_wrc_planar_gap(3))
+    call same('wrc_planar_gap', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_planar_gap(4))
+    call same('wrc_planar_gap', 'height', &
+      distance(c_loc(a), c_loc(a%height)), layout_wrc_planar_gap(5))
+    call same('wrc_planar_gap', 'centre', &
+      distance(c_loc(a), c_loc(a%centre)), layout_wrc_planar_gap(6))
+    call same('wrc_planar_gap', 'curvature', &
+      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_planar_gap(7))
+    call same('wrc_planar_gap', 'x', &
+      distance(c_loc(a), c_loc(a%x)), layout_wrc_planar_gap(8))
+    call same('wrc_planar_gap', 'h', &
+      distance(c_loc(a), c_loc(a%h)), layout_wrc_planar_gap(9))
+    call same('wrc_planar_gap', 'row_stride', &
+      distance(c_loc(a), c_loc(a%row_stride)), layout_wrc_planar_gap(10))
+    call same('wrc_planar_gap', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_gap(11))
+  end subroutine
+  subroutine test_wrc_planar_load()
+    type(wrc_planar_load), target :: a
+    call wrc_init(a)
+    call same('wrc_planar_load', 'size', c_sizeof(a), layout_wrc_planar_load(1))
+    call same('wrc_planar_load', 'prescribed', &
+      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_planar_load(2))
+    call same('wrc_planar_load', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_planar_load(3))
+    call same('wrc_planar_load', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_planar_load(4))
+    call same('wrc_planar_load', 'approach', &
+      distance(c_loc(a), c_loc(a%approach)), layout_wrc_planar_load(5))
+    call same('wrc_planar_load', 'approach_velocity', &
+      distance(c_loc(a), c_loc(a%approach_velocity)), layout_wrc_planar_load(6))
+    call same('wrc_planar_load', 'damping', &
+      distance(c_loc(a), c_loc(a%damping)), layout_wrc_planar_load(7))
+    call same('wrc_planar_load', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_load(8))
+  end subroutine
+  subroutine test_wrc_planar_strips()
+    type(wrc_planar_strips), target :: a
+    call same('wrc_planar_strips', 'size', c_sizeof(a), layout_wrc_planar_strips(1))
+    call same('wrc_planar_strips', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_planar_strips(2))
+    call same('wrc_planar_strips', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_planar_strips(3))
+    call same('wrc_planar_strips', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_planar_strips(4))
+    call same('wrc_planar_strips', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_planar_strips(5))
+    call same('wrc_planar_strips', 'centre', &
+      distance(c_loc(a), c_loc(a%centre)), layout_wrc_planar_strips(6))
+    call same('wrc_planar_strips', 'half_length', &
+      distance(c_loc(a), c_loc(a%half_length)), layout_wrc_planar_strips(7))
+    call same('wrc_planar_strips', 'peak', &
+      distance(c_loc(a), c_loc(a%peak)), layout_wrc_planar_strips(8))
+    call same('wrc_planar_strips', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_strips(9))
+  end subroutine
+  subroutine test_wrc_planar_normal_solution()
+    type(wrc_planar_normal_solution), target :: a
+    call same('wrc_planar_normal_solution', 'size', c_sizeof(a), layout_wrc_planar_normal_solution(1))
+    call same('wrc_planar_normal_solution', 'patch_count', &
+      distance(c_loc(a), c_loc(a%patch_count)), layout_wrc_planar_normal_solution(2))
+    call same('wrc_planar_normal_solution', 'strip_count', &
+      distance(c_loc(a), c_loc(a%strip_count)), layout_wrc_planar_normal_solution(3))
+    call same('wrc_planar_normal_solution', 'iterations', &
+      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_planar_normal_solution(4))
+    call same('wrc_planar_normal_solution', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_planar_normal_solution(5))
+    call same('wrc_planar_normal_solution', 'ellipse', &
+      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_planar_normal_solution(6))
+    call same('wrc_planar_normal_solution', 'normal_force', &
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_planar_normal_solution(7))
+    call same('wrc_planar_normal_solution', 'damping_force', &
+      distance(c_loc(a), c_loc(a%damping_force)), layout_wrc_planar_normal_solution(8))
+    call same('wrc_planar_normal_solution', 'approach', &
+      distance(c_loc(a), c_loc(a%approach)), layout_wrc_planar_normal_solution(9))
+    call same('wrc_planar_normal_solution', 'stiffness', &
+      distance(c_loc(a), c_loc(a%stiffness)), layout_wrc_planar_normal_solution(10))
+    call same('wrc_planar_normal_solution', 'peak_pressure', &
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_planar_normal_solution(11))
+    call same('wrc_planar_normal_solution', 'area', &
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_planar_normal_solution(12))
+    call same('wrc_planar_normal_solution', 'length', &
+      distance(c_loc(a), c_loc(a%length)), layout_wrc_planar_normal_solution(13))
+    call same('wrc_planar_normal_solution', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_planar_normal_solution(14))
+    call same('wrc_planar_normal_solution', 'y_min', &
+      distance(c_loc(a), c_loc(a%y_min)), layout_wrc_planar_normal_solution(15))
+    call same('wrc_planar_normal_solution', 'y_max', &
+      distance(c_loc(a), c_loc(a%y_max)), layout_wrc_planar_normal_solution(16))
+    call same('wrc_planar_normal_solution', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_normal_solution(17))
+  end subroutine
+  subroutine test_wrc_planar_forces()
+    type(wrc_planar_forces), target :: a
+    call same('wrc_planar_forces', 'size', c_sizeof(a), layout_wrc_planar_forces(1))
+    call same('wrc_planar_forces', 'fx', &
+      distance(c_loc(a), c_loc(a%fx)), layout_wrc_planar_forces(2))
+    call same('wrc_planar_forces', 'fy', &
+      distance(c_loc(a), c_loc(a%fy)), layout_wrc_planar_forces(3))
+    call same('wrc_planar_forces', 'fn', &
+      distance(c_loc(a), c_loc(a%fn)), layout_wrc_planar_forces(4))
+    call same('wrc_planar_forces', 'mz', &
+      distance(c_loc(a), c_loc(a%mz)), layout_wrc_planar_forces(5))
+    call same('wrc_planar_forces', 'power', &
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_planar_forces(6))
+    call same('wrc_planar_forces', 'adhesion_fraction', &
+      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_planar_forces(7))
+    call same('wrc_planar_forces', 'available', &
+      distance(c_loc(a), c_loc(a%available)), layout_wrc_planar_forces(8))
+    call same('wrc_planar_forces', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_planar_forces(9))
+    call same('wrc_planar_forces', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_planar_forces(10))
+  end subroutine
+  subroutine test_wrc_planar_derivatives()
+    type(wrc_planar_derivatives), target :: a
+    call same('wrc_planar_derivatives', 'size', c_sizeof(a), layout_wrc_planar_derivatives(1))
+    call same('wrc_planar_derivatives', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_derivatives(2))
+    call same('wrc_planar_derivatives', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_planar_derivatives(3))
+    call same('wrc_planar_derivatives', 'forces', &
+      distance(c_loc(a), c_loc(a%forces)), layout_wrc_planar_derivatives(4))
+  end subroutine
+  subroutine test_wrc_planar_input()
+    type(wrc_planar_input), target :: a
+    call wrc_init(a)
+    call same('wrc_planar_input', 'size', c_sizeof(a), layout_wrc_planar_input(1))
+    call same('wrc_planar_input', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_input(2))
+    call same('wrc_planar_input', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_planar_input(3))
+    call same('wrc_planar_input', 'pose', &
+      distance(c_loc(a), c_loc(a%pose)), layout_wrc_planar_input(4))
+    call same('wrc_planar_input', 'gap', &
+      distance(c_loc(a), c_loc(a%gap)), layout_wrc_planar_input(5))
+    call same('wrc_planar_input', 'load', &
+      distance(c_loc(a), c_loc(a%load)), layout_wrc_planar_input(6))
+    call same('wrc_planar_input', 'creepage', &
+      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_planar_input(7))
+    call same('wrc_planar_input', 'friction', &
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_planar_input(8))
+  end subroutine
+  subroutine test_wrc_planar_output()
+    type(wrc_planar_output), target :: a
+    call same('wrc_planar_output', 'size', c_sizeof(a), layout_wrc_planar_output(1))
+    call same('wrc_planar_output', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_output(2))
+    call same('wrc_planar_output', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_planar_output(3))
+    call same('wrc_planar_output', 'point', &
+      distance(c_loc(a), c_loc(a%point)), layout_wrc_planar_output(4))
+    call same('wrc_planar_output', 'normal', &
+      distance(c_loc(a), c_loc(a%normal)), layout_wrc_planar_output(5))
+    call same('wrc_planar_output', 'forces', &
+      distance(c_loc(a), c_loc(a%forces)), layout_wrc_planar_output(6))
+    call same('wrc_planar_output', 'damage', &
+      distance(c_loc(a), c_loc(a%damage)), layout_wrc_planar_output(7))
   end subroutine
   subroutine test_wrc_wear_laws()
     type(wrc_wear_laws), target :: a
@@ -644,8 +939,8 @@ contains
     call same('wrc_wear_laws', 'size', c_sizeof(a), layout_wrc_wear_laws(1))
     call same('wrc_wear_laws', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wear_laws(2))
-    call same('wrc_wear_laws', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wear_laws(3))
+    call same('wrc_wear_laws', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_wear_laws(3))
     call same('wrc_wear_laws', 't_gamma_mild_end', &
       distance(c_loc(a), c_loc(a%t_gamma_mild_end)), layout_wrc_wear_laws(4))
     call same('wrc_wear_laws', 't_gamma_severe_start', &
@@ -702,6 +997,8 @@ contains
       distance(c_loc(a), c_loc(a%largest_depth_velocity)), layout_wrc_wear(4))
     call same('wrc_wear', 'largest_power_depth_velocity', &
       distance(c_loc(a), c_loc(a%largest_power_depth_velocity)), layout_wrc_wear(5))
+    call same('wrc_wear', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wear(6))
   end subroutine
   subroutine test_wrc_coefficients()
     type(wrc_coefficients), target :: a
@@ -720,249 +1017,8 @@ contains
       distance(c_loc(a), c_loc(a%c22s)), layout_wrc_coefficients(7))
     call same('wrc_coefficients', 'c23s', &
       distance(c_loc(a), c_loc(a%c23s)), layout_wrc_coefficients(8))
-  end subroutine
-  subroutine test_wrc_sensitivity()
-    type(wrc_planar_derivatives), target :: a
-    call same('wrc_planar_derivatives', 'size', c_sizeof(a), layout_wrc_sensitivity(1))
-    call same('wrc_planar_derivatives', 'forces', &
-      distance(c_loc(a), c_loc(a%forces)), layout_wrc_sensitivity(2))
-  end subroutine
-  subroutine test_wrc_step_sensitivity()
-    type(wrc_step_sensitivity), target :: a
-    call same('wrc_step_sensitivity', 'size', c_sizeof(a), layout_wrc_step_sensitivity(1))
-    call same('wrc_step_sensitivity', 'by_load', &
-      distance(c_loc(a), c_loc(a%by_load)), layout_wrc_step_sensitivity(2))
-    call same('wrc_step_sensitivity', 'by_lateral', &
-      distance(c_loc(a), c_loc(a%by_lateral)), layout_wrc_step_sensitivity(3))
-  end subroutine
-  subroutine test_wrc_input()
-    type(wrc_planar_input), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_input', 'size', c_sizeof(a), layout_wrc_input(1))
-    call same('wrc_planar_input', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_input(2))
-    call same('wrc_planar_input', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_input(3))
-    call same('wrc_planar_input', 'pose', &
-      distance(c_loc(a), c_loc(a%pose)), layout_wrc_input(4))
-    call same('wrc_planar_input', 'gap', &
-      distance(c_loc(a), c_loc(a%gap)), layout_wrc_input(5))
-    call same('wrc_planar_input', 'load', &
-      distance(c_loc(a), c_loc(a%load)), layout_wrc_input(6))
-    call same('wrc_planar_input', 'creepage', &
-      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_input(7))
-    call same('wrc_planar_input', 'friction', &
-      distance(c_loc(a), c_loc(a%friction)), layout_wrc_input(8))
-  end subroutine
-  subroutine test_wrc_output()
-    type(wrc_planar_output), target :: a
-    call wrc_init(a)
-    call same('wrc_planar_output', 'size', c_sizeof(a), layout_wrc_output(1))
-    call same('wrc_planar_output', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_output(2))
-    call same('wrc_planar_output', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_output(3))
-    call same('wrc_planar_output', 'point', &
-      distance(c_loc(a), c_loc(a%point)), layout_wrc_output(4))
-    call same('wrc_planar_output', 'normal', &
-      distance(c_loc(a), c_loc(a%normal)), layout_wrc_output(5))
-    call same('wrc_planar_output', 'forces', &
-      distance(c_loc(a), c_loc(a%forces)), layout_wrc_output(6))
-    call same('wrc_planar_output', 'damage', &
-      distance(c_loc(a), c_loc(a%damage)), layout_wrc_output(7))
-  end subroutine
-  subroutine test_wrc_view()
-    type(wrc_view), target :: a
-    call same('wrc_view', 'size', c_sizeof(a), layout_wrc_view(1))
-    call same('wrc_view', 'data', &
-      distance(c_loc(a), c_loc(a%data)), layout_wrc_view(2))
-    call same('wrc_view', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_view(3))
-    call same('wrc_view', 'stride', &
-      distance(c_loc(a), c_loc(a%stride)), layout_wrc_view(4))
-    call same('wrc_view', 'rank', &
-      distance(c_loc(a), c_loc(a%rank)), layout_wrc_view(5))
-    call same('wrc_view', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_view(6))
-  end subroutine
-  subroutine test_wrc_allocator()
-    type(wrc_allocator), target :: a
-    call wrc_init(a)
-    call same('wrc_allocator', 'size', c_sizeof(a), layout_wrc_allocator(1))
-    call same('wrc_allocator', 'user', &
-      distance(c_loc(a), c_loc(a%user)), layout_wrc_allocator(2))
-    call same('wrc_allocator', 'allocate', &
-      distance(c_loc(a), c_loc(a%allocate)), layout_wrc_allocator(3))
-    call same('wrc_allocator', 'release', &
-      distance(c_loc(a), c_loc(a%release)), layout_wrc_allocator(4))
-  end subroutine
-  subroutine test_wrc_wheel_state()
-    type(wrc_wheel_state), target :: a
-    call wrc_init(a)
-    call same('wrc_wheel_state', 'size', c_sizeof(a), layout_wrc_wheel_state(1))
-    call same('wrc_wheel_state', 'reference', &
-      distance(c_loc(a), c_loc(a%reference)), layout_wrc_wheel_state(2))
-    call same('wrc_wheel_state', 'angular_axes', &
-      distance(c_loc(a), c_loc(a%angular_axes)), layout_wrc_wheel_state(3))
-    call same('wrc_wheel_state', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_wheel_state(4))
-    call same('wrc_wheel_state', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_wheel_state(5))
-    call same('wrc_wheel_state', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_wheel_state(6))
-    call same('wrc_wheel_state', 'yaw', &
-      distance(c_loc(a), c_loc(a%yaw)), layout_wrc_wheel_state(7))
-    call same('wrc_wheel_state', 'rotation', &
-      distance(c_loc(a), c_loc(a%rotation)), layout_wrc_wheel_state(8))
-    call same('wrc_wheel_state', 'velocity', &
-      distance(c_loc(a), c_loc(a%velocity)), layout_wrc_wheel_state(9))
-    call same('wrc_wheel_state', 'angular_velocity', &
-      distance(c_loc(a), c_loc(a%angular_velocity)), layout_wrc_wheel_state(10))
-  end subroutine
-  subroutine test_wrc_rail_state()
-    type(wrc_rail_state), target :: a
-    call wrc_init(a)
-    call same('wrc_rail_state', 'size', c_sizeof(a), layout_wrc_rail_state(1))
-    call same('wrc_rail_state', 'y', &
-      distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_state(2))
-    call same('wrc_rail_state', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_rail_state(3))
-    call same('wrc_rail_state', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_rail_state(4))
-    call same('wrc_rail_state', 'y_velocity', &
-      distance(c_loc(a), c_loc(a%y_velocity)), layout_wrc_rail_state(5))
-    call same('wrc_rail_state', 'z_velocity', &
-      distance(c_loc(a), c_loc(a%z_velocity)), layout_wrc_rail_state(6))
-    call same('wrc_rail_state', 'roll_velocity', &
-      distance(c_loc(a), c_loc(a%roll_velocity)), layout_wrc_rail_state(7))
-  end subroutine
-  subroutine test_wrc_frame_motion()
-    type(wrc_frame_motion), target :: a
-    call wrc_init(a)
-    call same('wrc_frame_motion', 'size', c_sizeof(a), layout_wrc_frame_motion(1))
-    call same('wrc_frame_motion', 'speed', &
-      distance(c_loc(a), c_loc(a%speed)), layout_wrc_frame_motion(2))
-    call same('wrc_frame_motion', 'curvature', &
-      distance(c_loc(a), c_loc(a%curvature)), layout_wrc_frame_motion(3))
-    call same('wrc_frame_motion', 'vertical_curvature', &
-      distance(c_loc(a), c_loc(a%vertical_curvature)), layout_wrc_frame_motion(4))
-    call same('wrc_frame_motion', 'twist', &
-      distance(c_loc(a), c_loc(a%twist)), layout_wrc_frame_motion(5))
-  end subroutine
-  subroutine test_wrc_wheel_input()
-    type(wrc_wheel_input), target :: a
-    call wrc_init(a)
-    call same('wrc_wheel_input', 'size', c_sizeof(a), layout_wrc_wheel_input(1))
-    call same('wrc_wheel_input', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheel_input(2))
-    call same('wrc_wheel_input', 'prescribed', &
-      distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_wheel_input(3))
-    call same('wrc_wheel_input', 'start', &
-      distance(c_loc(a), c_loc(a%start)), layout_wrc_wheel_input(4))
-    call same('wrc_wheel_input', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_wheel_input(5))
-    call same('wrc_wheel_input', 'wheel', &
-      distance(c_loc(a), c_loc(a%wheel)), layout_wrc_wheel_input(6))
-    call same('wrc_wheel_input', 'rail', &
-      distance(c_loc(a), c_loc(a%rail)), layout_wrc_wheel_input(7))
-    call same('wrc_wheel_input', 'friction', &
-      distance(c_loc(a), c_loc(a%friction)), layout_wrc_wheel_input(8))
-    call same('wrc_wheel_input', 'vertical_load', &
-      distance(c_loc(a), c_loc(a%vertical_load)), layout_wrc_wheel_input(9))
-    call same('wrc_wheel_input', 'damping', &
-      distance(c_loc(a), c_loc(a%damping)), layout_wrc_wheel_input(10))
-    call same('wrc_wheel_input', 'distance', &
-      distance(c_loc(a), c_loc(a%distance)), layout_wrc_wheel_input(11))
-    call same('wrc_wheel_input', 'angle', &
-      distance(c_loc(a), c_loc(a%angle)), layout_wrc_wheel_input(12))
-    call same('wrc_wheel_input', 'roller_velocity', &
-      distance(c_loc(a), c_loc(a%roller_velocity)), layout_wrc_wheel_input(13))
-    call same('wrc_wheel_input', 'frame', &
-      distance(c_loc(a), c_loc(a%frame)), layout_wrc_wheel_input(14))
-  end subroutine
-  subroutine test_wrc_wrench()
-    type(wrc_wrench), target :: a
-    call wrc_init(a)
-    call same('wrc_wrench', 'size', c_sizeof(a), layout_wrc_wrench(1))
-    call same('wrc_wrench', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench(2))
-    call same('wrc_wrench', 'regions', &
-      distance(c_loc(a), c_loc(a%regions)), layout_wrc_wrench(3))
-    call same('wrc_wrench', 'iterations', &
-      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_wrench(4))
-    call same('wrc_wrench', 'leaps', &
-      distance(c_loc(a), c_loc(a%leaps)), layout_wrc_wrench(5))
-    call same('wrc_wrench', 'force', &
-      distance(c_loc(a), c_loc(a%force)), layout_wrc_wrench(6))
-    call same('wrc_wrench', 'moment', &
-      distance(c_loc(a), c_loc(a%moment)), layout_wrc_wrench(7))
-    call same('wrc_wrench', 'rail_force', &
-      distance(c_loc(a), c_loc(a%rail_force)), layout_wrc_wrench(8))
-    call same('wrc_wrench', 'rail_moment', &
-      distance(c_loc(a), c_loc(a%rail_moment)), layout_wrc_wrench(9))
-    call same('wrc_wrench', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench(10))
-    call same('wrc_wrench', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_wrench(11))
-    call same('wrc_wrench', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_wrench(12))
-    call same('wrc_wrench', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_wrench(13))
-    call same('wrc_wrench', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_wrench(14))
-    call same('wrc_wrench', 'steepest_angle', &
-      distance(c_loc(a), c_loc(a%steepest_angle)), layout_wrc_wrench(15))
-  end subroutine
-  subroutine test_wrc_region()
-    type(wrc_region), target :: a
-    call wrc_init(a)
-    call same('wrc_region', 'size', c_sizeof(a), layout_wrc_region(1))
-    call same('wrc_region', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_region(2))
-    call same('wrc_region', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_region(3))
-    call same('wrc_region', 'point', &
-      distance(c_loc(a), c_loc(a%point)), layout_wrc_region(4))
-    call same('wrc_region', 'y_wheel', &
-      distance(c_loc(a), c_loc(a%y_wheel)), layout_wrc_region(5))
-    call same('wrc_region', 'z_wheel', &
-      distance(c_loc(a), c_loc(a%z_wheel)), layout_wrc_region(6))
-    call same('wrc_region', 'y_rail', &
-      distance(c_loc(a), c_loc(a%y_rail)), layout_wrc_region(7))
-    call same('wrc_region', 'z_rail', &
-      distance(c_loc(a), c_loc(a%z_rail)), layout_wrc_region(8))
-    call same('wrc_region', 'angle', &
-      distance(c_loc(a), c_loc(a%angle)), layout_wrc_region(9))
-    call same('wrc_region', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_region(10))
-    call same('wrc_region', 'force', &
-      distance(c_loc(a), c_loc(a%force)), layout_wrc_region(11))
-    call same('wrc_region', 'moment', &
-      distance(c_loc(a), c_loc(a%moment)), layout_wrc_region(12))
-    call same('wrc_region', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_region(13))
-    call same('wrc_region', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_region(14))
-    call same('wrc_region', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_region(15))
-    call same('wrc_region', 'creepage', &
-      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_region(16))
-    call same('wrc_region', 'strips', &
-      distance(c_loc(a), c_loc(a%strips)), layout_wrc_region(17))
-    call same('wrc_region', 'cells', &
-      distance(c_loc(a), c_loc(a%cells)), layout_wrc_region(18))
-    call same('wrc_region', 'face', &
-      distance(c_loc(a), c_loc(a%face)), layout_wrc_region(19))
-    call same('wrc_region', 'reserved2', &
-      distance(c_loc(a), c_loc(a%reserved2)), layout_wrc_region(20))
-  end subroutine
-  subroutine test_wrc_wrench_sensitivities()
-    type(wrc_wrench_derivatives), target :: a
-    call same('wrc_wrench_derivatives', 'size', c_sizeof(a), layout_wrc_wrench_sensitivities(1))
-    call same('wrc_wrench_derivatives', 'wrench', &
-      distance(c_loc(a), c_loc(a%wrench)), layout_wrc_wrench_sensitivities(2))
-    call same('wrc_wrench_derivatives', 'z', &
-      distance(c_loc(a), c_loc(a%z)), layout_wrc_wrench_sensitivities(3))
+    call same('wrc_coefficients', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_coefficients(9))
   end subroutine
   subroutine test_wrc_stress_peak()
     type(wrc_stress_peak), target :: a
@@ -975,6 +1031,8 @@ contains
       distance(c_loc(a), c_loc(a%y)), layout_wrc_stress_peak(4))
     call same('wrc_stress_peak', 'depth', &
       distance(c_loc(a), c_loc(a%depth)), layout_wrc_stress_peak(5))
+    call same('wrc_stress_peak', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_stress_peak(6))
   end subroutine
   subroutine test_wrc_stress_peaks()
     type(wrc_stress_peaks), target :: a
@@ -985,10 +1043,11 @@ contains
       distance(c_loc(a), c_loc(a%shear)), layout_wrc_stress_peaks(3))
     call same('wrc_stress_peaks', 'tension', &
       distance(c_loc(a), c_loc(a%tension)), layout_wrc_stress_peaks(4))
+    call same('wrc_stress_peaks', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_stress_peaks(5))
   end subroutine
   subroutine test_wrc_stresses()
     type(wrc_stresses), target :: a
-    call wrc_init(a)
     call same('wrc_stresses', 'size', c_sizeof(a), layout_wrc_stresses(1))
     call same('wrc_stresses', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_stresses(2))
@@ -1003,12 +1062,11 @@ contains
   end subroutine
   subroutine test_wrc_temperature()
     type(wrc_temperature), target :: a
-    call wrc_init(a)
     call same('wrc_temperature', 'size', c_sizeof(a), layout_wrc_temperature(1))
     call same('wrc_temperature', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_temperature(2))
-    call same('wrc_temperature', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_temperature(3))
+    call same('wrc_temperature', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_temperature(3))
     call same('wrc_temperature', 'at_entry', &
       distance(c_loc(a), c_loc(a%at_entry)), layout_wrc_temperature(4))
     call same('wrc_temperature', 'rise', &
@@ -1037,6 +1095,8 @@ contains
       distance(c_loc(a), c_loc(a%largest_traction)), layout_wrc_damage_bin(4))
     call same('wrc_damage_bin', 'overflow', &
       distance(c_loc(a), c_loc(a%overflow)), layout_wrc_damage_bin(5))
+    call same('wrc_damage_bin', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage_bin(6))
   end subroutine
   subroutine test_wrc_damage_bins()
     type(wrc_damage_bins), target :: a
@@ -1050,16 +1110,16 @@ contains
       distance(c_loc(a), c_loc(a%first)), layout_wrc_damage_bins(4))
     call same('wrc_damage_bins', 'width', &
       distance(c_loc(a), c_loc(a%width)), layout_wrc_damage_bins(5))
-    call same('wrc_damage_bins', 'rows', &
-      distance(c_loc(a), c_loc(a%rows)), layout_wrc_damage_bins(6))
-    call same('wrc_damage_bins', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage_bins(7))
+    call same('wrc_damage_bins', 'row_count', &
+      distance(c_loc(a), c_loc(a%row_count)), layout_wrc_damage_bins(6))
+    call same('wrc_damage_bins', 'bin_size', &
+      distance(c_loc(a), c_loc(a%bin_size)), layout_wrc_damage_bins(7))
     call same('wrc_damage_bins', 'row_first', &
       distance(c_loc(a), c_loc(a%row_first)), layout_wrc_damage_bins(8))
     call same('wrc_damage_bins', 'row_length', &
       distance(c_loc(a), c_loc(a%row_length)), layout_wrc_damage_bins(9))
-    call same('wrc_damage_bins', 'bin', &
-      distance(c_loc(a), c_loc(a%bin)), layout_wrc_damage_bins(10))
+    call same('wrc_damage_bins', 'bins', &
+      distance(c_loc(a), c_loc(a%bins)), layout_wrc_damage_bins(10))
   end subroutine
   subroutine test_wrc_fatigue_laws()
     type(wrc_fatigue_laws), target :: a
@@ -1067,8 +1127,8 @@ contains
     call same('wrc_fatigue_laws', 'size', c_sizeof(a), layout_wrc_fatigue_laws(1))
     call same('wrc_fatigue_laws', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_fatigue_laws(2))
-    call same('wrc_fatigue_laws', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_fatigue_laws(3))
+    call same('wrc_fatigue_laws', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_fatigue_laws(3))
     call same('wrc_fatigue_laws', 'whole_life_start', &
       distance(c_loc(a), c_loc(a%whole_life_start)), layout_wrc_fatigue_laws(4))
     call same('wrc_fatigue_laws', 'whole_life_peak_at', &
@@ -1080,12 +1140,11 @@ contains
   end subroutine
   subroutine test_wrc_accumulation()
     type(wrc_accumulation), target :: a
-    call wrc_init(a)
     call same('wrc_accumulation', 'size', c_sizeof(a), layout_wrc_accumulation(1))
     call same('wrc_accumulation', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_accumulation(2))
-    call same('wrc_accumulation', 'source', &
-      distance(c_loc(a), c_loc(a%source)), layout_wrc_accumulation(3))
+    call same('wrc_accumulation', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_accumulation(3))
     call same('wrc_accumulation', 'duration', &
       distance(c_loc(a), c_loc(a%duration)), layout_wrc_accumulation(4))
     call same('wrc_accumulation', 'distance', &
@@ -1104,10 +1163,11 @@ contains
       distance(c_loc(a), c_loc(a%largest_pressure)), layout_wrc_damage_totals(3))
     call same('wrc_damage_totals', 'largest_traction', &
       distance(c_loc(a), c_loc(a%largest_traction)), layout_wrc_damage_totals(4))
+    call same('wrc_damage_totals', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_damage_totals(5))
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a
-    call wrc_init(a)
     call same('wrc_grid', 'size', c_sizeof(a), layout_wrc_grid(1))
     call same('wrc_grid', 'nx', &
       distance(c_loc(a), c_loc(a%nx)), layout_wrc_grid(2))
@@ -1121,19 +1181,8 @@ contains
       distance(c_loc(a), c_loc(a%x0)), layout_wrc_grid(6))
     call same('wrc_grid', 'y0', &
       distance(c_loc(a), c_loc(a%y0)), layout_wrc_grid(7))
-  end subroutine
-  subroutine test_wrc_materials()
-    type(wrc_materials), target :: a
-    call wrc_init(a)
-    call same('wrc_materials', 'size', c_sizeof(a), layout_wrc_materials(1))
-    call same('wrc_materials', 'shear_modulus_1', &
-      distance(c_loc(a), c_loc(a%shear_modulus_1)), layout_wrc_materials(2))
-    call same('wrc_materials', 'poisson_1', &
-      distance(c_loc(a), c_loc(a%poisson_1)), layout_wrc_materials(3))
-    call same('wrc_materials', 'shear_modulus_2', &
-      distance(c_loc(a), c_loc(a%shear_modulus_2)), layout_wrc_materials(4))
-    call same('wrc_materials', 'poisson_2', &
-      distance(c_loc(a), c_loc(a%poisson_2)), layout_wrc_materials(5))
+    call same('wrc_grid', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_grid(8))
   end subroutine
   subroutine test_wrc_exact_normal_problem()
     type(wrc_exact_normal_problem), target :: a
@@ -1145,45 +1194,50 @@ contains
       distance(c_loc(a), c_loc(a%prescribed)), layout_wrc_exact_normal_problem(3))
     call same('wrc_exact_normal_problem', 'max_iterations', &
       distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_exact_normal_problem(4))
-    call same('wrc_exact_normal_problem', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_exact_normal_problem(5))
+    call same('wrc_exact_normal_problem', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_exact_normal_problem(5))
     call same('wrc_exact_normal_problem', 'normal_force', &
       distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_exact_normal_problem(6))
     call same('wrc_exact_normal_problem', 'approach', &
       distance(c_loc(a), c_loc(a%approach)), layout_wrc_exact_normal_problem(7))
     call same('wrc_exact_normal_problem', 'tolerance', &
       distance(c_loc(a), c_loc(a%tolerance)), layout_wrc_exact_normal_problem(8))
-    call same('wrc_exact_normal_problem', 'materials', &
-      distance(c_loc(a), c_loc(a%materials)), layout_wrc_exact_normal_problem(9))
+    call same('wrc_exact_normal_problem', 'wheel_material', &
+      distance(c_loc(a), c_loc(a%wheel_material)), layout_wrc_exact_normal_problem(9))
+    call same('wrc_exact_normal_problem', 'rail_material', &
+      distance(c_loc(a), c_loc(a%rail_material)), layout_wrc_exact_normal_problem(10))
     call same('wrc_exact_normal_problem', 'grid', &
-      distance(c_loc(a), c_loc(a%grid)), layout_wrc_exact_normal_problem(10))
+      distance(c_loc(a), c_loc(a%grid)), layout_wrc_exact_normal_problem(11))
     call same('wrc_exact_normal_problem', 'gap', &
-      distance(c_loc(a), c_loc(a%gap)), layout_wrc_exact_normal_problem(11))
+      distance(c_loc(a), c_loc(a%gap)), layout_wrc_exact_normal_problem(12))
     call same('wrc_exact_normal_problem', 'progress', &
-      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_normal_problem(12))
+      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_normal_problem(13))
     call same('wrc_exact_normal_problem', 'user', &
-      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_normal_problem(13))
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_normal_problem(14))
   end subroutine
   subroutine test_wrc_exact_normal_solution()
     type(wrc_exact_normal_solution), target :: a
-    call wrc_init(a)
     call same('wrc_exact_normal_solution', 'size', c_sizeof(a), layout_wrc_exact_normal_solution(1))
     call same('wrc_exact_normal_solution', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_normal_solution(2))
     call same('wrc_exact_normal_solution', 'iterations', &
       distance(c_loc(a), c_loc(a%iterations)), layout_wrc_exact_normal_solution(3))
+    call same('wrc_exact_normal_solution', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_exact_normal_solution(4))
+    call same('wrc_exact_normal_solution', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_exact_normal_solution(5))
     call same('wrc_exact_normal_solution', 'approach', &
-      distance(c_loc(a), c_loc(a%approach)), layout_wrc_exact_normal_solution(4))
+      distance(c_loc(a), c_loc(a%approach)), layout_wrc_exact_normal_solution(6))
     call same('wrc_exact_normal_solution', 'normal_force', &
-      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_exact_normal_solution(5))
+      distance(c_loc(a), c_loc(a%normal_force)), layout_wrc_exact_normal_solution(7))
     call same('wrc_exact_normal_solution', 'peak_pressure', &
-      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_exact_normal_solution(6))
+      distance(c_loc(a), c_loc(a%peak_pressure)), layout_wrc_exact_normal_solution(8))
     call same('wrc_exact_normal_solution', 'area', &
-      distance(c_loc(a), c_loc(a%area)), layout_wrc_exact_normal_solution(7))
+      distance(c_loc(a), c_loc(a%area)), layout_wrc_exact_normal_solution(9))
     call same('wrc_exact_normal_solution', 'residual', &
-      distance(c_loc(a), c_loc(a%residual)), layout_wrc_exact_normal_solution(8))
+      distance(c_loc(a), c_loc(a%residual)), layout_wrc_exact_normal_solution(10))
     call same('wrc_exact_normal_solution', 'pressure', &
-      distance(c_loc(a), c_loc(a%pressure)), layout_wrc_exact_normal_solution(9))
+      distance(c_loc(a), c_loc(a%pressure)), layout_wrc_exact_normal_solution(11))
   end subroutine
   subroutine test_wrc_exact_rolling_problem()
     type(wrc_exact_rolling_problem), target :: a
@@ -1199,53 +1253,58 @@ contains
       distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_exact_rolling_problem(5))
     call same('wrc_exact_rolling_problem', 'tolerance', &
       distance(c_loc(a), c_loc(a%tolerance)), layout_wrc_exact_rolling_problem(6))
-    call same('wrc_exact_rolling_problem', 'materials', &
-      distance(c_loc(a), c_loc(a%materials)), layout_wrc_exact_rolling_problem(7))
+    call same('wrc_exact_rolling_problem', 'wheel_material', &
+      distance(c_loc(a), c_loc(a%wheel_material)), layout_wrc_exact_rolling_problem(7))
+    call same('wrc_exact_rolling_problem', 'rail_material', &
+      distance(c_loc(a), c_loc(a%rail_material)), layout_wrc_exact_rolling_problem(8))
     call same('wrc_exact_rolling_problem', 'grid', &
-      distance(c_loc(a), c_loc(a%grid)), layout_wrc_exact_rolling_problem(8))
+      distance(c_loc(a), c_loc(a%grid)), layout_wrc_exact_rolling_problem(9))
     call same('wrc_exact_rolling_problem', 'pressure', &
-      distance(c_loc(a), c_loc(a%pressure)), layout_wrc_exact_rolling_problem(9))
+      distance(c_loc(a), c_loc(a%pressure)), layout_wrc_exact_rolling_problem(10))
     call same('wrc_exact_rolling_problem', 'friction', &
-      distance(c_loc(a), c_loc(a%friction)), layout_wrc_exact_rolling_problem(10))
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_exact_rolling_problem(11))
     call same('wrc_exact_rolling_problem', 'coefficient', &
-      distance(c_loc(a), c_loc(a%coefficient)), layout_wrc_exact_rolling_problem(11))
+      distance(c_loc(a), c_loc(a%coefficient)), layout_wrc_exact_rolling_problem(12))
     call same('wrc_exact_rolling_problem', 'creepage', &
-      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_exact_rolling_problem(12))
+      distance(c_loc(a), c_loc(a%creepage)), layout_wrc_exact_rolling_problem(13))
     call same('wrc_exact_rolling_problem', 'progress', &
-      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_rolling_problem(13))
+      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_rolling_problem(14))
     call same('wrc_exact_rolling_problem', 'user', &
-      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_rolling_problem(14))
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_rolling_problem(15))
   end subroutine
   subroutine test_wrc_exact_rolling_solution()
     type(wrc_exact_rolling_solution), target :: a
-    call wrc_init(a)
     call same('wrc_exact_rolling_solution', 'size', c_sizeof(a), layout_wrc_exact_rolling_solution(1))
     call same('wrc_exact_rolling_solution', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_rolling_solution(2))
     call same('wrc_exact_rolling_solution', 'iterations', &
       distance(c_loc(a), c_loc(a%iterations)), layout_wrc_exact_rolling_solution(3))
+    call same('wrc_exact_rolling_solution', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_exact_rolling_solution(4))
+    call same('wrc_exact_rolling_solution', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_exact_rolling_solution(5))
     call same('wrc_exact_rolling_solution', 'fx', &
-      distance(c_loc(a), c_loc(a%fx)), layout_wrc_exact_rolling_solution(4))
+      distance(c_loc(a), c_loc(a%fx)), layout_wrc_exact_rolling_solution(6))
     call same('wrc_exact_rolling_solution', 'fy', &
-      distance(c_loc(a), c_loc(a%fy)), layout_wrc_exact_rolling_solution(5))
+      distance(c_loc(a), c_loc(a%fy)), layout_wrc_exact_rolling_solution(7))
     call same('wrc_exact_rolling_solution', 'mz', &
-      distance(c_loc(a), c_loc(a%mz)), layout_wrc_exact_rolling_solution(6))
+      distance(c_loc(a), c_loc(a%mz)), layout_wrc_exact_rolling_solution(8))
     call same('wrc_exact_rolling_solution', 'power', &
-      distance(c_loc(a), c_loc(a%power)), layout_wrc_exact_rolling_solution(7))
+      distance(c_loc(a), c_loc(a%power)), layout_wrc_exact_rolling_solution(9))
     call same('wrc_exact_rolling_solution', 'power_by_balance', &
-      distance(c_loc(a), c_loc(a%power_by_balance)), layout_wrc_exact_rolling_solution(8))
+      distance(c_loc(a), c_loc(a%power_by_balance)), layout_wrc_exact_rolling_solution(10))
     call same('wrc_exact_rolling_solution', 'adhesion_fraction', &
-      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_exact_rolling_solution(9))
+      distance(c_loc(a), c_loc(a%adhesion_fraction)), layout_wrc_exact_rolling_solution(11))
     call same('wrc_exact_rolling_solution', 'residual', &
-      distance(c_loc(a), c_loc(a%residual)), layout_wrc_exact_rolling_solution(10))
+      distance(c_loc(a), c_loc(a%residual)), layout_wrc_exact_rolling_solution(12))
     call same('wrc_exact_rolling_solution', 'traction_x', &
-      distance(c_loc(a), c_loc(a%traction_x)), layout_wrc_exact_rolling_solution(11))
+      distance(c_loc(a), c_loc(a%traction_x)), layout_wrc_exact_rolling_solution(13))
     call same('wrc_exact_rolling_solution', 'traction_y', &
-      distance(c_loc(a), c_loc(a%traction_y)), layout_wrc_exact_rolling_solution(12))
+      distance(c_loc(a), c_loc(a%traction_y)), layout_wrc_exact_rolling_solution(14))
     call same('wrc_exact_rolling_solution', 'slip_x', &
-      distance(c_loc(a), c_loc(a%slip_x)), layout_wrc_exact_rolling_solution(13))
+      distance(c_loc(a), c_loc(a%slip_x)), layout_wrc_exact_rolling_solution(15))
     call same('wrc_exact_rolling_solution', 'slip_y', &
-      distance(c_loc(a), c_loc(a%slip_y)), layout_wrc_exact_rolling_solution(14))
+      distance(c_loc(a), c_loc(a%slip_y)), layout_wrc_exact_rolling_solution(16))
   end subroutine
   subroutine test_wrc_exact_loads()
     type(wrc_exact_loads), target :: a
@@ -1276,8 +1335,8 @@ contains
       distance(c_loc(a), c_loc(a%collocation)), layout_wrc_exact_wrench_options(3))
     call same('wrc_exact_wrench_options', 'influence', &
       distance(c_loc(a), c_loc(a%influence)), layout_wrc_exact_wrench_options(4))
-    call same('wrc_exact_wrench_options', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_exact_wrench_options(5))
+    call same('wrc_exact_wrench_options', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_exact_wrench_options(5))
     call same('wrc_exact_wrench_options', 'cell_x', &
       distance(c_loc(a), c_loc(a%cell_x)), layout_wrc_exact_wrench_options(6))
     call same('wrc_exact_wrench_options', 'cell_s', &
@@ -1287,14 +1346,30 @@ contains
     call same('wrc_exact_wrench_options', 'user', &
       distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_wrench_options(9))
   end subroutine
+  subroutine test_wrc_exact_check_options()
+    type(wrc_exact_check_options), target :: a
+    call wrc_init(a)
+    call same('wrc_exact_check_options', 'size', c_sizeof(a), layout_wrc_exact_check_options(1))
+    call same('wrc_exact_check_options', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_check_options(2))
+    call same('wrc_exact_check_options', 'nx', &
+      distance(c_loc(a), c_loc(a%nx)), layout_wrc_exact_check_options(3))
+    call same('wrc_exact_check_options', 'ny', &
+      distance(c_loc(a), c_loc(a%ny)), layout_wrc_exact_check_options(4))
+    call same('wrc_exact_check_options', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_exact_check_options(5))
+    call same('wrc_exact_check_options', 'progress', &
+      distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_check_options(6))
+    call same('wrc_exact_check_options', 'user', &
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_check_options(7))
+  end subroutine
   subroutine test_wrc_exact_check_result()
     type(wrc_exact_check_result), target :: a
-    call wrc_init(a)
     call same('wrc_exact_check_result', 'size', c_sizeof(a), layout_wrc_exact_check_result(1))
     call same('wrc_exact_check_result', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_check_result(2))
-    call same('wrc_exact_check_result', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_exact_check_result(3))
+    call same('wrc_exact_check_result', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_exact_check_result(3))
     call same('wrc_exact_check_result', 'fx', &
       distance(c_loc(a), c_loc(a%fx)), layout_wrc_exact_check_result(4))
     call same('wrc_exact_check_result', 'fy', &
@@ -1310,49 +1385,47 @@ contains
     call same('wrc_exact_check_result', 'power_error', &
       distance(c_loc(a), c_loc(a%power_error)), layout_wrc_exact_check_result(10))
   end subroutine
-  subroutine test_wrc_contact_functions_problem()
+  subroutine test_wrc_wheelset_geometry_problem()
     type(wrc_wheelset_geometry_problem), target :: a
-    call wrc_init(a)
-    call same('wrc_wheelset_geometry_problem', 'size', c_sizeof(a), layout_wrc_contact_functions_problem(1))
+    call same('wrc_wheelset_geometry_problem', 'size', c_sizeof(a), layout_wrc_wheelset_geometry_problem(1))
     call same('wrc_wheelset_geometry_problem', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions_problem(2))
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheelset_geometry_problem(2))
     call same('wrc_wheelset_geometry_problem', 'count', &
-      distance(c_loc(a), c_loc(a%count)), layout_wrc_contact_functions_problem(3))
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_wheelset_geometry_problem(3))
     call same('wrc_wheelset_geometry_problem', 'lateral', &
-      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_contact_functions_problem(4))
+      distance(c_loc(a), c_loc(a%lateral)), layout_wrc_wheelset_geometry_problem(4))
     call same('wrc_wheelset_geometry_problem', 'wheel_load', &
-      distance(c_loc(a), c_loc(a%wheel_load)), layout_wrc_contact_functions_problem(5))
+      distance(c_loc(a), c_loc(a%wheel_load)), layout_wrc_wheelset_geometry_problem(5))
   end subroutine
-  subroutine test_wrc_contact_functions()
+  subroutine test_wrc_wheelset_geometry()
     type(wrc_wheelset_geometry), target :: a
-    call wrc_init(a)
-    call same('wrc_wheelset_geometry', 'size', c_sizeof(a), layout_wrc_contact_functions(1))
+    call same('wrc_wheelset_geometry', 'size', c_sizeof(a), layout_wrc_wheelset_geometry(1))
     call same('wrc_wheelset_geometry', 'struct_size', &
-      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_contact_functions(2))
-    call same('wrc_wheelset_geometry', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_contact_functions(3))
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheelset_geometry(2))
+    call same('wrc_wheelset_geometry', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_wheelset_geometry(3))
     call same('wrc_wheelset_geometry', 'vertical', &
-      distance(c_loc(a), c_loc(a%vertical)), layout_wrc_contact_functions(4))
+      distance(c_loc(a), c_loc(a%vertical)), layout_wrc_wheelset_geometry(4))
     call same('wrc_wheelset_geometry', 'roll', &
-      distance(c_loc(a), c_loc(a%roll)), layout_wrc_contact_functions(5))
+      distance(c_loc(a), c_loc(a%roll)), layout_wrc_wheelset_geometry(5))
     call same('wrc_wheelset_geometry', 'radius_difference', &
-      distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_contact_functions(6))
+      distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_wheelset_geometry(6))
     call same('wrc_wheelset_geometry', 'radius_right', &
-      distance(c_loc(a), c_loc(a%radius_right)), layout_wrc_contact_functions(7))
+      distance(c_loc(a), c_loc(a%radius_right)), layout_wrc_wheelset_geometry(7))
     call same('wrc_wheelset_geometry', 'radius_left', &
-      distance(c_loc(a), c_loc(a%radius_left)), layout_wrc_contact_functions(8))
+      distance(c_loc(a), c_loc(a%radius_left)), layout_wrc_wheelset_geometry(8))
     call same('wrc_wheelset_geometry', 'angle_right', &
-      distance(c_loc(a), c_loc(a%angle_right)), layout_wrc_contact_functions(9))
+      distance(c_loc(a), c_loc(a%angle_right)), layout_wrc_wheelset_geometry(9))
     call same('wrc_wheelset_geometry', 'angle_left', &
-      distance(c_loc(a), c_loc(a%angle_left)), layout_wrc_contact_functions(10))
+      distance(c_loc(a), c_loc(a%angle_left)), layout_wrc_wheelset_geometry(10))
     call same('wrc_wheelset_geometry', 'y_wheel_right', &
-      distance(c_loc(a), c_loc(a%y_wheel_right)), layout_wrc_contact_functions(11))
+      distance(c_loc(a), c_loc(a%y_wheel_right)), layout_wrc_wheelset_geometry(11))
     call same('wrc_wheelset_geometry', 'y_wheel_left', &
-      distance(c_loc(a), c_loc(a%y_wheel_left)), layout_wrc_contact_functions(12))
+      distance(c_loc(a), c_loc(a%y_wheel_left)), layout_wrc_wheelset_geometry(12))
     call same('wrc_wheelset_geometry', 'y_rail_right', &
-      distance(c_loc(a), c_loc(a%y_rail_right)), layout_wrc_contact_functions(13))
+      distance(c_loc(a), c_loc(a%y_rail_right)), layout_wrc_wheelset_geometry(13))
     call same('wrc_wheelset_geometry', 'y_rail_left', &
-      distance(c_loc(a), c_loc(a%y_rail_left)), layout_wrc_contact_functions(14))
+      distance(c_loc(a), c_loc(a%y_rail_left)), layout_wrc_wheelset_geometry(14))
   end subroutine
   subroutine test_wrc_conicity_problem()
     type(wrc_conicity_problem), target :: a
@@ -1364,14 +1437,14 @@ contains
       distance(c_loc(a), c_loc(a%method)), layout_wrc_conicity_problem(3))
     call same('wrc_conicity_problem', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_conicity_problem(4))
-    call same('wrc_conicity_problem', 'amplitudes', &
-      distance(c_loc(a), c_loc(a%amplitudes)), layout_wrc_conicity_problem(5))
+    call same('wrc_conicity_problem', 'amplitude_count', &
+      distance(c_loc(a), c_loc(a%amplitude_count)), layout_wrc_conicity_problem(5))
     call same('wrc_conicity_problem', 'lateral', &
       distance(c_loc(a), c_loc(a%lateral)), layout_wrc_conicity_problem(6))
     call same('wrc_conicity_problem', 'radius_difference', &
       distance(c_loc(a), c_loc(a%radius_difference)), layout_wrc_conicity_problem(7))
-    call same('wrc_conicity_problem', 'amplitude', &
-      distance(c_loc(a), c_loc(a%amplitude)), layout_wrc_conicity_problem(8))
+    call same('wrc_conicity_problem', 'amplitudes', &
+      distance(c_loc(a), c_loc(a%amplitudes)), layout_wrc_conicity_problem(8))
     call same('wrc_conicity_problem', 'contact_distance', &
       distance(c_loc(a), c_loc(a%contact_distance)), layout_wrc_conicity_problem(9))
     call same('wrc_conicity_problem', 'radius', &
@@ -1379,12 +1452,11 @@ contains
   end subroutine
   subroutine test_wrc_conicity()
     type(wrc_conicity), target :: a
-    call wrc_init(a)
     call same('wrc_conicity', 'size', c_sizeof(a), layout_wrc_conicity(1))
     call same('wrc_conicity', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_conicity(2))
-    call same('wrc_conicity', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_conicity(3))
+    call same('wrc_conicity', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_conicity(3))
     call same('wrc_conicity', 'conicity', &
       distance(c_loc(a), c_loc(a%conicity)), layout_wrc_conicity(4))
     call same('wrc_conicity', 'wavelength', &
@@ -1402,8 +1474,8 @@ contains
       distance(c_loc(a), c_loc(a%body)), layout_wrc_profile_wear(3))
     call same('wrc_profile_wear', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_profile_wear(4))
-    call same('wrc_profile_wear', 'bins', &
-      distance(c_loc(a), c_loc(a%bins)), layout_wrc_profile_wear(5))
+    call same('wrc_profile_wear', 'bin_count', &
+      distance(c_loc(a), c_loc(a%bin_count)), layout_wrc_profile_wear(5))
     call same('wrc_profile_wear', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_profile_wear(6))
     call same('wrc_profile_wear', 'z', &
@@ -1425,7 +1497,6 @@ contains
   end subroutine
   subroutine test_wrc_worn_profile()
     type(wrc_worn_profile), target :: a
-    call wrc_init(a)
     call same('wrc_worn_profile', 'size', c_sizeof(a), layout_wrc_worn_profile(1))
     call same('wrc_worn_profile', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_worn_profile(2))
@@ -1433,8 +1504,8 @@ contains
       distance(c_loc(a), c_loc(a%capacity)), layout_wrc_worn_profile(3))
     call same('wrc_worn_profile', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_worn_profile(4))
-    call same('wrc_worn_profile', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_worn_profile(5))
+    call same('wrc_worn_profile', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_worn_profile(5))
     call same('wrc_worn_profile', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_worn_profile(6))
     call same('wrc_worn_profile', 'z', &
@@ -1455,6 +1526,8 @@ contains
       distance(c_loc(a), c_loc(a%thickness)), layout_wrc_flange(3))
     call same('wrc_flange', 'slope', &
       distance(c_loc(a), c_loc(a%slope)), layout_wrc_flange(4))
+    call same('wrc_flange', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_flange(5))
   end subroutine
   function distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

@@ -1,64 +1,102 @@
 /** @file wrc.h
- * Wheel/rail contact for real-time simulation: everything a real-time caller needs.
+ * Wheel/rail contact for multibody and hardware-in-the-loop simulation: all that a vehicle code needs.
  *
- * @par What it does
- * In: two profiles and a wheelset pose (or the undeformed gap itself), a load or an approach, creepages, friction.
- * Out: contact patch, pressure, tractions, slip, forces, frictional power, wear and rolling contact fatigue numbers.
+ * A wheelset or wheel in a simulation: wrc_contact_wrench(). Where it is and how it moves go in, the wrench comes out.
+ * Creepages that are prescribed, on one contact plane: the stages of wrc_planar.h, which take the slip at one point.
  *
- *     wrc_model    what does not change during a run: profiles, material, methods, grid. Immutable after creation;
- *                  any number of threads may use one model.
- *     wrc_contact  one wheel/rail pair: results of the last call and work space. One thread at a time.
+ *     wrc_model    what stays fixed during a run: profiles, materials, methods. Immutable; any number of threads share one.
+ *     wrc_contact  one wheel and its rail: the last results and work space. One thread at a time.
  *
- * A step is five stages; call them together (wrc_planar_step) or one by one, or enter in the middle with your own
- * data:
+ * @par Stability
+ * wrc.h, wrc_methods.h, wrc_status.h and wrc_planar.h are frozen from 1.0 on: later versions add, and nothing that compiles or
+ * runs today stops doing so. wrc_damage.h, wrc_offline.h and wrc_profiles.h may change in a minor version. docs/abi.md.
  *
- *     wrc_planar_geometry        pose            -> initial contact point, contact angle, gap    (skip it: hand over a gap)
- *     wrc_planar_normal          gap, load       -> contact patch as strips, pressure, approach  (skip it: hand over strips)
- *     wrc_planar_regularise      strips          -> equivalent double ellipse (SDEC) a, b, psi   (skip it: hand over a patch)
- *     wrc_planar_tangential      patch, creepage -> tractions, slip, forces, frictional power
- *     wrc_contact_damage          fields          -> wear and fatigue numbers
+ * @par Frames and signs
  *
- * @par Frame, signs, units
- * SI throughout: m, N, Pa, rad, s, W. (80 kN is 80e3; S1002 points in mm must be scaled by 1e-3.)
- *  - Track frame: x forward along the track, y to the right, z down; origin between the rails, level with their tops.
- *  - Contact frame: origin at the initial contact point, x as that of the track, y lateral in the contact plane (to the
- *    right), z normal into the rail. Right-handed. For a right wheel y > 0 is the field side, y < 0 the flange side.
- *    Particles enter the patch at its +x end when rolling forward (speed > 0), at its -x end when rolling backwards.
- *  - Creepage: rigid slip of the wheel over the rail per unit rolled length at (x, y) is
- *    (longitudinal - spin * y, lateral + spin * x), referred to the origin of the contact frame. The unit is an amount:
- *    whichever way the wheel rolls, creepages have the signs of the sliding velocities.
- *  - Forces and tractions act ON THE WHEEL and oppose the slip: for small creepage F_x = -G a b C11 longitudinal.
+ *        track axes (fixed): x forward, y right, z DOWN; origin on the track centre line, level with the undisplaced rails' tops
  *
- * @par Conventions of the interface
- *  - Every function that can fail returns a status: 0 done, > 0 done but flagged, < 0 failed with every output zeroed
- *    and the objects usable for the next call. wrc_contact_last_error() turns that of a stage into a sentence with
- *    field, value, unit, allowed range and likely cause. wrc_status.h lists them all.
- *  - wrc_config config = wrc_config_default(); and so for every struct that is read: defaults by value. Hosts that
- *    load the library at run time, and other languages, call wrc_..._init instead. 0 is 0, never a sign for something
- *    else.
- *  - Structs that may grow begin with struct_size, set by wrc_..._default(); for wrc_..._init set it to sizeof the
- *    struct first. One of an older header (smaller struct_size) is honoured; from version 1.0 on, for ever. It is
- *    needed in those that are written, too. All other structs are as they are, for ever from 1.0 on.
- *  - What a result does not have is 0, and its bit is missing in `available`: never NaN, never a number that stands
- *    for it.
- *  - A member's comment says what it may be: its range and unit, then [its default], then likely mistakes, which
- *    messages name. The library's checks and defaults, the Fortran module and the manual's tables are made of these
- *    comments. A result has its unit in brackets and no default.
- *  - NULL is never dereferenced: each function says what NULL means; elsewhere it is WRC_ERROR_NULL.
- *  - Nothing is kept of what a caller passes, except the memory handed to an init or create and the model of a contact.
- *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read a file, the environment, the
- *    locale or a clock, never call the system, and have a hard bound on their iterations. "rt init" functions may
- *    allocate and take milliseconds.
+ *              left wheel     O  axle            right wheel          seen from behind, x into the page
+ *              ____   ________|________________________   ____
+ *             |    |_|        |                        |_|    |       O        nominal place (0, 0, -r0)
+ *             |    | |        +--> y                   | |    |       W        nominal place (0, +-s, -r0), right +, left -
+ *             |  W-+-|--------O------------------------|-+-W  |                s = config.wheelset.tape_circle_distance / 2
+ *             |    | |        |                        | |    |       r0       config.wheelset.wheel_radius, at the tape circle
+ *              \__/\_|        v z                      |_/\__/        P        origin of the rail's profile
+ *              --P---                                   ---P--                 (config.track.placement)
+ *
+ *  - Pose: the reference point (O or W, wrc_wheel_state.reference) is displaced by (y, z) from its nominal place. Its x does
+ *    not matter.
+ *  - Orientation: R = Rx(roll) Rz(yaw), right-hand rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right.
+ *    The pitch about the axle does not matter. A rotation matrix of the host may take the place of both angles.
+ *  - Velocities are those of the reference point, in track axes. Rolling forwards, the pitch rate is about -v / r0 < 0.
+ *  - Rail: P is displaced by (y, z), and the profile turned about P by roll.
+ *  - Wrench: force and moment ON THE WHEEL in track axes. The moment is about the reference point. A wheel that is pressed
+ *    down has force[2] < 0.
+ *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; each wheel has a contact
+ *    of its own, which knows its side.
+ *  - Creepage: sliding velocity of the wheel over the rail, divided by the amount of the rolling speed.
+ *
+ * @par Recipe
+ * @code
+ *   wrc_config config = wrc_config_default();
+ *   config.wheel.kind = WRC_PROFILE_S1002;
+ *   config.rail.kind = WRC_PROFILE_60E1;
+ *   config.track.rail_inclination = 1.0 / 40.0;
+ *   char why[300];                                                      // a sentence, where a call fails
+ *   wrc_model* model = NULL;
+ *   wrc_contact* contact[2] = {NULL, NULL};
+ *   if (wrc_model_create(&config, NULL, &model, why, sizeof why) < 0) ...
+ *   for (side = 0; side < 2; ++side) wrc_contact_create(model, side, NULL, &contact[side], why, sizeof why);
+ *
+ *   // the height at which the wheelset stands: prescribe the load of a wheel once, without motion
+ *   wrc_wheel_input input = wrc_wheel_input_default();
+ *   wrc_wrench wrench = {sizeof wrench};
+ *   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+ *   input.vertical_load = 80e3;
+ *   wrc_contact_wrench(contact[WRC_SIDE_RIGHT], &input, &wrench);       // wrench.z [m]
+ *
+ *   // in every evaluation of the right-hand side, from here on without allocation
+ *   input.prescribed = WRC_PRESCRIBE_HEIGHT;
+ *   input.vertical_load = 0.0;
+ *   wrc_wheel_state* wheel = &input.wheel;
+ *   wheel->y = y;                      wheel->z = z;                    // of the wheelset's middle; z > 0 is down
+ *   wheel->roll = roll;                wheel->yaw = yaw;
+ *   wheel->velocity[0] = v;            wheel->velocity[1] = dy_dt;            wheel->velocity[2] = dz_dt;
+ *   wheel->roll_rate = droll_dt;       wheel->yaw_rate = dyaw_dt;             wheel->pitch_rate = -v / r0;
+ *   for (side = 0; side < 2; ++side) {
+ *     int32_t status = wrc_contact_wrench(contact[side], &input, &wrench);  // < 0: wrc_contact_last_error() says why
+ *     for (i = 0; i < 3; ++i) force[i] += wrench.force[i], moment[i] += wrench.moment[i];
+ *   }
+ * @endcode
+ *
+ * @par Conventions
+ *  - Units are SI throughout: m, N, Pa, rad, s, W. 80 kN is 80e3.
+ *  - A status is 0 (done), > 0 (done, with a flag) or < 0 (failed). A failed call zeroes its outputs and leaves the handle
+ *    usable. wrc_status.h lists them.
+ *  - Results have `flags`: bit 1 << flag for each flag that was met, WRC_FLAG_BIT(). The status is the gravest of them.
+ *  - wrc_contact_last_error() says in a sentence why: function, member, value, unit, allowed range, likely cause.
+ *  - A member's comment says what it is, its range and unit, then [its default]. A result has its unit in brackets.
+ *  - A struct that is read has defaults: wrc_config config = wrc_config_default(). Hosts that load the library at run time, and
+ *    other languages, set struct_size and call wrc_config_init(). Where neither exists, all defaults are zero.
+ *  - Structs grow. Those that begin with struct_size want sizeof the struct there, results too: wrc_wrench w = {sizeof w}.
+ *    The others have `reserved` numbers, which must be 0.
+ *  - A struct of an older or newer header is honoured, as long as what the library does not know is 0.
+ *  - 0 is 0, never a sign for something else. What has two natural meanings has no default.
+ *  - What a result does not have is 0. Its bit is missing in `available`, where there is one. Nothing is ever NaN.
+ *  - NULL is never dereferenced: it is WRC_ERROR_NULL where a parameter's comment does not say what it means.
+ *  - Nothing is kept of what a caller passes, but for memory handed to an init or create and the model of a contact.
  *  - Thread class: "thread free" any thread any time; "thread contact" one thread at a time per contact.
- *  - The floating-point environment of the host (rounding, traps, flush to zero) is set aside and restored by
- *    every call that computes: traps the host has enabled do not fire inside.
+ *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
+ *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
+ *    "rt init" functions may allocate and take milliseconds.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.5 MB, with profiles 3.1 MB; a saved state a tenth of it.
+ *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
- * wrc.dll: link its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init
- * comes from _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in
- * the process's code page.
+ * Link wrc.dll by its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init comes from
+ * _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in the process's code page.
  *
- * Valid as C99 to C23 and C++98 to C++23. "Paper" below is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
+ * Valid as C99 to C23 and C++98 to C++23. "Paper" is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
  */
 #ifndef WRC_H
 #define WRC_H
@@ -87,33 +125,26 @@ extern "C" {
 #endif
 
 #define WRC_VERSION_MAJOR 0 /**< of this header; wrc_version() is that of the library */
-#define WRC_VERSION_MINOR 2 /**< see WRC_VERSION_MAJOR */
+#define WRC_VERSION_MINOR 9 /**< see WRC_VERSION_MAJOR */
 #define WRC_VERSION_PATCH 0 /**< see WRC_VERSION_MAJOR */
-/** Raised only when an existing caller would break; new functions and fields do not raise it. */
-#define WRC_ABI_VERSION 2
+/** Interface of wrc.h and wrc_planar.h. Raised when an existing caller would break; additions do not raise it. 1.0 has 1000. */
+#define WRC_ABI_VERSION 900
+/** Interface of wrc_damage.h, wrc_offline.h and wrc_profiles.h. A minor version may raise it. */
+#define WRC_EXPERIMENTAL_VERSION 1
 
 /* ------------------------------------------------------------------------------------------------------ handles */
 
-/** Profiles, material, methods, grid: immutable once made, shared by any number of contacts and threads. */
+/** Profiles, materials, methods: immutable once made, shared by any number of contacts and threads. */
 typedef struct wrc_model wrc_model;
-/** One wheel/rail pair: results of the last call and work space. One thread at a time. */
+/** One wheel and its rail: results of the last call and work space. One thread at a time. */
 typedef struct wrc_contact wrc_contact;
 
 /* ------------------------------------------------------------------------------------------------- enumerations */
 
-/** Which wheel of the wheelset. The left wheel has its flange at y > 0; frames and signs stay those of the top. */
+/** Which wheel of the wheelset. */
 enum wrc_side {
   WRC_SIDE_RIGHT = 0, /**< flange at y < 0 */
-  WRC_SIDE_LEFT = 1   /**< flange at y > 0 */
-};
-
-/** Where a profile comes from. */
-enum wrc_profile_kind {
-  WRC_PROFILE_NONE = 0,            /**< of both bodies: no geometry, the caller hands over gaps */
-  WRC_PROFILE_POINTS = 1,          /**< points y, z of the caller, joined by a cubic spline */
-  WRC_PROFILE_S1002 = 2,           /**< wheel, EN 13715, from its analytic definition */
-  WRC_PROFILE_60E1 = 3,            /**< rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40 */
-  WRC_PROFILE_UIC60_BENCHMARK = 4  /**< rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0 */
+  WRC_SIDE_LEFT = 1   /**< flange at y > 0; frames and signs stay those of the right wheel */
 };
 
 /** Which of the two bodies. */
@@ -122,69 +153,84 @@ enum wrc_body {
   WRC_BODY_RAIL = 1   /**< the rail */
 };
 
-/** Criteria by which a patch gets its equivalent double ellipse. */
-enum wrc_regularisation {
-  WRC_REGULARISE_KEEP_WIDTH = 0, /**< criteria (1), (2b), (3): area and width kept; the paper's choice */
-  WRC_REGULARISE_KEEP_RATIO = 1  /**< criteria (1), (2), (3): area and length/width ratio kept (KBTNH) */
-};
-
-/** Form of the traction bound along a strip. All integrate to friction * load over the patch where friction is the
- * same everywhere. */
-enum wrc_traction_bound {
-  WRC_BOUND_PARABOLIC = 0,  /**< paper eq. 9: right slope at the leading edge; integrates to friction * load */
-  WRC_BOUND_ELLIPTIC = 1,   /**< friction * pressure: the actual pressure of each strip */
-  WRC_BOUND_ELLIPSOIDAL = 2 /**< friction * load spread like sqrt(x_l^2 - x^2) over the patch, whatever its pressure:
-                                 the pressure of a Kik-Piotrowski patch; on double ellipses the same as ELLIPTIC */
-};
-
-/** How the flexibilities of linear theory enter FASTSIM; the other methods have their own way. */
-enum wrc_flexibility {
-  WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
-  WRC_FLEXIBILITY_SINGLE = 1,   /**< Kalker's weighted sum for all: right traction directions at large creepage */
-  WRC_FLEXIBILITY_BLENDED = 2   /**< from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023) */
-};
-
-/** How friction depends on the sliding speed w: of a strip, the root mean square of its rigid slip times the rolling
- * speed (with friction.slope_fall: of the patch, speed * |(nu_x, nu_y)|). Theory manual, section 5. */
-enum wrc_friction_kind {
-  WRC_FRICTION_CONSTANT = 0,      /**< not at all */
-  WRC_FRICTION_FALLING = 1,       /**< times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach */
-  WRC_FRICTION_STATIC_KINETIC = 2, /**< times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
-                                        coefficient to the kinetic one */
-  WRC_FRICTION_TEMPERATURE = 3     /**< on the temperature of the surfaces, wrc_contact_temperature(): whole up to
-                                        cold_temperature, times hot_ratio from hot_temperature on, linear between, and
-                                        of each strip the mean over its load; found together with the tractions. Not
-                                        with a method that gives forces alone */
-};
-
-/** Where the y of friction zones counts from. */
-enum wrc_zone_frame {
-  WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame: zones move with the contact point */
-  WRC_ZONES_RAIL_PROFILE = 1,  /**< rail profile, as wrc_planar_point.y_rail: zones stay on the rail; field side > 0.
-                                    Needs the contact point of a wrc_planar_geometry */
-  WRC_ZONES_WHEEL_PROFILE = 2  /**< wheel profile, as wrc_planar_point.y_wheel: zones stay on the wheel, as a lubricated
-                                    flange; flange side < 0. Needs the same */
+/** Where a profile comes from. */
+enum wrc_profile_kind {
+  WRC_PROFILE_NONE = 0,            /**< no profile. A model without both has planar gaps only */
+  WRC_PROFILE_POINTS = 1,          /**< points y, z of the caller, joined by a cubic spline */
+  WRC_PROFILE_S1002 = 2,           /**< wheel, EN 13715, from its analytic definition */
+  WRC_PROFILE_60E1 = 3,            /**< rail, nominal head (R300/R80/R13), not canted: set rail_inclination, e.g. 1/40 */
+  WRC_PROFILE_UIC60_BENCHMARK = 4  /**< rail of the Manchester benchmark, canted 1:40 already */
 };
 
 /** Where profiles lie. */
 enum wrc_profile_placement {
-  WRC_PLACEMENT_GAUGE = 0, /**< rails by track_gauge and gauge_depth, their tops at z = 0: of new profiles */
-  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points: it lies at y = rail_origin, z = 0, so that a worn rail
-                                stays where the new one was; their inclination turns them about it */
+  WRC_PLACEMENT_GAUGE = 0, /**< rails by track_gauge and gauge_depth, tops at z = 0: new profiles */
+  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it.
+                                A worn rail stays where the new one was */
 };
 
 /** Instruction set of the kernels. Results are the same bits with all of them. */
 enum wrc_instruction_set {
-  WRC_INSTRUCTIONS_BEST = 0,     /**< the widest this processor has */
-  WRC_INSTRUCTIONS_BASELINE = 1, /**< what every processor of this architecture has: SSE2, NEON */
+  WRC_INSTRUCTIONS_BEST = 0,     /**< the widest that this processor has */
+  WRC_INSTRUCTIONS_BASELINE = 1, /**< what every processor of the architecture has: SSE2, NEON */
   WRC_INSTRUCTIONS_AVX2 = 2,     /**< x86-64 with AVX2 */
   WRC_INSTRUCTIONS_AVX512 = 3    /**< x86-64 with AVX-512 F, DQ, VL */
 };
 
-/** Which of load and approach is given; the other is a result. */
+/** How friction falls with the sliding speed w of a strip: the root mean square of its rigid slip times the rolling speed. */
+enum wrc_friction_speed_law {
+  WRC_SPEED_LAW_NONE = 0,        /**< factor 1 */
+  WRC_SPEED_LAW_EXPONENTIAL = 1, /**< factor (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach */
+  WRC_SPEED_LAW_HYPERBOLIC = 2   /**< factor kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): static to kinetic */
+};
+
+/** How friction falls with the temperature of the surfaces. */
+enum wrc_friction_temperature_law {
+  WRC_TEMPERATURE_LAW_NONE = 0,  /**< factor 1 */
+  WRC_TEMPERATURE_LAW_LINEAR = 1 /**< factor 1 up to cold_temperature, hot_ratio from hot_temperature on, linear between. A strip
+                                      has the mean over its load. Not with a method that gives forces alone */
+};
+
+/** Where the y of friction zones counts from. */
+enum wrc_zone_frame {
+  WRC_ZONES_CONTACT_FRAME = 0, /**< contact frame, of wrc_planar.h alone: zones move with the contact point */
+  WRC_ZONES_RAIL_PROFILE = 1,  /**< rail profile, field side > 0: zones stay on the rail */
+  WRC_ZONES_WHEEL_PROFILE = 2  /**< wheel profile, flange side < 0: zones stay on the wheel, as a lubricated flange */
+};
+
+/** Which point of the rotating body the pose, the velocity and the moment refer to. */
+enum wrc_wheel_reference {
+  WRC_REFERENCE_WHEELSET = 0, /**< O, the middle of the axle */
+  WRC_REFERENCE_WHEEL = 1     /**< W, where the plane of the tape circle meets the axle: independent wheels, elastic axles */
+};
+
+/** How an orientation is given. */
+enum wrc_orientation {
+  WRC_ORIENTATION_ANGLES = 0, /**< by roll and yaw */
+  WRC_ORIENTATION_ROWS = 1,   /**< by `rotation` row by row, as C and numpy store a matrix: track = R body, y body is the axle */
+  WRC_ORIENTATION_COLUMNS = 2 /**< by `rotation` column by column, as Fortran, MATLAB and Eigen store the same matrix */
+};
+
+/** How an angular velocity is given. */
+enum wrc_axes {
+  WRC_AXES_NONE = 0,  /**< by roll_rate, pitch_rate, yaw_rate; angular_velocity must be 0 */
+  WRC_AXES_TRACK = 1, /**< by angular_velocity along the track's axes: a yawed axle then has an x component, too */
+  WRC_AXES_BODY = 2   /**< by angular_velocity along the axes of the body without its pitch: y is about the axle */
+};
+
+/** Which of height, load and approach is given; the others are results. */
 enum wrc_prescribed {
-  WRC_PRESCRIBE_NORMAL_FORCE = 0,    /**< normal_force is given */
-  WRC_PRESCRIBE_APPROACH = 1 /**< approach is given: the choice near lift-off */
+  WRC_PRESCRIBE_HEIGHT = 0,        /**< wheel: its z. The choice of a dynamic simulation */
+  WRC_PRESCRIBE_VERTICAL_LOAD = 1, /**< wheel: vertical_load; z of the reference point is found */
+  WRC_PRESCRIBE_NORMAL_FORCE = 2,  /**< contact plane: normal_force along the contact normal */
+  WRC_PRESCRIBE_APPROACH = 3       /**< contact plane: approach of the bodies. The choice near lift-off */
+};
+
+/** Where iterations begin. */
+enum wrc_start {
+  WRC_START_COLD = 0, /**< anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving */
+  WRC_START_WARM = 1  /**< from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a
+                           wheel. For explicit integrators and fixed steps, not for implicit ones */
 };
 
 /** What a result holds besides what it always has. */
@@ -193,560 +239,444 @@ enum wrc_available {
   WRC_AVAILABLE_PLACE = 2      /**< places in the track frame: not with a gap, strips or an ellipse of the caller */
 };
 
-/** Arrays of the last step that wrc_contact_field() shows without copying, in the contact frame. Fields over cells have
- * count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x) and count[1] = strips
- * (by increasing y); fields over strips have count[0] = strips. After wrc_planar_tangential strips are those the
- * tractions live on: of the ellipse, where the patch model has one. */
-enum wrc_field_id {
-  WRC_FIELD_X = 0,               /**< cells: x of the cell centre [m] */
-  WRC_FIELD_PRESSURE = 1,        /**< cells: normal pressure [Pa] */
-  WRC_FIELD_TRACTION_X = 2,      /**< cells: tangential traction on the wheel [Pa] */
-  WRC_FIELD_TRACTION_Y = 3,      /**< cells: see WRC_FIELD_TRACTION_X */
-  WRC_FIELD_SLIP_X = 4,          /**< cells: sliding velocity / rolling speed [-] */
-  WRC_FIELD_SLIP_Y = 5,          /**< cells: see WRC_FIELD_SLIP_X */
-  WRC_FIELD_POWER_DENSITY = 6,   /**< cells: power per area, paper eq. 10 [W/m^2]; needs wrc_contact_damage */
-  WRC_FIELD_FATIGUE_INDEX = 7,   /**< cells: local surface fatigue index, paper eq. 12 [-]; needs wrc_contact_damage */
-  WRC_FIELD_STRIP_Y = 8,         /**< strips: lateral middle [m] */
-  WRC_FIELD_STRIP_WIDTH = 9,     /**< strips: lateral width [m] */
-  WRC_FIELD_STRIP_CENTRE = 10,   /**< strips: x of the middle [m] */
-  WRC_FIELD_STRIP_HALF = 11,     /**< strips: half length [m] */
-  WRC_FIELD_STRIP_PEAK = 12,     /**< strips: peak pressure [Pa] */
-  WRC_FIELD_STRIP_POWER = 13,    /**< strips: frictional power per unit width [W/m]; needs wrc_contact_damage */
-  WRC_FIELD_GAP_Y = 14,          /**< gap rows: y [m] (after wrc_planar_geometry or a gap of your own) */
-  WRC_FIELD_GAP_HEIGHT = 15,     /**< gap rows: smallest gap of the row [m] */
-  WRC_FIELD_GAP_CENTRE = 16,     /**< gap rows: x of that smallest gap [m] */
-  WRC_FIELD_GAP_CURVATURE = 17,  /**< gap rows: d2h/dx2 [1/m] */
-  WRC_FIELD_STRIP_WEAR = 18,     /**< strips: volume lost per metre rolled and per width, Sheffield's law [m];
-                                    needs wrc_contact_wear */
-  WRC_FIELD_STRIP_FRICTION = 19, /**< strips: coefficient of friction the law gave [-]; needs wrc_planar_tangential */
-  WRC_FIELD_TEMPERATURE_RISE = 20 /**< cells: rise of both surfaces by friction over what they have at first touch [K];
-                                     needs wrc_contact_temperature */
+/** Fields of a region: one value per cell or per strip. Strips lie side by side, from the gauge side to the field side of a rail's
+ * arc length s, on a contact plane by increasing y. Cells divide a strip; cell 0 is at its leading edge. */
+enum wrc_field {
+  WRC_FIELD_X = 0,                /**< cells: x of the middle. Wheel: from its reference point; plane: contact frame [m] */
+  WRC_FIELD_PRESSURE = 1,         /**< cells: normal pressure in the middle [Pa] */
+  WRC_FIELD_TRACTION_X = 2,       /**< cells: tangential traction on the wheel along x [Pa] */
+  WRC_FIELD_TRACTION_Y = 3,       /**< cells: the same along the rail's arc, or along y of the contact plane [Pa] */
+  WRC_FIELD_SLIP_X = 4,           /**< cells: sliding velocity of the wheel over the rail / rolling speed, along x [-] */
+  WRC_FIELD_SLIP_Y = 5,           /**< cells: the same along the rail's arc, or along y of the contact plane [-] */
+  WRC_FIELD_POWER_DENSITY = 6,    /**< cells: frictional power per area, paper eq. 10 [W/m^2] */
+  WRC_FIELD_FATIGUE_INDEX = 7,    /**< cells: local surface fatigue index, paper eq. 12 [-] */
+  WRC_FIELD_TEMPERATURE_RISE = 8, /**< cells: rise of both surfaces by friction over what they have at first touch [K] */
+  WRC_FIELD_STRIP_Y = 9,          /**< strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m] */
+  WRC_FIELD_STRIP_WIDTH = 10,     /**< strips: width [m] */
+  WRC_FIELD_STRIP_CENTRE = 11,    /**< strips: x of the middle, as WRC_FIELD_X [m] */
+  WRC_FIELD_STRIP_HALF_LENGTH = 12, /**< strips: half length [m] */
+  WRC_FIELD_STRIP_PEAK = 13,      /**< strips: peak pressure, damping included [Pa] */
+  WRC_FIELD_STRIP_POWER = 14,     /**< strips: frictional power per width [W/m] */
+  WRC_FIELD_STRIP_FRICTION = 15,  /**< strips: coefficient of friction that the law gave [-] */
+  WRC_FIELD_STRIP_WEAR = 16,      /**< strips: volume lost per metre rolled and per width, Sheffield's law [m] */
+  WRC_FIELD_STRIP_PROFILE_Y = 17, /**< strips of a wheel: the middle in the coordinates of the rail's profile [m] */
+  WRC_FIELD_STRIP_PROFILE_Z = 18, /**< strips of a wheel: the same, down [m] */
+  WRC_FIELD_STRIP_ANGLE = 19,     /**< strips of a wheel: of the rail's surface about x there; < 0 on the gauge side [rad] */
+  WRC_FIELD_GAP_Y = 20,           /**< rows of a planar gap: y [m] */
+  WRC_FIELD_GAP_HEIGHT = 21,      /**< rows of a planar gap: smallest gap of the row [m] */
+  WRC_FIELD_GAP_CENTRE = 22,      /**< rows of a planar gap: x of that smallest gap [m] */
+  WRC_FIELD_GAP_CURVATURE = 23    /**< rows of a planar gap: d2h/dx2 [1/m] */
 };
 
-/* ------------------------------------------------------------------------------------------------------ structs */
+/** What a wrench depends on: the columns of wrc_wrench_derivatives. */
+enum wrc_wrench_input {
+  WRC_BY_Y = 0,                  /**< wheel.y [m] */
+  WRC_BY_Z = 1,                  /**< wheel.z [m], where the height is prescribed */
+  WRC_BY_ROLL = 2,               /**< wheel.roll [rad]. With a matrix: turning of the body about the track's x */
+  WRC_BY_YAW = 3,                /**< wheel.yaw [rad]. With a matrix: turning of the body about its z, which is rolled */
+  WRC_BY_VELOCITY_X = 4,         /**< wheel.velocity[0] [m/s] */
+  WRC_BY_VELOCITY_Y = 5,         /**< wheel.velocity[1] [m/s] */
+  WRC_BY_VELOCITY_Z = 6,         /**< wheel.velocity[2] [m/s] */
+  WRC_BY_ANGULAR_VELOCITY_X = 7, /**< wheel.angular_velocity[0] in its axes; with WRC_AXES_NONE roll_rate [rad/s] */
+  WRC_BY_ANGULAR_VELOCITY_Y = 8, /**< wheel.angular_velocity[1]; with WRC_AXES_NONE pitch_rate [rad/s] */
+  WRC_BY_ANGULAR_VELOCITY_Z = 9, /**< wheel.angular_velocity[2]; with WRC_AXES_NONE yaw_rate [rad/s] */
+  WRC_BY_RAIL_Y = 10,            /**< rail.y [m] */
+  WRC_BY_RAIL_Z = 11,            /**< rail.z [m] */
+  WRC_BY_RAIL_ROLL = 12,         /**< rail.roll [rad] */
+  WRC_BY_RAIL_Y_VELOCITY = 13,   /**< rail.y_velocity [m/s] */
+  WRC_BY_RAIL_Z_VELOCITY = 14,   /**< rail.z_velocity [m/s] */
+  WRC_BY_RAIL_ROLL_RATE = 15,    /**< rail.roll_rate [rad/s] */
+  WRC_BY_VERTICAL_LOAD = 16,     /**< vertical_load [N], where it is prescribed */
+  WRC_BY_DISTANCE = 17,          /**< distance [m], without what strips grow wider or narrower along the track */
+  WRC_BY_ANGLE = 18              /**< angle [rad] */
+};
 
-/** A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm apart
- * (closer, slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a step: 1 mm or more from
- * one point to the next at over 79 degrees (of a rail: 56 degrees, on its upper 40 mm), between parts below 45 degrees
- * and a fifth as steep.
- *  - wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
- *  - rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail), where the points
- *    reach down to config.track.gauge_depth at least, after canting. */
+#define WRC_WRENCH_INPUTS 19 /**< columns of wrc_wrench_derivatives that this version fills */
+#define WRC_ALL_REGIONS (-1) /**< in place of an index: all patches of a contact plane together */
+
+/* ------------------------------------------------------------------------------------------- structs: the model */
+
+/** A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over 20 to 500 mm, within
+ * 1 m of the origin, without a step.
+ *  - Wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
+ *  - Rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). Its points go down the gauge
+ *    face by track.gauge_depth at least.
+ *  - A step is refused: 1 mm and more from one point to the next at over 79 degrees, between parts below 45 degrees. For a rail's
+ *    upper 40 mm 56 degrees hold. */
 typedef struct wrc_profile {
-  int32_t kind;     /**< enum wrc_profile_kind [WRC_PROFILE_NONE] */
-  uint32_t count;   /**< number of points, 4..20000 with WRC_PROFILE_POINTS [0]. Too small: a spline needs at least four
-                         points */
-  const double* y;  /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
-  const double* z;  /**< `count` of them with WRC_PROFILE_POINTS [m] [required] */
-  double smoothing; /**< of points only: waves of this length along the curve, 0..0.05 m, keep half their height, shorter
-                         ones next to nothing (a seventeenth at half the length), longer ones nearly all; 0: the points
-                         are interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on both bodies. See
-                         wrc_model_profile() [0]. Too large: did you pass mm? */
+  int32_t kind;       /**< enum wrc_profile_kind [WRC_PROFILE_NONE] */
+  uint32_t count;     /**< number of points, 4..20000 [0] */
+  const double* y;    /**< `count` of them [m] [required] */
+  const double* z;    /**< `count` of them [m] [required] */
+  double smoothing;   /**< wavelength along the curve that keeps half its height, 0..0.05 m; 0: points are interpolated.
+                           Waves of half that length keep a seventeenth. Tested: 7e-3 [0] */
+  double reserved[6]; /**< 0 */
 } wrc_profile;
 
-/** Elastic and yield properties. Of bodies that are not alike all methods take the combined 1/G = (1/G_w + 1/G_r) / 2 and
- * nu/G = (nu_w/G_w + nu_r/G_r) / 2, with which pressure alone and traction alone are as they should; what couples them, in the
- * measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is left out, and WRC_FLAG_DISSIMILAR_MATERIALS says so when the model is
- * made. Theory manual, section 4. */
-typedef struct wrc_config_material {
-  double shear_modulus; /**< G, of both bodies or of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? Too large: steel has 80e9 */
-  double poisson;       /**< nu, of both bodies or of the wheel, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
-  double shear_yield;   /**< k, yield limit in shear for the fatigue indices, 1e6..1e11 Pa [250e6]. Too small: did you pass
-                             MPa? */
-  double rail_shear_modulus; /**< G of the rail, 0 or 1e8..1e12 Pa; 0: as the wheel's [0]. Too small: did you pass MPa or
-                                  GPa? Too large: steel has 80e9 */
-  double rail_poisson;       /**< nu of the rail, 0..0.5; must be 0 where rail_shear_modulus is [0]. Steel has 0.25 to 0.3 */
-} wrc_config_material;
+/** Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2 and
+ * nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in real time. Then
+ * WRC_FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section 4. */
+typedef struct wrc_material {
+  double shear_modulus; /**< G, 1e8..1e12 Pa [82e9] */
+  double poisson;       /**< nu, 0..0.5 [0.28] */
+  double shear_yield;   /**< k, yield limit in shear, 1e6..1e11 Pa. Fatigue indices take the smaller of both bodies [250e6] */
+  double reserved[5];   /**< 0 */
+} wrc_material;
 
-/** How a body takes up heat. Read by wrc_contact_temperature() and friction over temperature. */
+/** How a body takes up heat. Read by temperatures and by friction over temperature. */
 typedef struct wrc_heat_properties {
-  double conductivity;  /**< lambda, 0.1..1000 W/(m K) [50]. Steel has 40 to 55 */
-  double density;       /**< rho, 100..1e5 kg/m^3 [7850]. Too small: did you pass g/cm^3? */
-  double specific_heat; /**< c, 10..1e5 J/(kg K) [450]. Too small: did you pass kJ? */
+  double conductivity;  /**< lambda, 0.1..1000 W/(m K) [50] */
+  double density;       /**< rho, 100..1e5 kg/m^3 [7850] */
+  double specific_heat; /**< c, 10..1e5 J/(kg K) [450] */
+  double reserved[5];   /**< 0 */
 } wrc_heat_properties;
 
 /** Where the wheels are on their axle. */
 typedef struct wrc_config_wheelset {
-  double wheel_radius;         /**< nominal rolling radius, at the tape circle, 0.1..1.5 m [0.46]. Too large: did you pass
-                                    mm? */
-  double flange_back_distance; /**< between the inner faces of the wheelset, 0.3..2.5 m; not read without profiles [1.360].
-                                    Too large: did you pass mm? */
+  double wheel_radius;         /**< nominal rolling radius, at the tape circle, 0.1..1.5 m [0.46] */
+  double tape_circle_distance; /**< between the tape circles of both wheels, 0.3..3 m; not read without profiles [1.5] */
+  double reserved[6];          /**< 0 */
 } wrc_config_wheelset;
 
 /** Where the rails are. Not read without profiles. */
 typedef struct wrc_config_track {
   int32_t placement;       /**< enum wrc_profile_placement [WRC_PLACEMENT_GAUGE] */
-  uint32_t reserved;       /**< 0 */
-  double gauge;            /**< between the gauge faces of the rails, 0.3..2.5 m [1.435]. Too large: did you pass mm? */
-  double gauge_depth;      /**< gauge is measured this far below the rail top, 0.005..0.04 m [0.014]. Too large: did you
-                                pass mm? */
-  double rail_inclination; /**< tangent of the cant towards the track centre, -0.2..0.2; must be 0 for
-                                WRC_PROFILE_UIC60_BENCHMARK, which is canted already [0]. 1:40 is 0.025 */
-  double rail_origin;      /**< distance of the rail profile's origin from the track's centre line, 0.2..1.5 m with
-                                WRC_PLACEMENT_ORIGIN, 0 else [0]. Too large: did you pass mm, or the distance from rail to
-                                rail? */
+  uint32_t reserved0;      /**< 0 */
+  double gauge;            /**< between the gauge faces of the rails, 0.3..2.5 m [1.435] */
+  double gauge_depth;      /**< depth below the rail top at which the gauge is measured, 0.005..0.04 m [0.014] */
+  double rail_inclination; /**< tangent of the cant towards the track centre, -0.2..0.2; 1:40 is 0.025. 0 for
+                                WRC_PROFILE_UIC60_BENCHMARK [0] */
+  double rail_origin;      /**< distance of the rail profile's origin from the track's centre line, 0.2..1.5 m [0] */
+  double reserved[6];      /**< 0 */
 } wrc_config_track;
 
-/** One cross section of a rail that changes along the track; wrc_contact_wrench() alone reads them. Between two sections the
- * rail is blended, twice continuously differentiable by the distance, point by point of equal length along both outlines:
- * from end to end, or from mark to mark where marks are given. So outlines that are paired should end at the same places of
- * the rail. A face is a surface of its own - stock rail, blade, wing rail, nose -, with sections of its own, and is there
- * from the first of them to the last: one that begins or ends should do so where the wheel does not touch it. The rail
- * itself reaches from the first section of all to the last. Theory manual, section 9. */
+/** One cross section of a rail that changes along the track. Sections of one surface (stock rail, blade, wing rail, nose) are
+ * blended point by point of equal share of their length, twice continuously differentiable in the distance. Marks divide that
+ * length: points of equal mark belong together. A surface is there from its first section to its last. It should begin and end
+ * where no wheel touches it. Theory manual, section 9. */
 typedef struct wrc_rail_section {
-  double distance;      /**< along the track, -1e7..1e7 m; of a face increasing, by 1 mm or more [0]. Did you pass mm? */
-  double y;             /**< where the profile's origin lies, from that of config.rail: towards the field side, -0.5..0.5 m
-                             [0]. Did you pass mm? */
-  double z;             /**< the same downwards, -0.5..0.5 m [0]. Did you pass mm? */
-  int32_t face;         /**< which surface it is of, 0..3: sections of one face stand side by side, faces counted from 0 on,
-                             best from the gauge side to the field side, as regions are listed [0] */
-  uint32_t marks;       /**< 0..64, the same for all sections of a face [0] */
-  const double* mark;   /**< `marks` of them, y on this profile, -0.5..0.5 m with `marks`: of points that belong together
-                             with those of equal number on the face's other sections; increasing, 1 mm or more from each
-                             other and from the ends [required]. Did you pass mm? */
-  wrc_profile profile;  /**< its outline, from its own origin, canted as config.rail by config.track.rail_inclination; not
-                             WRC_PROFILE_UIC60_BENCHMARK beside another */
+  double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
+  double y;             /**< place of the profile's origin from that of config.rail, to the field side, -0.5..0.5 m [0] */
+  double z;             /**< the same downwards, -0.5..0.5 m [0] */
+  int32_t surface;      /**< which surface it is of, 0..3; sections of one surface stand side by side. Count from the gauge side [0] */
+  uint32_t mark_count;  /**< number of marks, 0..64; equal for all sections of a surface [0] */
+  const double* marks;  /**< `mark_count` of them: y on this profile, -0.5..0.5 m, increasing by 1 mm at least, also from
+                             the ends [required] */
+  wrc_profile profile;  /**< its outline from its own origin, canted by config.track.rail_inclination */
+  double reserved[6];   /**< 0 */
 } wrc_rail_section;
 
-/** A wheel that is not round: a flat, a polygon, a measurement. wrc_contact_wrench() alone reads it. A periodic cubic spline
- * goes through each row. Theory manual, section 9. */
+/** A wheel that is not round: a flat, a polygon, a measurement. A periodic cubic spline goes through each row. Theory manual,
+ * section 9. */
 typedef struct wrc_config_roundness {
-  uint32_t angles;         /**< places round the wheel in each row, the first again at the end, 0 or 9..20000; 0: it is round
-                                [0] */
-  uint32_t rows;           /**< places across the tread, 1..16 with `angles`, 0 else [0] */
-  const double* angle;     /**< `angles` of them, 0..6.2831854 rad with `angles`, increasing, from 0 to 2 pi; 0 is the lowest
-                                point at wrc_wheel_input.angle 0, and angles grow from there towards +x [required]. Did you
-                                pass degrees? */
-  const double* y;         /**< `rows` of them: where on the wheel's profile the rows are, increasing, -0.5..0.5 m; between
-                                them is blended; NULL: of one row [NULL] */
-  const double* deviation; /**< rows * angles of them, row by row, -0.005..0.005 m with `angles`: what the radius has more
-                                than that of the profile; in each row the last as the first [required] */
+  uint32_t angle_count;     /**< places round the wheel in each row, 0 or 9..20000; the first comes again at the end [0] */
+  uint32_t row_count;       /**< rows across the tread, 1..16 [0] */
+  const double* angles;     /**< `angle_count` of them, 0..6.2831854 rad, increasing from 0 to 2 pi. At wrc_wheel_input.angle 0,
+                                 0 is the lowest point and angles grow towards +x [required] */
+  const double* y;          /**< `row_count` of them: y of each row on the wheel's profile, -0.5..0.5 m, increasing; NULL: one
+                                 row [NULL] */
+  const double* deviations; /**< row_count * angle_count of them, row by row: radius less that of the profile, -0.005..0.005 m
+                                 [required] */
+  double reserved[6];       /**< 0 */
 } wrc_config_roundness;
 
-/** How finely contacts are divided. */
-typedef struct wrc_config_grid {
-  int32_t strips;      /**< strips across the patch, 4..512 [60]. Too large: more strips cost time in proportion */
-  int32_t cells;       /**< cells along each strip, 4..512; memory only with a method that gives forces alone [32]. Too
-                            large: more cells cost time in proportion */
-  int32_t gap_rows;    /**< rows the gap is sampled at, and most a caller's gap may have, 8..4096 [256]. The gap is
-                            interpolated between rows */
-  int32_t max_patches; /**< patches reported; more are flagged, 1..16 [4]. A wheel touches its rail in one to three
-                            places */
-  double gap_limit;    /**< rows of a pose reach to where the gap exceeds this, 1e-5..0.02 m; deeper approaches are not
-                            solved but continued, WRC_FLAG_BEYOND_GAP [1e-3]. Too large: did you pass mm? */
-} wrc_config_grid;
+/** A check rail beside each rail, which guides the back of the wheel's flange. It is the same all along the track and moves with
+ * the rail. The wheel's profile must have points on the flange's back, beyond the tip. */
+typedef struct wrc_config_check_rail {
+  double y;            /**< place of its profile's origin from that of config.rail, to the field side: < 0, -0.5..0 m [0] */
+  double z;            /**< the same downwards: < 0 where it stands above the rail's origin, -0.5..0.5 m [0] */
+  wrc_profile profile; /**< its outline as that of a rail; its field side guides. WRC_PROFILE_NONE: there is no check rail */
+  double reserved[6];  /**< 0 */
+} wrc_config_check_rail;
 
 /** The normal problem. */
 typedef struct wrc_config_normal {
   int32_t method;         /**< enum wrc_normal_method [WRC_NORMAL_STRIP_HALFSPACE] */
-  int32_t max_iterations; /**< cap of the steps of the load search, 4..1000; not read by WRC_NORMAL_STRIP_HALFSPACE [60] */
-  int32_t max_sweeps;     /**< cap of the sweeps over the strips on each of two grids, 4..1000; read by
-                               WRC_NORMAL_STRIP_HALFSPACE [16] */
-  int32_t warm_start;     /**< 0..1; 1: WRC_NORMAL_STRIP_HALFSPACE starts from the contact's last solution (not read by
-                               wrc_contact_wrench: wrc_wheel_input.start); results then depend on the calls before: the same approach again moves the force by up to 0.1 %. Unfit
-                               for implicit integrators, whose iterations stall on that, and for differences between
-                               calls. 0: results depend on the inputs of the call alone [0] */
-  double load_tolerance;  /**< relative error of a prescribed load at the approach found for it, 1e-14..1e-2 (below 1e-12
-                               as that); not read by WRC_NORMAL_STRIP_HALFSPACE, which meets the load to rounding [1e-10] */
+  int32_t max_iterations; /**< cap of the steps of the load search, 4..1000; not of WRC_NORMAL_STRIP_HALFSPACE [60] */
+  double load_tolerance;  /**< relative error of a prescribed load, 1e-14..1e-2; not of WRC_NORMAL_STRIP_HALFSPACE [1e-10] */
+  double reserved[6];     /**< 0 */
 } wrc_config_normal;
 
 /** The tangential problem. wrc_config_use() sets a published method by its name. */
 typedef struct wrc_config_tangential {
   int32_t method;          /**< enum wrc_tangential_method [WRC_TANGENTIAL_STRIP_FASTSIM] */
-  int32_t patch_model;     /**< enum wrc_patch_model; read by WRC_TANGENTIAL_FASTSIM and _FASTRIP
-                                [WRC_PATCH_MODEL_PATCH_SDEC] */
-  int32_t bound;           /**< enum wrc_traction_bound; read by WRC_TANGENTIAL_FASTSIM [WRC_BOUND_PARABOLIC] */
-  int32_t flexibility;     /**< enum wrc_flexibility; read by WRC_TANGENTIAL_FASTSIM [WRC_FLEXIBILITY_SEPARATE] */
-  int32_t regularisation;  /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
-  uint32_t reserved;       /**< 0 */
-  const char* force_table; /**< file of the force table, for WRC_TANGENTIAL_FORCE_TABLE alone: share/wrc/force_table.bin
-                                of the installed library; read when the model is made, never after [NULL] */
+  int32_t patch_model;     /**< enum wrc_patch_model; of FASTSIM and FaStrip [WRC_PATCH_MODEL_PATCH_SDEC] */
+  int32_t bound;           /**< enum wrc_traction_bound; of FASTSIM [WRC_BOUND_PARABOLIC] */
+  int32_t flexibility;     /**< enum wrc_flexibility; of FASTSIM [WRC_FLEXIBILITY_SEPARATE] */
+  const char* force_table; /**< file of the force table, read once by the model; of WRC_TANGENTIAL_FORCE_TABLE [NULL] */
+  double reserved[6];      /**< 0 */
 } wrc_config_tangential;
 
-/** A check rail beside each rail, which guides the back of the wheel's flange; wrc_contact_wrench() alone reads it. It is the
- * same all along the track and moves with the rail (wrc_rail_state). The wheel's profile must have its flange's back: points
- * beyond the tip, which z(y) can follow as steeply as points are allowed to be. */
-typedef struct wrc_config_check_rail {
-  double y;            /**< where its profile's origin lies, from that of config.rail: towards the field side, so < 0, -0.5..0 m
-                            [0]. Did you pass mm, or count from the track's middle? */
-  double z;            /**< the same downwards, so < 0 where it stands above the rail's origin, -0.5..0.5 m [0]. Did you pass
-                            mm? */
-  wrc_profile profile; /**< its outline, y as that of the rail: the face that guides is on its field side. Canted as
-                            config.rail by config.track.rail_inclination; WRC_PROFILE_NONE: there is none */
-} wrc_config_check_rail;
+/** Options of wrc_contact_wrench() alone. */
+typedef struct wrc_config_surface {
+  int32_t cells;       /**< cells along each strip, of fields and of FASTSIM, 4..512 [32] */
+  uint32_t reserved0;  /**< 0 */
+  double reserved[14]; /**< 0 */
+} wrc_config_surface;
 
-/** Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A member that the
- * chosen methods do not read must keep that value: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
+/** Options of the stages of wrc_planar.h, and of their normal methods where wrc_contact_wrench() applies them. */
+typedef struct wrc_config_planar {
+  int32_t strips;         /**< strips across the patch, 4..512 [60] */
+  int32_t cells;          /**< cells along each strip, 4..512 [32] */
+  int32_t gap_rows;       /**< rows the gap is sampled at, and most that a caller's gap has, 8..4096 [256] */
+  int32_t max_patches;    /**< patches reported; more are flagged, 1..16 [4] */
+  int32_t max_sweeps;     /**< cap of the sweeps over the strips on each of two grids, 4..1000; of WRC_NORMAL_STRIP_HALFSPACE
+                               [16] */
+  int32_t start;          /**< enum wrc_start: of the sweeps of WRC_NORMAL_STRIP_HALFSPACE. Warm, the same approach again moves
+                               the force by up to 0.1 % [WRC_START_COLD] */
+  int32_t regularisation; /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
+  int32_t non_steady;     /**< 0..1; 1: contacts remember tractions over the distances told to wrc_planar_roll(). Of
+                               WRC_TANGENTIAL_STRIP_FASTSIM, forwards [0] */
+  double gap_limit;       /**< gap up to which rows of a pose reach, 1e-5..0.02 m. Deeper approaches are continued,
+                               WRC_FLAG_BEYOND_GAP [1e-3] */
+  double reserved[8];     /**< 0 */
+} wrc_config_planar;
+
+/** Everything a model is made of. Begin with wrc_config_default(). A member that the chosen methods do not read must keep its
+ * default: anything else is WRC_ERROR_UNSUPPORTED, with a sentence. */
 typedef struct wrc_config {
-  uint32_t struct_size;             /**< sizeof this struct, 280 or more */
-  int32_t instruction_set;          /**< enum wrc_instruction_set; one this processor lacks is WRC_ERROR_UNSUPPORTED
-                                         [WRC_INSTRUCTIONS_BEST] */
+  uint32_t struct_size;             /**< sizeof this struct, 1184 or more */
+  int32_t instruction_set;          /**< enum wrc_instruction_set [WRC_INSTRUCTIONS_BEST] */
   wrc_profile wheel;                /**< profile of the wheel */
   wrc_profile rail;                 /**< profile of the rail; both are WRC_PROFILE_NONE or neither is */
-  wrc_config_material material;     /**< of both bodies */
+  wrc_material wheel_material;      /**< of the wheel */
+  wrc_material rail_material;       /**< of the rail */
   wrc_heat_properties wheel_heat;   /**< how the wheel takes up heat */
-  wrc_heat_properties rail_heat;    /**< how the rail does */
+  wrc_heat_properties rail_heat;    /**< how the rail takes up heat */
   wrc_config_wheelset wheelset;     /**< where the wheels are on their axle */
   wrc_config_track track;           /**< where the rails are */
-  wrc_config_grid grid;             /**< strips, cells, rows of the gap */
-  wrc_config_normal normal;         /**< method and options of the normal problem */
-  wrc_config_tangential tangential; /**< method and options of the tangential problem */
-  uint32_t rail_sections;           /**< of a rail that changes along the track, 0..1000; 0: it is config.rail everywhere [0] */
-  int32_t non_steady;               /**< 0..1; 1: contacts remember their tractions, and forces follow what changes over
-                                         the distances told to wrc_planar_roll(); one way of rolling, forwards, not
-                                         with wrc_contact_wrench; read by WRC_TANGENTIAL_STRIP_FASTSIM [0] */
-  const wrc_rail_section* rail_section; /**< `rail_sections` of them with `rail_sections`; config.rail is beside them what
-                                             the rail's place follows from and what the stages see [required] */
-  wrc_config_roundness roundness;   /**< of the wheel */
-  double roller_curvature;          /**< of a rail that is a roller: 1 / its radius at the origin of the rail's profile, 0 or
-                                         1e-12..10 1/m; 0: a straight rail [0]. Too large: did you pass a radius? wrc_contact_wrench()
-                                         alone reads it */
-  wrc_config_check_rail check_rail; /**< beside the rail */
+  wrc_config_normal normal;         /**< method of the normal problem */
+  wrc_config_tangential tangential; /**< method of the tangential problem */
+  wrc_config_surface surface;       /**< options of wrc_contact_wrench() */
+  wrc_config_planar planar;         /**< options of the stages of wrc_planar.h */
+  wrc_config_roundness roundness;   /**< of a wheel that is not round; of wrc_contact_wrench() */
+  double roller_curvature;          /**< 1 / radius of a roller at the origin of the rail's profile, 0 or 1e-12..10 1/m; 0: a
+                                         straight rail; of wrc_contact_wrench() [0] */
+  wrc_config_check_rail check_rail; /**< beside the rail; of wrc_contact_wrench() */
+  uint32_t rail_section_count;      /**< sections of a rail that changes along the track, 0..1000; of wrc_contact_wrench() [0] */
+  uint32_t rail_section_size;       /**< sizeof(wrc_rail_section), with sections, 0 or 1..4096 [0] */
+  const wrc_rail_section* rail_sections; /**< `rail_section_count` of them. config.rail stays the rail of the stages, and its
+                                              place is the sections' [required] */
 } wrc_config;
 
-/** Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the load. What is
- * smaller than 1e-100 counts as 0. */
-typedef struct wrc_planar_pose {
-  double lateral;       /**< shift of the wheelset to the right, -0.1..0.1 m [0]. Did you pass mm? */
-  double roll;          /**< about x: right wheel down is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
-  double yaw;           /**< about z: nose to the right is positive, -0.2..0.2 rad [0]. Did you pass degrees or mrad? */
-} wrc_planar_pose;
+/** Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither. */
+typedef struct wrc_allocator {
+  void* user;           /**< handed to both [NULL] */
+  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment is a power of two; returns NULL where no
+                                                                          memory is left [NULL] */
+  void (*release)(void* user, void* memory); /**< called by the destroy functions, and when a create fails [NULL] */
+  double reserved[2];   /**< 0 */
+} wrc_allocator;
 
-/** Where wheel and rail first touch when the wheelset of that pose is lowered. */
-typedef struct wrc_planar_point {
-  double x; /**< on the rail, track frame [m]; x is that of the wheel's point */
-  double y; /**< see x */
-  double z; /**< see x */
-  double y_wheel;        /**< in the coordinates of the wheel profile, flange side negative [m] */
-  double y_rail;         /**< from the origin of the rail profile, after canting; field side positive [m] */
-  double angle;          /**< contact angle: rotation about x from the track to the contact frame [rad] */
-  double vertical_gap;   /**< the wheel must be lowered by this, from its running circle level with the rail top [m] */
-  double rolling_radius; /**< of the wheel at the contact point [m] */
-} wrc_planar_point;
+/** A read-only view: element i is data[i]. */
+typedef struct wrc_view {
+  const double* data; /**< in the model's memory; NULL on failure */
+  uint64_t count;     /**< elements */
+  double reserved[2]; /**< 0 */
+} wrc_view;
 
-/** The undeformed gap, when the caller owns the contact search: rows along x at increasing y in the contact frame,
- * measured along the normal. Its minimum is first contact; a constant offset is irrelevant.
- *  - columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2
- *  - columns > 0: element-wise, h[j * row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted
- *    to its lowest part, what lies less than config.grid.gap_limit / 4 above its minimum but at least three points. */
-typedef struct wrc_planar_gap {
-  uint32_t rows;           /**< 4..config.grid.gap_rows [0]. Too small: a gap needs at least four rows. Too large: raise
-                                config.grid.gap_rows */
-  uint32_t columns;        /**< 0 or 3..100000 [0] */
-  const double* y;         /**< `rows` of them, -0.3..0.3 m, increasing, at least 1e-6 m apart: slopes are read off
-                                neighbours, and closer they are made of the errors of heights [required]. Did you pass
-                                mm? */
-  const double* height;    /**< `rows` of them, -0.3..0.3 m with `columns` 0 [required]. Did you pass mm? */
-  const double* centre;    /**< `rows` of them, -0.3..0.3 m with `columns` 0; NULL: zero [NULL]. Did you pass mm? */
-  const double* curvature; /**< `rows` of them, 1e-3..1e6 1/m with `columns` 0 (1 / rolling radius for a wheel on a
-                                straight rail) [required]. Too small: rows must be convex; did you pass 1/mm, or a
-                                radius? Too large: did you pass 1/um? */
-  const double* x;         /**< `columns` of them, -0.3..0.3 m with `columns`, increasing, at least 1e-6 m apart
-                                [required]. Did you pass mm? */
-  const double* h;         /**< -0.3..0.3 m with `columns` [required]. Did you pass mm? */
-  uint64_t row_stride;     /**< elements from one row of h to the next, >= columns [0] */
-} wrc_planar_gap;
+/* ------------------------------------------------------------------------------------- structs: wheel on a rail */
 
-/** What presses the bodies together, and damping of the approach if wanted (Hunt and Crossley, J. Appl. Mech. 42
- * (1975) 440-445): every pressure is the elastic one times
- *     1 + 3/2 damping * approach_velocity,   never below 0,
- * on the elastic patch. The force so grows from zero at first touch and never pulls. Everything downstream (traction
- * bound, forces.fn, fields, damage) sees this pressure; wrc_planar_normal_solution.damping_force is its share of the normal
- * force. An impact at v m/s rebounds with about (1 - damping * v) of its velocity while damping * v is small. */
-typedef struct wrc_planar_load {
-  int32_t prescribed;   /**< enum wrc_prescribed [WRC_PRESCRIBE_NORMAL_FORCE] */
-  uint32_t reserved;    /**< 0 */
-  double normal_force;  /**< along the contact normal, 1e2..1e6 N with WRC_PRESCRIBE_NORMAL_FORCE; must be set [0]. Negative: the
-                             normal force is compressive positive; prescribe the approach near lift-off. Too small: did
-                             you pass kN? near lift-off prescribe the approach instead. Too large: did you pass a
-                             pressure, or grams? */
-  double approach;      /**< beyond first touch, -1..0.01 m with WRC_PRESCRIBE_APPROACH; <= 0: no contact [0]. Too large:
-                             did you pass mm or um? */
-  double approach_velocity; /**< d approach / dt, -20..20 m/s with WRC_PRESCRIBE_APPROACH; positive while the bodies near
-                                 each other, as wrc_creepage.approach_velocity [0]. Did you pass mm/s? */
-  double damping;       /**< 0..10 s/m with WRC_PRESCRIBE_APPROACH: a prescribed load is the whole load; 0: none [0].
-                             Negative: damping takes energy out. Too large: it is not a viscous constant: that over 3/2
-                             of the force it was found at */
-} wrc_planar_load;
-
-/** Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below 1e-100 counts
- * as none. */
-typedef struct wrc_creepage {
-  double longitudinal;  /**< nu_x, -10..10 [0]. Did you pass per mille? */
-  double lateral;       /**< nu_y, -10..10 [0]. Did you pass per mille? */
-  double spin;          /**< phi, -1000..1000 1/m [0] */
-  double speed;         /**< rolling speed V, -200..200 m/s: its sign says which edge leads (0: forward), its amount
-                             scales the power and the sliding speed of friction that falls [1]. Did you pass km/h? */
-  double approach_velocity; /**< result of wrc_planar_creepages(), not read: velocity of the wheel's point along the contact
-                                 normal into the rail [m/s], for wrc_planar_load */
-  double reverse_share;     /**< share of forces, power, adhesion and sensitivities that is of rolling the other way than
-                             speed says, 0..0.5: near standstill wrc_planar_creepages() sets it, and both ways are solved;
-                             fields, what damage and wear make of them are of the way of speed [0]. Too small: it is a
-                             result of wrc_planar_creepages. Too large: the way of creepage.speed has the larger share */
-} wrc_creepage;
-
-/** Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass. */
+/** Temperatures of the bodies away from the contact. */
 typedef struct wrc_bulk_temperatures {
-  double wheel; /**< of the tread, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
-  double rail;  /**< of the running surface, -273..2000 degC [20]. Too large: did you pass kelvin, or Fahrenheit? */
+  double wheel;       /**< of the tread, -273..2000 degC [20] */
+  double rail;        /**< of the running surface, -273..2000 degC [20] */
+  double reserved[2]; /**< 0 */
 } wrc_bulk_temperatures;
 
-/** Friction between the bodies, and what a layer between them does. Each strip of the patch has one coefficient: that
- * at rest (`coefficient`, or of the zones) times what is left of it at the strip's sliding speed or temperature. It may
- * vanish: such strips carry no traction. A member that neither the kind nor the tangential
- * method reads must be its default: anything else is WRC_ERROR_UNSUPPORTED. Zones are read where zones > 0. Theory
- * manual, section 5. */
+/** Friction between the bodies, and a layer between them. Each strip has one coefficient: that at rest (`coefficient`, or of the
+ * zones) times the factor of speed_law times that of temperature_law. Members of laws that are not chosen are checked and not
+ * read: a program may keep the parameters of all. Theory manual, section 5. */
 typedef struct wrc_friction {
-  double coefficient;   /**< Coulomb; at rest where it falls with the sliding speed, 0 or 1e-4..2; 0, none, of a wheel on a
-                             rail alone (wrc_wheel.h) [0.3]. Too small: friction must be positive. Too large: did you pass
-                             per cent? */
-  int32_t kind;         /**< enum wrc_friction_kind [WRC_FRICTION_CONSTANT] */
-  int32_t zone_frame;   /**< enum wrc_zone_frame [WRC_ZONES_CONTACT_FRAME] */
-  double kinetic_ratio; /**< friction at high sliding speed over that at rest (Polach's A), 0..1; not read by
-                             WRC_FRICTION_CONSTANT [0.4]. Too large: it is a share of the coefficient at rest */
-  double fall_rate;     /**< WRC_FRICTION_FALLING: Polach's B, 0..1000 s/m [0.6]. Too small: friction falls with
-                             positive rates */
-  double half_speed;    /**< w at which half of the fall is done, 1e-6..100 m/s with WRC_FRICTION_STATIC_KINETIC [1] */
-  double hot_ratio;     /**< friction of hot surfaces over that of cold ones, 0..1 with WRC_FRICTION_TEMPERATURE [0.5]. Too
-                             large: it is a share of the coefficient of cold surfaces */
-  double cold_temperature; /**< up to which friction is whole, -273..2000 degC with WRC_FRICTION_TEMPERATURE [0] */
-  double hot_temperature;  /**< from which on friction is hot_ratio of that, -273..3000 degC with WRC_FRICTION_TEMPERATURE,
-                                at least 1 degC above cold_temperature [400] */
-  wrc_bulk_temperatures bulk; /**< of the bodies; read by WRC_FRICTION_TEMPERATURE */
-  double slope_reduction; /**< a layer between the bodies: initial slope of the creep curve over that of clean bodies,
-                               for every method, 0.01..1 [1]. Too small: clean bodies have 1. Too
-                               large: clean bodies have 1; did you pass per cent? */
-  double slope_limit;   /**< modified FASTSIM: share of that slope left at large slip, 0..1; read by
-                             WRC_TANGENTIAL_FASTSIM [0.02] */
-  double slope_fall;    /**< modified FASTSIM: how fast the slope falls as slip grows, 0..1000; 0: not; read by
-                             WRC_TANGENTIAL_FASTSIM [0] */
-  const double* zone_y; /**< breakpoints, `zones` of them, -1..1 m with `zones`, increasing; two at the same y make a
-                             step [required]. Did you pass mm? */
-  const double* zone_coefficient; /**< friction at rest there, `zones` of them, 0..2 with `zones`, in place of
-                                       `coefficient`; linear between breakpoints, constant beyond; a strip has the mean
-                                       over its width. 0: no friction [required]. Too small: friction is not negative.
-                                       Too large: did you pass per cent? */
-  uint32_t zones;       /**< breakpoints, 0..64; 0: `coefficient` everywhere [0] */
-  uint32_t reserved;    /**< 0 */
+  double coefficient;      /**< Coulomb, at rest, 0 or 1e-4..2; 0, no friction, in wrc_contact_wrench() alone [0.3] */
+  int32_t speed_law;       /**< enum wrc_friction_speed_law [WRC_SPEED_LAW_NONE] */
+  int32_t temperature_law; /**< enum wrc_friction_temperature_law [WRC_TEMPERATURE_LAW_NONE] */
+  double kinetic_ratio;    /**< friction at high sliding speed over that at rest (Polach's A), 0..1 [0.4] */
+  double fall_rate;        /**< Polach's B, of the exponential law, 0..1000 s/m [0.6] */
+  double half_speed;       /**< sliding speed at which half of the fall is done, of the hyperbolic law, 1e-6..100 m/s [1] */
+  double hot_ratio;        /**< friction of hot surfaces over that of cold ones, 0..1 [0.5] */
+  double cold_temperature; /**< up to which friction is whole, -273..2000 degC [0] */
+  double hot_temperature;  /**< from which friction has hot_ratio, -273..3000 degC; 1 degC above cold_temperature at least [400] */
+  wrc_bulk_temperatures bulk; /**< of the bodies; read by the temperature law */
+  double slope_reduction;  /**< initial slope of the creep curve over that of clean bodies: a layer, 0.01..1 [1] */
+  double slope_limit;      /**< share of that slope left at large slip, 0..1; of modified FASTSIM [0.02] */
+  double slope_fall;       /**< how fast the slope falls with slip, 0..1000; of modified FASTSIM [0] */
+  const double* zone_y;    /**< breakpoints, `zone_count` of them, -1..1 m, increasing; two at one y make a step [required] */
+  const double* zone_coefficients; /**< friction at rest at the breakpoints, `zone_count` of them, 0..2, in place of
+                                        `coefficient`. Linear between them, constant beyond. A strip has its mean [required] */
+  uint32_t zone_count;     /**< breakpoints, 0..64 [0] */
+  int32_t zone_frame;      /**< enum wrc_zone_frame [WRC_ZONES_CONTACT_FRAME] */
+  double reserved[12];     /**< 0 */
 } wrc_friction;
 
-/** An equivalent double ellipse and the load it carries: two half ellipses of equal length that meet at the joint.
- * Found for every patch; or handed over as a patch, exactly (then pressure is semi-elliptic, p0 = 1.5 N / (pi a b),
- * and the joint lies at the origin of the contact frame). */
+/** Where a wheel or wheelset is and how it moves, against the ground. */
+typedef struct wrc_wheel_state {
+  int32_t reference;    /**< enum wrc_wheel_reference: of y, z, velocity and the wrench's moment [WRC_REFERENCE_WHEELSET] */
+  int32_t orientation;  /**< enum wrc_orientation: by roll and yaw, or by rotation [WRC_ORIENTATION_ANGLES] */
+  int32_t angular_axes; /**< enum wrc_axes: by roll_rate, pitch_rate, yaw_rate, or by angular_velocity [WRC_AXES_NONE] */
+  uint32_t reserved0;   /**< 0 */
+  double y;             /**< displacement of the reference point to the right, -0.2..0.2 m [0] */
+  double z;             /**< the same downwards, -0.5..0.2 m; 0 is the nominal height [0] */
+  double roll;          /**< about x, right wheel down, -0.5..0.5 rad [0] */
+  double yaw;           /**< about the rolled z, nose to the right, -0.5..0.5 rad [0] */
+  double velocity[3];   /**< of the reference point, track axes, -200..200, -50..50, -50..50 m/s [0] */
+  double roll_rate;     /**< time derivative of roll, -200..200 rad/s [0] */
+  double pitch_rate;    /**< about the axle, -v / r0 rolling forwards, -2000..2000 rad/s [0] */
+  double yaw_rate;      /**< time derivative of yaw, -200..200 rad/s [0] */
+  double angular_velocity[3]; /**< whole, in the axes that angular_axes says, -200..200, -2000..2000, -200..200 rad/s [0] */
+  double rotation[9];   /**< R of track = R body, orthonormal to 1e-6, its axle within 0.5 rad of the track's y, -1.001..1.001
+                             [0] */
+  double reserved[6];   /**< 0 */
+} wrc_wheel_state;
+
+/** Displacement and motion of a rail, track axes. Velocities are those of its material: a bent rail at rest has none. Its slopes
+ * along the track are inputs of their own. speed * slope is never a velocity. */
+typedef struct wrc_rail_state {
+  double y;           /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0] */
+  double z;           /**< the same downwards, -0.2..0.2 m [0] */
+  double roll;        /**< rotation about that origin and the x axis, -0.5..0.5 rad [0] */
+  double y_slope;     /**< dy / dx of the rail at the wheel, -0.1..0.1 [0] */
+  double z_slope;     /**< dz / dx of the rail at the wheel, -0.1..0.1 [0] */
+  double y_velocity;  /**< of its material along y, -50..50 m/s [0] */
+  double z_velocity;  /**< of its material along z, -50..50 m/s [0] */
+  double roll_rate;   /**< of its material about x, -200..200 rad/s [0] */
+  double reserved[6]; /**< 0 */
+} wrc_rail_state;
+
+/** How a frame moves that follows a curved track, for hosts whose velocities are those within it. Its origin is on the track
+ * centre line, level with the rails' tops. It turns at speed * (twist, vertical_curvature, curvature) about its axes. That
+ * motion is added to the wheel's. All zero: velocities are against the ground. Velocities of the rail always are. */
+typedef struct wrc_frame_motion {
+  double speed;              /**< of its origin along the track, -200..200 m/s [0] */
+  double curvature;          /**< of the track in plan, to the right, -0.1..0.1 1/m [0] */
+  double vertical_curvature; /**< of the track's height, upwards as in a dip, -0.1..0.1 1/m [0] */
+  double twist;              /**< rate of the cant over the speed, right side down, -0.5..0.5 1/m [0] */
+  double reserved[4];        /**< 0 */
+} wrc_frame_motion;
+
+/** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only read during the call. */
+typedef struct wrc_wheel_input {
+  uint32_t struct_size;  /**< sizeof this struct, 712 or more */
+  int32_t prescribed;    /**< enum wrc_prescribed: WRC_PRESCRIBE_HEIGHT or _VERTICAL_LOAD [WRC_PRESCRIBE_HEIGHT] */
+  int32_t start;         /**< enum wrc_start [WRC_START_COLD] */
+  uint32_t reserved0;    /**< 0 */
+  wrc_wheel_state wheel; /**< where the wheel is and how it moves */
+  wrc_rail_state rail;   /**< where the rail is and how it moves */
+  wrc_frame_motion frame; /**< motion of the axes that velocities are given in */
+  wrc_friction friction; /**< of each strip at its own sliding speed; zones count from the origin of a profile */
+  double vertical_load;  /**< vertical force on the wheel, creep forces included, upwards positive, 1e2..1e6 N [0] */
+  double damping;        /**< factor of Hunt and Crossley: each strip's pressure is the elastic one times 1 + 3/2 damping
+                              d(overlap)/dt, never below 0, 0..10 s/m [0] */
+  double distance;       /**< of the reference point along the track, for a rail with sections, or from above the axle of a
+                              roller, -1e7..1e7 m [0] */
+  double angle;          /**< of the wheel about its axle, for one with config.roundness, right-hand rule about y, -1e9..1e9 rad
+                              [0] */
+  double roller_rate;    /**< angular velocity of a roller about its axle, right-hand rule about y, -2000..2000 rad/s [0] */
+} wrc_wheel_input;
+
+/** What passes between a wheel and its rail. All zero but for z and clearance where they do not touch. */
+typedef struct wrc_wrench {
+  uint32_t struct_size;  /**< sizeof this struct, 168 or more */
+  uint32_t flags;        /**< bit 1 << flag for each WRC_FLAG_... met */
+  int32_t region_count;  /**< separate regions in contact: wrc_contact_region() */
+  int32_t iterations;    /**< of the normal problem, all of the call */
+  double force[3];       /**< on the wheel, track axes [N] */
+  double moment[3];      /**< on the wheel about its reference point, track axes [N m] */
+  double rail_force[3];  /**< on the rail, track axes: -force [N] */
+  double rail_moment[3]; /**< on the rail about the displaced origin of its profile, track axes [N m] */
+  double z;              /**< displacement of the reference point, as given or as found [m] */
+  double clearance;      /**< apart: height by which the wheel must be lowered to touch, at most the search limit; else 0 [m] */
+  double normal_force;   /**< sum over the regions of the resultants of their pressures. It steps where regions join [N] */
+  double area;           /**< [m^2] */
+  double peak_pressure;  /**< [Pa] */
+  double power;          /**< frictional power, >= 0 [W] */
+  double steepest_angle; /**< largest angle of a rail strip in contact against the horizontal. It steps where strips enter [rad] */
+} wrc_wrench;
+
+/** Derivatives of the wrench on the wheel about its reference point. What is prescribed is held: under a given load the height
+ * follows all other inputs, and the column of z is zero. */
+typedef struct wrc_wrench_derivatives {
+  uint32_t struct_size;  /**< sizeof this struct, 1800 or more */
+  uint32_t reserved0;    /**< 0 */
+  double wrench[6][32];  /**< rows force x, y, z [N], moment x, y, z [N m]; columns enum wrc_wrench_input, the rest 0 */
+  double z[32];          /**< of wrc_wrench.z; columns the same */
+} wrc_wrench_derivatives;
+
+/* ------------------------------------------------------------------------------------- structs: results by region */
+
+/** Rigid slip of the wheel over the rail per rolled length: at (x, y) of the contact plane
+ * (longitudinal - spin y, lateral + spin x). An amount below 1e-100 counts as 0. */
+typedef struct wrc_creepage {
+  double longitudinal;      /**< nu_x, -10..10 [0] */
+  double lateral;           /**< nu_y, -10..10 [0] */
+  double spin;              /**< phi, -1000..1000 1/m [0] */
+  double speed;             /**< rolling speed V, -200..200 m/s. Its sign says which edge leads, its amount scales power [1] */
+  double approach_velocity; /**< result of wrc_planar_creepages(): of the wheel into the rail along the normal [m/s] */
+  double reverse_share;     /**< share of the solution that rolls the other way, 0..0.5: near standstill both are solved. A
+                                 result of wrc_planar_creepages() [0] */
+  double reserved[4];       /**< 0 */
+} wrc_creepage;
+
+/** An equivalent double ellipse and its load: two half ellipses of equal length that meet at the joint. */
 typedef struct wrc_ellipse {
-  double a;            /**< semi-axis along rolling, 1e-6..0.1 m [0]. Too large: did you pass mm? */
-  double b;            /**< half its width, 1e-6..0.1 m; it reaches from y - b (1 - psi) to y + b (1 + psi) [0]. Too large:
-                            did you pass mm? */
+  double a;            /**< semi-axis along rolling, 1e-6..0.1 m [0] */
+  double b;            /**< half its width, 1e-6..0.1 m. It reaches from y - b (1 - psi) to y + b (1 + psi) [0] */
   double psi;          /**< shape number, -0.95..0.95; 0 is an ellipse; paper eq. 2 [0] */
-  double y;            /**< its joint in the contact frame [m]; not read */
-  double normal_force; /**< compressive positive, damping included, 1e-3..1e7 N [0]. Negative: the normal force is
-                            compressive positive. Too large: did you pass mN? */
+  double y;            /**< result: its joint, as WRC_FIELD_STRIP_Y [m] */
+  double normal_force; /**< compressive positive, damping included, 1e-3..1e7 N [0] */
+  double reserved[3];  /**< 0 */
 } wrc_ellipse;
 
-/** What the normal problem of a contact came to, all patches together. */
-typedef struct wrc_planar_normal_solution {
-  int32_t patches;      /**< separate patches: wrc_contact_patch() has each */
-  int32_t strips;       /**< strips under pressure */
-  int32_t iterations;   /**< of the root find, or sweeps */
-  uint32_t reserved;    /**< 0 */
-  wrc_ellipse ellipse;  /**< of the patch that carries most */
-  double normal_force;  /**< compressive positive, damping included [N] */
-  double damping_force; /**< share of normal_force that comes from load.damping; < 0 while the bodies part [N] */
-  double approach;      /**< beyond first touch, along the normal [m]; 0 for an ellipse or strips of the caller */
-  double stiffness;     /**< d normal_force / d approach [N/m]; of STRIP_HALFSPACE and ANALYN within 6 %; d normal_force
-                             / d approach_velocity is 3/2 load.damping * (normal_force - damping_force), in N s/m */
-  double peak_pressure; /**< largest pressure as solved, not of the equivalent ellipse [Pa] */
-  double area;          /**< [m^2] */
-  double length;        /**< extent along x: foremost to rearmost edge of all strips [m] */
-  double width;         /**< extent along y: y_max - y_min [m] */
-  double y_min;         /**< lateral borders [m] */
-  double y_max;         /**< see y_min */
-} wrc_planar_normal_solution;
+/** One region of a wheel in contact, a run of neighbouring strips, or one patch of a contact plane. The wrench does not depend on
+ * where regions are divided. */
+typedef struct wrc_region {
+  uint32_t struct_size;  /**< sizeof this struct, 408 or more */
+  uint32_t available;    /**< bits of enum wrc_available; where one is missing, 0 stands */
+  int32_t strip_count;   /**< strips it is made of */
+  int32_t cell_count;    /**< cells along each of them */
+  int32_t surface;       /**< of the rail, as wrc_rail_section.surface. With a check rail 0 is that and 1 the rail */
+  uint32_t reserved0;    /**< 0 */
+  double point[3];       /**< wheel: centre of pressure, x from the reference point; plane: the ellipse's joint; track axes [m] */
+  double normal[3];      /**< unit vector into the rail, track axes [-] */
+  double y_wheel;        /**< that point in the coordinates of the wheel's profile, flange side negative [m] */
+  double z_wheel;        /**< the same, down from the tape circle [m] */
+  double y_rail;         /**< that point in the coordinates of the rail's profile, field side positive [m] */
+  double z_rail;         /**< the same, down from the profile's origin [m] */
+  double angle;          /**< contact angle about x from the track's z to the normal; < 0 on the right rail's gauge side [rad] */
+  double rolling_radius; /**< of the wheel at that point [m] */
+  double force[3];       /**< on the wheel, track axes [N] */
+  double moment[3];      /**< on the wheel about `point`, track axes [N m] */
+  double normal_force;   /**< resultant of the pressure, compressive positive [N] */
+  double longitudinal_force; /**< sum of the strips' tangential forces along x [N] */
+  double lateral_force;  /**< sum of the strips' tangential forces along the rail's arc, or along y of the contact plane [N] */
+  double spin_moment;    /**< about the normal: wheel, through `point`; plane, through the origin of the contact frame [N m] */
+  wrc_creepage creepage; /**< wheel: means over the load; plane: as given */
+  wrc_ellipse ellipse;   /**< its equivalent double ellipse, of a wheel laid flat along the rail's arc */
+  double area;           /**< [m^2] */
+  double length;         /**< extent along x: foremost to rearmost edge of all strips [m] */
+  double width;          /**< extent across: y_max - y_min [m] */
+  double y_min;          /**< border, as WRC_FIELD_STRIP_Y [m] */
+  double y_max;          /**< see y_min */
+  double peak_pressure;  /**< [Pa] */
+  double power;          /**< frictional power [W] */
+  double adhesion_fraction; /**< share of the area that sticks [-]; WRC_AVAILABLE_TRACTIONS */
+} wrc_region;
 
-/** A pressure distribution of the caller, as strips along x with semi-elliptic pressure. */
-typedef struct wrc_planar_strips {
-  uint32_t count;            /**< 1..config.grid.strips [0]. Too large: raise config.grid.strips */
-  uint32_t reserved;         /**< 0 */
-  const double* y;           /**< middle, `count` of them, -0.3..0.3 m, increasing; strips must not overlap [required].
-                                  Did you pass mm? */
-  const double* width;       /**< `count` of them, 1e-9..0.1 m [required]. Too small: leave out strips without width. Too
-                                  large: did you pass mm? */
-  const double* centre;      /**< x of the middle, `count` of them, -0.3..0.3 m; NULL: zero [NULL]. Did you pass mm? */
-  const double* half_length; /**< `count` of them, 1e-9..0.1 m [required]. Too small: leave out strips without length.
-                                  Too large: did you pass mm? */
-  const double* peak;        /**< `count` of them, 0..1e11 Pa [required]. Too small: pressure is compressive positive.
-                                  Too large: steel yields at a tenth of that */
-} wrc_planar_strips;
-
-/** Forces on the wheel in the contact frame, moment about its origin. */
-typedef struct wrc_planar_forces {
-  double fx;                /**< creep forces [N] */
-  double fy;                /**< see fx */
-  double fn;                /**< normal force, compressive positive, damping included [N] */
-  double mz;                /**< spin moment [N m] */
-  double power;             /**< frictional power at the given speed [W], >= 0 */
-  double adhesion_fraction; /**< share of the patch's area that sticks [-]; WRC_AVAILABLE_TRACTIONS */
-  uint32_t available;       /**< bits of enum wrc_available: what else stands here; where one is missing, 0 does */
-  uint32_t reserved;        /**< 0 */
-} wrc_planar_forces;
-
-/** One patch of a contact with its forces. Moments are about the origin of the contact frame: the forces of all patches add
- * up to those of the contact. */
-typedef struct wrc_patch {
-  uint32_t struct_size; /**< sizeof this struct, 208 or more */
-  uint32_t available;   /**< bits of enum wrc_available; where one is missing, 0 stands */
-  int32_t strips;       /**< strips the patch is made of */
-  uint32_t reserved;    /**< 0 */
-  wrc_ellipse ellipse;  /**< its equivalent double ellipse, with the place of its joint and its load */
-  wrc_planar_forces forces;    /**< on the wheel; zero before wrc_planar_tangential() */
-  double peak_pressure; /**< [Pa] */
-  double area;          /**< [m^2] */
-  double length;        /**< extent along x [m] */
-  double width;         /**< extent along y [m] */
-  double y_min;         /**< lateral borders [m] */
-  double y_max;         /**< see y_min */
-  double point[3];      /**< the joint in the contact plane, track frame [m]; WRC_AVAILABLE_PLACE */
-  double normal[3];     /**< unit vector into the rail, track frame [-]; WRC_AVAILABLE_PLACE. All patches of a contact
-                             plane share it; regions of a wheel on a rail have their own (wrc_region) */
-} wrc_patch;
-
-/** Velocity of the wheelset relative to the track, in the track frame. */
-typedef struct wrc_planar_motion {
-  double speed;             /**< of its middle along the track, -200..200 m/s; backwards < 0 [0]. Did you pass km/h? */
-  double lateral_velocity;  /**< to the right, -20..20 m/s [0] */
-  double vertical_velocity; /**< down, -20..20 m/s [0] */
-  double roll_rate;         /**< about x, -100..100 rad/s [0]. Did you pass degrees? */
-  double yaw_rate;          /**< about z, -100..100 rad/s [0]. Did you pass degrees? */
-  double pitch_rate;        /**< about the axle (y): negative rolling forward, -2000..2000 rad/s [0]. Did you pass rpm? */
-} wrc_planar_motion;
-
-/** Wear and rolling contact fatigue numbers of the last wrc_planar_tangential. */
+/** Wear and fatigue numbers of a region. */
 typedef struct wrc_damage {
-  double power;               /**< total frictional power, the integral of WRC_FIELD_POWER_DENSITY [W] */
+  double power;               /**< frictional power [W] */
   double peak_power_density;  /**< [W/m^2]; WRC_AVAILABLE_TRACTIONS */
   double t_gamma;             /**< power / speed: energy dissipated per metre rolled, spin included [N] */
   double t_gamma_no_spin;     /**< |Fx nu_x + Fy nu_y|: the other definition in use [N] */
   double utilisation;         /**< mu_a = sqrt(Fx^2 + Fy^2) / N: abscissa of the shakedown map [-] */
   double load_factor;         /**< p0 / k: ordinate of the shakedown map [-] */
-  double shakedown_limit;     /**< of load_factor at mu_a, line contact [-]; ratcheting above */
-  double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11 [-]; damage when positive */
-  double local_fatigue_index; /**< largest local index over the patch, paper eq. 12 [-]; WRC_AVAILABLE_TRACTIONS */
+  double shakedown_limit;     /**< of load_factor at mu_a, line contact; ratcheting above [-] */
+  double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11; damage when positive [-] */
+  double local_fatigue_index; /**< largest local index over the region, paper eq. 12 [-]; WRC_AVAILABLE_TRACTIONS */
   uint32_t available;         /**< bits of enum wrc_available; where one is missing, 0 stands */
-  uint32_t reserved;          /**< 0 */
+  uint32_t reserved0;         /**< 0 */
+  double reserved[6];         /**< 0 */
 } wrc_damage;
-
-/** Parameters of the wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
- * unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels. Theory manual,
- * section 6.
- *  - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144 (1991)), over the wheel's diameter.
- *  - Sheffield: depth per metre rolled from T-gamma per area (R8T wheel on UIC60 900A; Braghin et al. 2006).
- *  - Archard: depth per second, k p v / hardness with the map of Jendel (Wear 253 (2002)).
- *  - Power law: depth per second, power_coefficient / density * q (q / power_reference)^(power_exponent - 1), q the
- *    frictional power density. With exponent 1 mass is worn in proportion to energy: the mild regime of Zobory
- *    (VSD 28 (1997)), which ends at 4 W/mm^2. */
-typedef struct wrc_wear_laws {
-  uint32_t struct_size;                /**< sizeof this struct, 184 or more */
-  uint32_t reserved;                   /**< 0 */
-  double t_gamma_mild_end; /**< T-gamma up to which wear is mild, 1e-3..1e9 N [100] */
-  double t_gamma_severe_start; /**< T-gamma from which it is severe, 1e-3..1e9 N, not below t_gamma_mild_end [200] */
-  double t_gamma_mild_slope; /**< area * diameter per T-gamma, mild, 0..1e6 mm^3/(km N) [0.25] */
-  double t_gamma_plateau; /**< area * diameter between the two, 0..1e9 mm^3/km [25] */
-  double t_gamma_severe_slope; /**< as t_gamma_mild_slope, severe, 0..1e6 mm^3/(km N) [1.19] */
-  double t_gamma_severe_offset; /**< subtracted in the severe regime, 0..1e15 mm^3/km; the law must not turn negative
-                                     [154] */
-  double sheffield_mild_end; /**< T-gamma per area up to which wear is mild, 1e-6..1e9 N/mm^2 [10.4] */
-  double sheffield_severe_end; /**< T-gamma per area from which it is catastrophic, 1e-6..1e9 N/mm^2, not below
-                                    sheffield_mild_end [77.2] */
-  double sheffield_mild_slope; /**< rate per T-gamma per area, mild, 0..1e6 microgram/(m N) [5.3] */
-  double sheffield_catastrophic_slope; /**< the same, catastrophic, 0..1e6 microgram/(m N) [61.9] */
-  double density; /**< of the worn material, 100..1e5 kg/m^3 [7850] */
-  double hardness; /**< of the softer body, 1e6..1e12 Pa [3e9]. Too small: did you pass MPa, or a Vickers number? */
-  double archard_slow; /**< coefficient below archard_severe_start, 0..1 [5e-4] */
-  double archard_severe; /**< coefficient between the two speeds, 0..1 [35e-4] */
-  double archard_fast; /**< coefficient above archard_severe_end, 0..1 [5e-4] */
-  double archard_seizure; /**< coefficient where pressure exceeds seizure_pressure * hardness, 0..1 [350e-4] */
-  double archard_severe_start; /**< sliding velocity from which wear is severe, 0..1000 m/s [0.2] */
-  double archard_severe_end; /**< sliding velocity up to which it is severe, 0..1000 m/s, not below archard_severe_start
-                                  [0.7] */
-  double seizure_pressure; /**< share of the hardness, 0..1000 [0.8] */
-  double power_coefficient; /**< mass worn per energy at power_reference, 0..1 kg/J [7e-10]. Did you pass microgram/J? */
-  double power_exponent; /**< of the frictional power density, 0.25..4 [1] */
-  double power_reference; /**< power density at which power_coefficient holds, 1..1e12 W/m^2 [4e6]. Too small: did you pass
-                               W/mm^2? */
-} wrc_wear_laws;
-
-/** Wear of the last wrc_planar_tangential. */
-typedef struct wrc_wear {
-  double worn_area_rate;         /**< T-gamma law: area lost from the wheel's section per metre rolled [m^2/m] */
-  double largest_depth_rate;     /**< Sheffield: depth per metre rolled of the worst cell [m/m] */
-  double largest_depth_velocity; /**< Archard: depth per second in contact of the worst cell [m/s] */
-  double largest_power_depth_velocity; /**< power law: the same [m/s] */
-} wrc_wear;
-
-/** Coefficients of the linear theory for one patch shape (theory manual, section 4). */
-typedef struct wrc_coefficients {
-  double c11; /**< Kalker's, for the ellipse a, b [-] */
-  double c22; /**< see c11 */
-  double c23; /**< see c11 */
-  double c11s; /**< of the double ellipse, about its joint; paper eq. 5 [-] */
-  double c13s; /**< see c11s */
-  double c22s; /**< see c11s */
-  double c23s; /**< see c11s */
-} wrc_coefficients;
-
-/** Derivatives of the forces of the last wrc_planar_tangential at its patch. */
-typedef struct wrc_planar_derivatives {
-  double forces[3][5];  /**< rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
-                             (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the
-                             whole law; with friction.zones, their mean over the load) */
-} wrc_planar_derivatives;
-
-/** Derivatives of the last whole step, creepages and friction held. */
-typedef struct wrc_step_sensitivity {
-  double by_load[4];    /**< of fx, fy, mz and the approach [m] with respect to the normal force [N]; where the approach
-                             is prescribed, of fx, fy, mz and the normal force with respect to the approach */
-  double by_lateral[4]; /**< of the same four with respect to the lateral shift of the wheelset [m]; zero for a gap of the
-                             caller */
-} wrc_step_sensitivity;
-
-/** What wrc_planar_step() reads. What pointers within point to is the caller's and only read during the call. */
-typedef struct wrc_planar_input {
-  uint32_t struct_size;  /**< sizeof this struct, 256 or more */
-  uint32_t reserved;     /**< 0 */
-  wrc_planar_pose pose;         /**< of the wheelset; not used with `gap`, but within its ranges all the same */
-  const wrc_planar_gap* gap;    /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
-  wrc_planar_load load;         /**< what presses the bodies together */
-  wrc_creepage creepage; /**< rigid slip at the origin of the contact frame */
-  wrc_friction friction; /**< between the bodies */
-} wrc_planar_input;
-
-/** What wrc_planar_step() fills. */
-typedef struct wrc_planar_output {
-  uint32_t struct_size;       /**< sizeof this struct, 344 or more */
-  uint32_t reserved;          /**< 0 */
-  wrc_planar_point point;    /**< zero when there was no pose */
-  wrc_planar_normal_solution normal; /**< of the normal stage */
-  wrc_planar_forces forces;          /**< of the tangential stage */
-  wrc_damage damage;          /**< of the damage stage */
-} wrc_planar_output;
-
-/** A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next call on
- * the contact. */
-typedef struct wrc_view {
-  const double* data; /**< in the contact's memory; NULL: not computed */
-  uint64_t count[2];  /**< elements along each dimension; count[1] = 1 for rank 1 */
-  uint64_t stride[2]; /**< in elements */
-  uint32_t rank;      /**< 1 or 2 */
-  uint32_t reserved;  /**< 0 */
-} wrc_view;
-
-/** Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither. */
-typedef struct wrc_allocator {
-  void* user;           /**< handed to both [NULL] */
-  void* (*allocate)(void* user, uint64_t bytes, uint64_t alignment); /**< alignment: a power of two; gives NULL where
-                                                                          none is left [NULL] */
-  void (*release)(void* user, void* memory); /**< called by the destroy functions, and when a create fails [NULL] */
-} wrc_allocator;
 
 /* ------------------------------------------------------------------------------------------------ about the library */
 
@@ -758,8 +688,8 @@ WRC_API uint32_t wrc_abi_version(void);
  * @param requested WRC_ABI_VERSION of the header the caller was compiled with
  * @return a sentence; static storage, never NULL. @rt hard @thread free */
 WRC_API const char* wrc_version_text(uint32_t requested);
-/** What to put into a question to support: version, commit, compiler, flags, and the instruction set this processor gets
- * by default. @return one line; static storage, never NULL. Asks the processor. @rt init @thread free */
+/** What to put into a question to support: version, both interfaces, commit, compiler, flags, and the instruction set that this
+ * processor gets by default. @return one line; static storage, never NULL. @rt init @thread free */
 WRC_API const char* wrc_build_info(void);
 /** Name of a status. @param status any number @return for example "WRC_ERROR_RANGE", or "unknown status"; static
  * storage, never NULL. @rt hard @thread free */
@@ -771,120 +701,94 @@ WRC_API const char* wrc_status_text(int32_t status);
 /* ------------------------------------------------------------------------------------------------------- defaults */
 
 /** @name Defaults
- * wrc_X_default() gives a struct with its defaults (the values in brackets above; zero and NULL where none are given),
- * of the size the caller was compiled with. wrc_X_init() does the same to a struct of the caller; of one that has
- * struct_size, which must be set before, it writes that many bytes. Returns WRC_OK, WRC_ERROR_NULL (the pointer is
- * NULL), WRC_ERROR_STRUCT_SIZE (smaller than the first published version, or larger than the library knows: the
- * library is older than the header; wrc_X_default() gives zeros then, and every call refuses them).
+ * wrc_X_default() gives a struct with its defaults. wrc_X_init() writes them into a struct of the caller. Where the struct has
+ * struct_size, the caller sets it before, and that many bytes are written. WRC_OK; WRC_ERROR_NULL (no struct);
+ * WRC_ERROR_STRUCT_SIZE (not set, or smaller than the first published version).
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_profile_init(wrc_profile* profile); /**< Defaults: profile. */
 WRC_API int32_t wrc_config_init(wrc_config* config); /**< Defaults: configuration. */
-WRC_API int32_t wrc_heat_properties_init(wrc_heat_properties* heat); /**< Defaults: how a body takes up heat. */
-WRC_API int32_t wrc_planar_pose_init(wrc_planar_pose* pose); /**< Defaults: pose. */
-WRC_API int32_t wrc_planar_gap_init(wrc_planar_gap* gap); /**< Defaults: gap. */
-WRC_API int32_t wrc_planar_load_init(wrc_planar_load* load); /**< Defaults: load. */
-WRC_API int32_t wrc_creepage_init(wrc_creepage* creepage); /**< Defaults: creepages. */
-WRC_API int32_t wrc_bulk_temperatures_init(wrc_bulk_temperatures* bulk); /**< Defaults: temperatures of the bodies. */
+WRC_API int32_t wrc_material_init(wrc_material* material); /**< Defaults: material of a body. */
 WRC_API int32_t wrc_friction_init(wrc_friction* friction); /**< Defaults: friction. */
-WRC_API int32_t wrc_ellipse_init(wrc_ellipse* ellipse); /**< Defaults: ellipse. */
-WRC_API int32_t wrc_planar_strips_init(wrc_planar_strips* strips); /**< Defaults: strips. */
-WRC_API int32_t wrc_planar_motion_init(wrc_planar_motion* motion); /**< Defaults: wheelset's motion. */
-WRC_API int32_t wrc_wear_laws_init(wrc_wear_laws* laws); /**< Defaults: wear laws. */
-WRC_API int32_t wrc_allocator_init(wrc_allocator* allocator); /**< Defaults: allocator. */
-WRC_API int32_t wrc_planar_input_init(wrc_planar_input* input); /**< Defaults: input of a step. */
-WRC_API int32_t wrc_planar_output_init(wrc_planar_output* output); /**< Defaults: output of a step. */
-WRC_API int32_t wrc_patch_init(wrc_patch* patch); /**< Defaults: patch. */
+WRC_API int32_t wrc_wheel_input_init(wrc_wheel_input* input); /**< Defaults: wheel's input. */
 /** @cond */
-#define WRC_DEFAULT(type)                \
+#define WRC_DEFAULT(type)                   \
   static inline type type##_default(void) { \
-    type value;                          \
-    memset(&value, 0, sizeof value);     \
-    type##_init(&value);                 \
-    return value;                        \
+    type value;                             \
+    memset(&value, 0, sizeof value);        \
+    type##_init(&value);                    \
+    return value;                           \
   }
-#define WRC_DEFAULT_SIZED(type)                   \
-  static inline type type##_default(void) {       \
-    type value;                                   \
-    memset(&value, 0, sizeof value);              \
-    value.struct_size = (uint32_t)sizeof value;   \
-    type##_init(&value);                          \
-    return value;                                 \
+#define WRC_DEFAULT_SIZED(type)                 \
+  static inline type type##_default(void) {     \
+    type value;                                 \
+    memset(&value, 0, sizeof value);            \
+    value.struct_size = (uint32_t)sizeof value; \
+    type##_init(&value);                        \
+    return value;                               \
   }
-WRC_DEFAULT(wrc_profile)
 WRC_DEFAULT_SIZED(wrc_config)
-WRC_DEFAULT(wrc_heat_properties)
-WRC_DEFAULT(wrc_planar_pose)
-WRC_DEFAULT(wrc_planar_gap)
-WRC_DEFAULT(wrc_planar_load)
-WRC_DEFAULT(wrc_creepage)
-WRC_DEFAULT(wrc_bulk_temperatures)
+WRC_DEFAULT(wrc_material)
 WRC_DEFAULT(wrc_friction)
-WRC_DEFAULT(wrc_ellipse)
-WRC_DEFAULT(wrc_planar_strips)
-WRC_DEFAULT(wrc_planar_motion)
-WRC_DEFAULT_SIZED(wrc_wear_laws)
-WRC_DEFAULT(wrc_allocator)
-WRC_DEFAULT_SIZED(wrc_planar_input)
-WRC_DEFAULT_SIZED(wrc_planar_output)
-WRC_DEFAULT_SIZED(wrc_patch)
+WRC_DEFAULT_SIZED(wrc_wheel_input)
 /** @endcond */
 /** @} */
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
-/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility and
- * regularisation of config.tangential, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
- * friction.slope_fall > 0; "KBTNH-type table" needs config.tangential.force_table.
+/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility of
+ * config.tangential and config.planar.regularisation, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
+ * friction.slope_fall > 0. "KBTNH-type table" needs config.tangential.force_table.
  * @param[in,out] config of wrc_config_default()
- * @param name one of WRC_PRESET_LIST (wrc_methods.h), as written there, for example "FASTSIM-SDEC"
+ * @param name one of WRC_PRESET_LIST (wrc_methods.h), for example "FASTSIM-SDEC"
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
  * @param size bytes of text
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name: the sentence has those there are; config is
- * left as it is). @rt init @thread free */
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name; the sentence lists all). @rt init @thread free */
 WRC_API int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size);
 
 /** Says whether a model can be made of a configuration, and if not why, as a sentence.
- * @param config configuration to check; NULL: WRC_ERROR_NULL
+ * @param config configuration to check
  * @param[out] text the sentence, cut if need be and terminated when size > 0; empty when all is well; NULL: not wanted
  * @param size bytes of text
  * @return as wrc_model_create(). @rt init @thread free */
 WRC_API int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size);
 
-/** Memory a model needs.
+/** Memory a model needs. The shape of profile points is not looked at.
  * @param config configuration of the model
  * @param[out] bytes size, @param[out] alignment in bytes; both zero on failure
- * @return as wrc_model_init(), except that the shape of profile points is not looked at. @rt init @thread free */
+ * @return as wrc_model_init(). @rt init @thread free */
 WRC_API int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alignment);
 
 /** Makes a model in the caller's memory. Profiles are copied: config and all it points to may go away afterwards. The
- * memory stays the caller's and must outlive every contact of the model; there is nothing to destroy.
+ * memory stays the caller's and must outlive every contact of the model. There is nothing to destroy.
  * @param config configuration of the model
  * @param memory aligned as wrc_model_size() says
  * @param bytes of memory, at least what wrc_model_size() says
  * @param[out] model the model; NULL on failure
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _PROFILE, _UNSUPPORTED, _BUFFER: ask
- * wrc_config_check() why. @rt init @thread free */
-WRC_API int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model);
+ * @param[out] text why not, as wrc_config_check(); NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_DISSIMILAR_MATERIALS; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _PROFILE, _UNSUPPORTED,
+ * _BUFFER, _FILE. @rt init @thread free */
+WRC_API int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model, char* text,
+                               uint64_t size);
 
-/** wrc_model_init() with memory the library gets itself.
+/** wrc_model_init() with memory the library gets itself. Takes about 20 ms with profiles.
  * @param config configuration of the model
  * @param allocator where memory comes from; NULL: malloc and free
  * @param[out] model the model, to be released with wrc_model_destroy(); NULL on failure
+ * @param[out] text why not, as wrc_config_check(); NULL: not wanted
+ * @param size bytes of text
  * @return as wrc_model_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
-WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model);
+WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model, char* text,
+                                 uint64_t size);
 
 /** Shows a profile as the model uses it, smoothed and placed, without copying it. Views are valid as long as the model.
  * @param model a model with profiles
  * @param side enum wrc_side: where it is placed
  * @param body enum wrc_body
- * @param[out] y nodes of the curve: of a wheel from the middle of the wheelset, of a rail in the track frame [m]; NULL:
- * not wanted
- * @param[out] z their heights: of a wheel below its running circle, of a rail below its top [m]; NULL: not wanted
- * @param[out] deviation largest distance between a given point and the smoothed curve, 0 without smoothing [m]; NULL:
- * not wanted
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles), _UNSUPPORTED (no such side or
- * body).
+ * @param[out] y nodes of the curve [m]. Wheel: from the middle of the wheelset; rail: track frame; NULL: not wanted
+ * @param[out] z their heights [m]. Wheel: below its running circle; rail: below its top; NULL: not wanted
+ * @param[out] deviation largest distance between a given point and the smoothed curve [m]; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL, _SEQUENCE (model without profiles), _UNSUPPORTED (no such side or body).
  * @rt hard @thread free */
 WRC_API int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wrc_view* y, wrc_view* z,
                                   double* deviation);
@@ -901,47 +805,51 @@ WRC_API void wrc_model_destroy(wrc_model* model);
  * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
 WRC_API int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alignment);
 
-/** Makes a contact in the caller's memory, every page of which it touches. The model must outlive the contact; the
- * memory stays the caller's; there is nothing to destroy.
+/** Makes a contact in the caller's memory, every page of which it touches. The model must outlive the contact. The memory stays
+ * the caller's. There is nothing to destroy.
  * @param model its model, which serves both sides
  * @param side enum wrc_side: which wheel of the wheelset, and the rail it is on
  * @param memory aligned as wrc_contact_size() says
  * @param bytes of memory, at least what wrc_contact_size() says
  * @param[out] contact the contact; NULL on failure
- * @return WRC_OK, WRC_ERROR_NULL, _UNSUPPORTED (no such side), _BUFFER. @rt hard @thread free */
-WRC_API int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes,
-                                 wrc_contact** contact);
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK, WRC_ERROR_NULL, _UNSUPPORTED (no such side), _BUFFER. @rt hard, long @thread free */
+WRC_API int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes, wrc_contact** contact,
+                                 char* text, uint64_t size);
 
 /** wrc_contact_init() with memory the library gets itself.
  * @param model its model, which serves both sides
  * @param side enum wrc_side: which wheel of the wheelset, and the rail it is on
  * @param allocator where memory comes from; NULL: malloc and free
  * @param[out] contact the contact, to be released with wrc_contact_destroy(); NULL on failure
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
  * @return as wrc_contact_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
-WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator,
-                                   wrc_contact** contact);
+WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator, wrc_contact** contact,
+                                   char* text, uint64_t size);
 
 /** Releases a contact made by wrc_contact_create().
  * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
-/** Length of a saved state, about half of the memory a contact takes.
+/** Length of a saved state, a tenth of the memory a contact takes.
  * @param model the model
  * @param[out] bytes size; zero on failure
  * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
 WRC_API int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes);
 
-/** Copies the whole state of a contact out of it, for a rejected integrator step or an FMU rollback. The copy is good
- * for any contact of the same model and side, in this process. After the same calls it has the same bytes.
+/** Copies the state of a contact out of it, for a rejected step of an integrator or a rollback. The copy is good for any contact of
+ * the same model and side in this process. With cold starts results do not depend on it, and nothing needs saving.
  * @param contact the contact
  * @param[out] buffer the copy; no alignment needed
  * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes);
+WRC_API int32_t wrc_contact_save(wrc_contact* contact, void* buffer, uint64_t bytes);
 
-/** Puts a saved state back, bit for bit; what wrc_contact_last_error() says is part of it. A call that fails changes nothing
- * but that sentence.
- * @param contact a contact of the model the state was saved from
+/** Puts a saved state back, bit for bit, the sentence of wrc_contact_last_error() included. A call that fails changes that
+ * sentence alone.
+ * @param contact a contact of the model and side the state was saved from
  * @param buffer from wrc_contact_save()
  * @param bytes of buffer, at least what wrc_contact_state_size() says
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER, _SEQUENCE (not a saved state of this model and side). @rt hard @thread
@@ -954,258 +862,135 @@ WRC_API int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, ui
  * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
 WRC_API int32_t wrc_contact_portable_size(const wrc_model* model, uint64_t* bytes);
 
-/** wrc_contact_save() for another process or another machine: for files, checkpoints, a simulation that is moved. It begins
- * with the eight letters wrcstate, says its version, its byte order (that of the machine that wrote it: low byte first
- * on x86-64 and aarch64) and a fingerprint of the configuration with its profiles, and has a checksum.
+/** wrc_contact_save() for another process or machine: checkpoints, a simulation that is moved. It begins with the eight letters
+ * wrcstate and has a version, the byte order, a fingerprint of the configuration with its profiles, and a checksum.
  * @param contact the contact
  * @param[out] buffer the state; no alignment needed
  * @param bytes of buffer, at least what wrc_contact_portable_size() says
- * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_save_portable(const wrc_contact* contact, void* buffer, uint64_t bytes);
+ * @return WRC_OK, WRC_ERROR_NULL, _BUFFER. @rt hard, long @thread contact */
+WRC_API int32_t wrc_contact_save_portable(wrc_contact* contact, void* buffer, uint64_t bytes);
 
-/** Puts a portable state into a contact of an equal configuration: one with the same numbers, profiles and force table,
- * and of the same side. instruction_set may differ, and the process, and the machine if its byte order is the same. What follows
- * has the bits it would have had where the state was saved. Of the last status the sentence is lost, but for what
- * wrc_status_text() says. A call that fails changes nothing but the sentence.
+/** Puts a portable state into a contact of an equal configuration and side: the same numbers, profiles and force table. The
+ * instruction set may differ. What follows has the bits it would have had where the state was saved. A call that fails changes
+ * the sentence alone.
  * @param contact the contact
  * @param buffer from wrc_contact_save_portable()
  * @param bytes of buffer
- * @return WRC_OK; WRC_ERROR_NULL, _FILE (no such state, cut short, or changed since it was written), _UNSUPPORTED (of
- * another version of the library, or another byte order), _SEQUENCE (of another configuration or side). @rt hard
- * @thread contact */
+ * @return WRC_OK; WRC_ERROR_NULL, _FILE (no such state, cut short, or changed since it was written), _UNSUPPORTED (of another
+ * version of the library, or another byte order), _SEQUENCE (of another configuration or side). @rt hard, long @thread contact */
 WRC_API int32_t wrc_contact_restore_portable(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
-/** The sentence behind the status of the last stage or step on this contact, for example
- *   "input.load.normal_force = 80 N is outside 100 .. 1e+06 N: did you pass kN? near lift-off prescribe the approach
- *   instead"
- * and empty after WRC_OK. A wrc_contact_restore that fails leaves its sentence too, one that succeeds brings back the
- * sentence of the saved state. Calls that take a const contact (wrc_contact_patch, _field, _region,
- * _save) do not change it.
+/** The sentence behind the last status of this contact. It begins with the function's name, for example
+ *   "wrc_contact_wrench: input.vertical_load = 80 N is outside 100 .. 1e+06 N: did you pass kN?"
+ * and is empty after WRC_OK.
  * @param contact the contact
  * @param[out] buffer the sentence, terminated, cut if need be
  * @param size bytes of buffer
  * @return WRC_OK, WRC_ERROR_NULL, _BUFFER (size is 0). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer, uint64_t size);
 
-/* --------------------------------------------------------------------------------------------------------- stages */
+/* -------------------------------------------------------------------------------------------------- wheel on a rail */
 
-/** Finds the initial contact point of a pose and samples the gap around it into the contact: one contact point, the
- * lowest; the rows reach up to 30 mm to either side. Theory manual, section 7.
+/** The wrench between a wheel and a rail at this pose and motion, steady rolling. Tread, gauge corner and flange are one problem: no
+ * contact point is chosen, each strip of the rail's surface has its own normal, overlap and slip. The wrench is a continuous
+ * function of all inputs, but where a flag says otherwise. Theory manual, section 9.
+ * @par Methods
+ * The defaults, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM, are what accuracy and smoothness are stated for.
+ * Other normal methods are applied patch by patch to the surface unrolled. FASTSIM with WRC_PATCH_MODEL_PATCH_SDEC and FaStrip
+ * roll strip by strip. All other forms roll patch by patch, with the strips' mean slips, on the ellipse of the same moments.
+ * @par Time
+ * 0.03 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
+ * temperature doubles the time.
+ * @par A given load under high friction
+ * Where friction on a steep face outweighs its slope, the vertical force may fall as the wheel goes down. The highest place that
+ * carries the load with a force growing downwards is returned. Where there is none, it is the place at which the force first
+ * ceases to grow: then force[2] is less than the load. WRC_FLAG_CLIMBING says that none or several places carry the load.
  * @param contact of a model with profiles
- * @param pose of the wheelset, track frame
- * @param[out] point where the bodies touch first; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model without profiles),
- * _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose). @rt hard @thread contact */
-WRC_API int32_t wrc_planar_geometry(wrc_contact* contact, const wrc_planar_pose* pose, wrc_planar_point* point);
-
-/** Creepages at the origin of the contact frame of the last wrc_planar_geometry, from the rigid motion of the wheelset: the
- * velocity of the wheel's material point there over the amount of the rolling speed V, the mean of the speeds at which
- * wheel and rail material pass through the contact (a locked wheel: half its speed and creepage 2; one that spins at
- * standstill: -2). What it gives wrc_planar_tangential takes, as it stands:
- *  - Below |V| = 0.1 m/s, where creepages would grow without end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) /
- *    8, u = |V| / 0.1 m/s, instead: 0.0375 m/s at V = 0. speed has the amount of that divisor, so that it scales power
- *    right, and the sign of V; reverse_share goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion
- *    through V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x load.
- *  - Where a creepage would pass its range (sliding far faster than rolling), all are divided by more; speed grows by
- *    it.
- *  - |speed| ends at 200 m/s.
- * Theory manual, section 7.
- * @param contact the contact
- * @param motion of the wheelset, track frame
- * @param[out] creepage the creepages with speed, approach_velocity and reverse_share, ready to be passed on; NULL: not
- * wanted
- * @return WRC_OK; WRC_FLAG_CREEPAGES_LIMITED (any of these three); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
- * wrc_planar_geometry before), _NOT_FINITE, _RANGE.
- * @rt hard @thread contact */
-WRC_API int32_t wrc_planar_creepages(wrc_contact* contact, const wrc_planar_motion* motion, wrc_creepage* creepage);
-
-/** Solves the normal problem and regularises the patch (wrc_planar_regularise). Strips stay in the contact. Pressures are
- * those of two bodies of equal material; theory manual, sections 2 and 3.
- * @param contact the contact
- * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_planar_geometry or of an earlier call
- * @param load along the contact normal
- * @param[out] normal the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP,
- * _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_LEAPS (HERTZ to STRIPES: between two loads
- * the method has no solution; the approach is that of the larger, and prescribed gives that one), _BEYOND_GAP (load
- * or approach is more than the gap carries, at most config.grid.gap_limit of a pose's: load and pressures go on in a
- * straight line with the last stiffness, the patch stays); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is NULL and
- * the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED. @rt hard @thread contact */
-WRC_API int32_t wrc_planar_normal(wrc_contact* contact, const wrc_planar_gap* gap, const wrc_planar_load* load,
-                                   wrc_planar_normal_solution* normal);
-
-/** Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double ellipse.
- * Theory manual, section 3; paper section 2.
- * @param contact the contact
- * @param strips contact frame, whose origin must be the initial contact point; copied; NULL: the strips in the contact
- * @param[out] normal what the strips add up to, with their double ellipse; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE,
- * _SEQUENCE (strips is NULL and the contact has none), _RANGE, _NOT_FINITE. @rt hard @thread contact */
-WRC_API int32_t wrc_planar_regularise(wrc_contact* contact, const wrc_planar_strips* strips,
-                                       wrc_planar_normal_solution* normal);
-
-/** Tells a contact of a model with config.non_steady = 1 how far it has rolled since its last tangential stage; calls add
- * up. The next wrc_planar_tangential() or wrc_planar_step() takes that distance: pressure and creepages are those of
- * its end (creepages better of its middle), and every particle brings along the traction it had. Steps may be as long
- * as one likes: over six lengths of the patch they are steady rolling; with 0, the default, tractions stay where they
- * are. A contact begins, and begins again when the bodies have been apart, without tractions; save and restore take
- * all of that along, which a repeated step of an implicit integrator needs. Theory manual, Rolling that is not steady.
- * @param contact the contact
- * @param distance 0..1e6 m
- * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without config.non_steady). @rt hard
- * @thread contact */
-WRC_API int32_t wrc_planar_roll(wrc_contact* contact, double distance);
-
-/** Solves the tangential problem of rolling, steady but for config.non_steady. Theory manual, sections 4 and 5; paper eq. 5 to 9.
- * @param contact the contact
- * @param ellipse exact double ellipse with its joint at the origin of the contact frame, which replaces the contact's
- * patches; NULL: the patches in the contact
- * @param creepage at the origin of the contact frame
- * @param friction between the bodies
- * @param[out] forces on the wheel, contact frame; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high adhesion often: forces
- * are usable), _CREEPAGES_LIMITED (creepage.reverse_share is not 0); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or
- * friction zones over a profile without a wrc_planar_geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED. @rt hard @thread
- * contact */
-WRC_API int32_t wrc_planar_tangential(wrc_contact* contact, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
-                               const wrc_friction* friction, wrc_planar_forces* forces);
-
-/** Wear and fatigue numbers of the last wrc_planar_tangential, and the fields POWER_DENSITY, FATIGUE_INDEX, STRIP_POWER.
- * Theory manual, section 6; paper eq. 10 to 12.
- * @param contact the contact
- * @param[out] damage the numbers; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE. @rt hard @thread contact */
-WRC_API int32_t wrc_contact_damage(wrc_contact* contact, wrc_damage* damage);
-
-/** Wear of the last wrc_planar_tangential by three laws, and the field STRIP_WEAR. May be called again with other laws.
- * Theory manual, section 6.
- * @param contact the contact
- * @param laws parameters; NULL: the published ones
- * @param[out] wear the numbers; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential before),
- * _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone: no tractions to wear by). @rt hard @thread
- * contact */
-WRC_API int32_t wrc_contact_wear(wrc_contact* contact, const wrc_wear_laws* laws, wrc_wear* wear);
-
-/** Derivatives of the forces of the last wrc_planar_tangential or wrc_planar_step by creepages, load and friction,
- * for implicit integrators and linearisation: those of the discrete model itself, carried along with the forces
- * (forward mode), two to three times the cost of the forces. The creep force has kinks where a cell changes between
- * stick and slip; there it is the derivative from one side. Where strips stick a second time, which takes large spin,
- * it jumps there by up to 0.5 % of friction x load of one strip. So it is for FASTSIM with separate flexibilities and
- * strip FASTSIM, where neither friction nor the slope (modified FASTSIM) falls; all else has central differences
- * instead, with steps of a thousandth, for eight times the cost of the forces. Nothing in the contact changes, fields
- * included.
- * @param contact the contact
- * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as wrc_planar_tangential());
- * WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential). @rt hard @thread contact */
-WRC_API int32_t wrc_planar_tangential_derivatives(wrc_contact* contact, wrc_planar_derivatives* sensitivity);
-
-/** Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after a pose, to the
- * lateral shift of the wheelset: central differences of four steps, with a hundredth of the load or approach and with
- * 0.1 mm: wide enough for the strips' being cut anew in every patch not to show. Creepages and friction are held.
- * Nothing in the contact changes, fields included.
- * @param contact the contact
- * @param[out] sensitivity the derivatives; NULL: not wanted
- * @return WRC_OK; the flags of wrc_planar_step(); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no wrc_planar_tangential,
- * or on strips or a patch of the caller), and those of wrc_planar_step() where a neighbouring step fails. @rt hard
- * @thread contact */
-WRC_API int32_t wrc_contact_step_sensitivities(wrc_contact* contact, wrc_step_sensitivity* sensitivity);
-
-/** All stages at once: geometry (without input->gap) or the given gap, normal, regularise, tangential, damage.
- * @param contact the contact
  * @param input what to solve
- * @param[out] output the results; NULL: not wanted
- * @return WRC_OK or the first flag of the stages; the failure of the first stage that fails, which ends the step with
- * all outputs zeroed. @rt hard @thread contact */
-WRC_API int32_t wrc_planar_step(wrc_contact* contact, const wrc_planar_input* input, wrc_planar_output* output);
+ * @param[out] wrench the result; NULL: not wanted
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart; also a flange 4 mm and more inside the side of a rail, which the sentence says),
+ * _ITERATION_CAP, _PATCH_AT_EDGE (contact reaches the end of a profile), _MORE_PATCHES (more regions or strips than there is room
+ * for), _TABLE_RANGE, _CREEPAGES_LIMITED (slower than 0.1 m/s, as wrc_planar_creepages()), _BEYOND_GAP (deeper than 2 mm: continued
+ * with the stiffness there), _CLIMBING, _BEYOND_SECTIONS, _FORCE_JUMPS (a planar method on a patch of several lowest points),
+ * _ROTATION_TRANSPOSED; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (model without profiles; zones in a contact
+ * frame; friction over temperature of a method without tractions), _LOAD (no height carries the load). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
-/** wrc_planar_step() for many contacts, in order. Contacts are independent: a host with threads gives each thread its own
- * range of contacts, with identical results.
+/** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
+ * differences. Over temperature the part of the tractions is a difference. Two to three times the time of the wrench, over
+ * temperature four to five times. Theory manual, section 9.
+ * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM; others are WRC_ERROR_UNSUPPORTED
+ * @param input as for wrc_contact_wrench()
+ * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
+ * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted
+ * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more than 160 strips in contact.
+ * @rt hard @thread contact */
+WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
+                                               wrc_wrench_derivatives* derivatives);
+
+/** wrc_contact_wrench() for many contacts, in order, on the calling thread. A host with threads gives each its own range of contacts,
+ * with the same results.
  * @param contacts count of them, each once
  * @param count how many
  * @param inputs the first input; element i lies i * input_stride bytes behind it
  * @param input_stride [bytes]; 0: the same input for all
- * @param outputs the first output; element i lies i * output_stride bytes behind it
- * @param output_stride [bytes]
+ * @param[out] wrenches the first result; element i lies i * wrench_stride bytes behind it
+ * @param wrench_stride [bytes]
  * @param[out] statuses count of them; NULL: not wanted
- * @return the gravest status: the first failure, else the first flag, else WRC_OK. @rt hard
- * @thread contact, all of them */
-WRC_API int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_planar_input* inputs,
-                               uint64_t input_stride, wrc_planar_output* outputs, uint64_t output_stride,
-                               int32_t* statuses);
+ * @return the gravest status. @rt hard @thread contact, all of them */
+WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
+                                         uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
+                                         int32_t* statuses);
 
-#define WRC_FLAT_INPUTS 8   /**< numbers wrc_contact_step_flat() reads */
-#define WRC_FLAT_OUTPUTS 12 /**< numbers wrc_contact_step_flat() writes */
+/* ------------------------------------------------------------------------------------------------ results by region */
 
-/** wrc_planar_step() with plain arrays at a speed of 1 m/s, for Fortran 77 and S-functions.
- * @param contact of a model with profiles
- * @param in WRC_FLAT_INPUTS numbers: lateral [m], roll [rad], yaw [rad], normal force [N], nu_x, nu_y, phi [1/m],
- * friction
- * @param[out] out WRC_FLAT_OUTPUTS numbers: fx, fy, fn [N], mz [N m], power / speed [N], approach [m],
- * peak pressure [Pa], area [m^2], a [m], b [m], psi, fatigue index
- * @return as wrc_planar_step(). @rt hard @thread contact */
-WRC_API int32_t wrc_contact_step_flat(wrc_contact* contact, const double* in, double* out);
+/** One region of the contact's last solution: of the last wrc_contact_wrench() or of the last stages of wrc_planar.h, whichever
+ * came later. The results stay as they are, here and in the calls below.
+ * @param contact the contact; its work space is used
+ * @param index 0 .. number of regions - 1, from the gauge side to the field side of a rail, on a contact plane by increasing y
+ * @param[out] region the region
+ * @return WRC_OK; WRC_FLAG_TABLE_RANGE (|psi| cut to 0.95); WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _RANGE (no such
+ * region). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_region(wrc_contact* contact, int32_t index, wrc_region* region);
 
-/** One of the contact's patches with its forces.
- * @param contact the contact
- * @param index 0 .. wrc_planar_normal_solution.patches - 1, by increasing y
- * @param[out] patch the patch
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such patch).
- * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_patch(const wrc_contact* contact, int32_t index, wrc_patch* patch);
+/** A field of one region of the contact's last solution, written into memory of the caller.
+ * @param contact the contact; its work space is used
+ * @param index as for wrc_contact_region(); rows of a gap ignore it
+ * @param field enum wrc_field
+ * @param[out] values element (cell i, strip j) at j * counts[0] + i; NULL: not wanted, only counts are
+ * @param room numbers that values has room for
+ * @param[out] counts two of them: cells of each strip (1 of a field over strips or rows), and strips or rows; NULL: not wanted
+ * @return WRC_OK; WRC_ERROR_NULL (values and counts), _SEQUENCE (no solution, or no gap), _RANGE (no such region), _UNSUPPORTED (no
+ * such field, or the solution has no tractions), _BUFFER (too little room: nothing is written). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_field(wrc_contact* contact, int32_t index, int32_t field, double* values, uint64_t room,
+                                  uint64_t* counts);
 
-/** Shows a field of one patch after the last call without copying it.
- * @param contact the contact
- * @param patch 0 .. wrc_planar_normal_solution.patches - 1, by increasing y; the fields of the gap ignore it
- * @param field enum wrc_field_id
- * @param[out] view where the numbers lie; data is NULL when the field has not been computed
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (not computed, or no contact), _RANGE (no such patch),
- * _UNSUPPORTED (no such field; tractions, slip, what is made of them and the friction of a strip of a method that gives
- * forces alone).
- * @rt hard @thread contact */
-WRC_API int32_t wrc_contact_field(const wrc_contact* contact, int32_t patch, int32_t field, wrc_view* view);
-
-/* -------------------------------------------------------------------------------------------------- plain numbers */
-
-/** Coefficients of the linear theory. Theory manual, section 4; paper eq. 5.
- * @param a_over_b axis ratio, 1e-3..1e3 @param psi shape number, -0.95..0.95 @param poisson 0..0.5
- * @param[out] coefficients the coefficients
- * @return WRC_OK; WRC_FLAG_TABLE_RANGE beyond the tables; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE.
- * @rt hard @thread free */
-WRC_API int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients* coefficients);
-
-/** Shakedown curve of the line contact: load factor p0/k above which the surface ratchets. Theory manual, section 6.
- * @param utilisation mu_a, 0..10
- * @param[out] load_factor p0/k; 0 on failure
- * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
-WRC_API int32_t wrc_shakedown_limit(double utilisation, double* load_factor);
-
-/** The same of a circular point contact, for material that hardens kinematically: below the surface up to mu_a = 0.22,
- * 1 / mu_a beyond. Theory manual, section 6.
- * @param utilisation mu_a, 0..10
- * @param[out] load_factor p0/k; 0 on failure
- * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
-WRC_API int32_t wrc_shakedown_limit_point(double utilisation, double* load_factor);
-
-/* ------------------------------------------------------------------------------------------------ wheel on rail */
-
-#include "wrc_wheel.h"
-
-/* ------------------------------------------------------------------------------- what contact does to the bodies */
-
-#include "wrc_damage.h"
+/** Wear and fatigue numbers of one region of the contact's last solution. Theory manual, section 6; paper eq. 10 to 12.
+ * @param contact the contact; its work space is used
+ * @param index as for wrc_contact_region(); WRC_ALL_REGIONS: all patches of a contact plane together
+ * @param[out] damage the numbers
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _SEQUENCE (no solution), _RANGE (no such region), _UNSUPPORTED
+ * (WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_damage(wrc_contact* contact, int32_t index, wrc_damage* damage);
 
 /* ---------------------------------------------------------------------------------------------------- for dlopen */
 
-/** Every function as a table, for hosts that load the library at run time: wrc_api.h. */
+/** Every function of wrc.h and wrc_planar.h as a table: wrc_api.h. */
 typedef struct wrc_api wrc_api;
 
-/** The function table of this library.
+/** The function table of this library. Members are only ever added at its end: ask WRC_API_HAS() for those of a later version.
  * @param abi_version WRC_ABI_VERSION of the header you compiled with
  * @return the table, in static storage; NULL when the library does not serve that version: wrc_version_text() says
  * why. @rt hard @thread free */
 WRC_API const wrc_api* wrc_get_api(uint32_t abi_version);
+
+/** Every function of wrc_damage.h, wrc_offline.h and wrc_profiles.h as a table: wrc_experimental_api.h. */
+typedef struct wrc_experimental_api wrc_experimental_api;
+
+/** The function table of what may change in a minor version.
+ * @param experimental_version WRC_EXPERIMENTAL_VERSION of the header you compiled with
+ * @return the table, in static storage; NULL when the library has another version of it. @rt hard @thread free */
+WRC_API const wrc_experimental_api* wrc_get_experimental_api(uint32_t experimental_version);
 
 #ifdef __cplusplus
 }

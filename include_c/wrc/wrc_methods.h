@@ -15,7 +15,7 @@ enum wrc_normal_method {
   WRC_NORMAL_STRIP_HALFSPACE = 6  /**< strips of own peak and length in half-space equilibrium; several patches */
 };
 
-/** Method of the tangential problem. All but the first have the bound friction * pressure. */
+/** Method of the tangential problem. All but FASTSIM have the bound friction * pressure. */
 enum wrc_tangential_method {
   WRC_TANGENTIAL_FASTSIM = 0,          /**< FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and
                                             flexibility of config.tangential; modified FASTSIM where
@@ -24,9 +24,7 @@ enum wrc_tangential_method {
                                             sticks, FASTSIM's directions where it slips */
   WRC_TANGENTIAL_STRIP_FASTSIM = 2,    /**< FASTSIM in the shape of strip theory on the patch as it is, calibrated on
                                             exact solutions */
-  WRC_TANGENTIAL_COARSE_HALFSPACE = 3, /**< exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated:
-                                            forces within about 1 % of mu N, about a hundred times the time of FASTSIM */
-  WRC_TANGENTIAL_FORCE_TABLE = 4       /**< total forces from config.tangential.force_table, exact solutions for double
+  WRC_TANGENTIAL_FORCE_TABLE = 3       /**< total forces from config.tangential.force_table, exact solutions for double
                                             ellipses: no tractions, no slip, and nothing that is made of them */
 };
 
@@ -37,6 +35,27 @@ enum wrc_patch_model {
   WRC_PATCH_MODEL_PATCH_ELLIPSE = 1,     /**< the patch; coefficients of the equivalent ellipse */
   WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE = 2, /**< the equivalent ellipse about mid-width, creepage corrected for the shift */
   WRC_PATCH_MODEL_ELLIPSE_AT_POINT = 3   /**< the equivalent ellipse about the contact point: no psi */
+};
+
+/** Criteria by which a patch gets its equivalent double ellipse. */
+enum wrc_regularisation {
+  WRC_REGULARISE_KEEP_WIDTH = 0, /**< criteria (1), (2b), (3): area and width kept; the paper's choice */
+  WRC_REGULARISE_KEEP_RATIO = 1  /**< criteria (1), (2), (3): area and length/width ratio kept (KBTNH) */
+};
+
+/** Form of the traction bound along a strip. Over the patch each integrates to friction * load where friction is uniform. */
+enum wrc_traction_bound {
+  WRC_BOUND_PARABOLIC = 0,  /**< paper eq. 9: right slope at the leading edge */
+  WRC_BOUND_ELLIPTIC = 1,   /**< friction * pressure: the actual pressure of each strip */
+  WRC_BOUND_ELLIPSOIDAL = 2 /**< friction * load spread as sqrt(x_l^2 - x^2): the pressure of a Kik-Piotrowski patch. On double
+                                 ellipses the same as ELLIPTIC */
+};
+
+/** How the flexibilities of linear theory enter FASTSIM. */
+enum wrc_flexibility {
+  WRC_FLEXIBILITY_SEPARATE = 0, /**< one for each force of linear theory: right for small creepage */
+  WRC_FLEXIBILITY_SINGLE = 1,   /**< Kalker's weighted sum for all: right traction directions at large creepage */
+  WRC_FLEXIBILITY_BLENDED = 2   /**< from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023) */
 };
 
 /** The normal methods, X(identifier, value), for programs that go through all of them. */
@@ -56,7 +75,7 @@ enum wrc_patch_model {
  * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L,
  * -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and its modified form, Sichani, Enblom and Berg, VSD 54 (2016);
  * FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and Cole, VSD 51 (2013). KBTNH-type table, after Piotrowski,
- * Liu and Bruni, VSD 55 (2017). Strip FASTSIM, coarse half-space: own. */
+ * Liu and Bruni, VSD 55 (2017). Strip FASTSIM: own. */
 #define WRC_PRESET_LIST(X)                                                                                       \
   X(fastsim, "FASTSIM", FASTSIM, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastsim_eqe, "FASTSIM-EQ.E", FASTSIM, ELLIPSE_AT_MIDDLE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                 \

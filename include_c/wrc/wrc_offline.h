@@ -2,6 +2,9 @@
  * @file wrc_offline.h
  * Kalker's exact half-space theory: the yardstick of the real-time methods. Not for real-time use.
  *
+ * @par Stability
+ * May change in a minor version, with WRC_EXPERIMENTAL_VERSION.
+ *
  * Everything here allocates, may take milliseconds to minutes and is "@rt init". Frames, signs, units and conventions
  * are those of wrc.h. Fields are one double per cell of a rectangular grid, x fastest: element (i, j) of nx * ny is at
  * j * nx + i, its cell's centre at (x0 + i dx, y0 + j dy) in the contact frame; particles enter a row at large i.
@@ -19,7 +22,8 @@
 #ifndef WRC_OFFLINE_H
 #define WRC_OFFLINE_H
 
-#include "wrc.h"
+#include "wrc_damage.h"
+#include "wrc_planar.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -44,43 +48,37 @@ typedef int32_t (*wrc_progress)(double fraction, void* user);
 typedef struct wrc_grid {
   uint32_t nx;          /**< cells along x, 4..1024 [0] */
   uint32_t ny;          /**< cells along y, 4..1024 [0] */
-  double dx;            /**< size of a cell, 1e-7..0.01 m [0]. Too large: did you pass mm? */
+  double dx;            /**< size of a cell, 1e-7..0.01 m [0] */
   double dy;            /**< see dx */
-  double x0;            /**< centre of cell (0, 0), -1..1 m [0]. Did you pass mm? */
+  double x0;            /**< centre of cell (0, 0), -1..1 m [0] */
   double y0;            /**< see x0 */
+  double reserved[4];   /**< 0 */
 } wrc_grid;
-
-/** The two bodies. */
-typedef struct wrc_materials {
-  double shear_modulus_1;      /**< G of the wheel, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
-  double poisson_1;            /**< nu of the wheel, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
-  double shear_modulus_2;      /**< G of the rail, 1e8..1e12 Pa [80e9]. Too small: did you pass MPa or GPa? */
-  double poisson_2;            /**< nu of the rail, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
-} wrc_materials;
 
 /** The normal problem: an undeformed gap and what presses the bodies together. */
 typedef struct wrc_exact_normal_problem {
-  uint32_t struct_size;            /**< sizeof this struct, 136 or more */
-  int32_t prescribed;              /**< enum wrc_prescribed [WRC_PRESCRIBE_NORMAL_FORCE] */
+  uint32_t struct_size;            /**< sizeof this struct, 264 or more */
+  int32_t prescribed;              /**< enum wrc_prescribed: WRC_PRESCRIBE_NORMAL_FORCE or _APPROACH [WRC_PRESCRIBE_NORMAL_FORCE] */
   int32_t max_iterations;          /**< 1..100000 [1000] */
-  int32_t reserved;                /**< 0 */
-  double normal_force;             /**< 1e-3..1e7 N with WRC_PRESCRIBE_NORMAL_FORCE; must be set [0]. Negative: compressive
-                                        positive. Too large: did you pass mN? */
-  double approach;                 /**< beyond the zero of the gap, -1..0.01 m with WRC_PRESCRIBE_APPROACH [0]. Too
-                                        large: did you pass mm? */
+  uint32_t reserved0;              /**< 0 */
+  double normal_force;             /**< 1e-3..1e7 N with WRC_PRESCRIBE_NORMAL_FORCE; must be set [0] */
+  double approach;                 /**< beyond the zero of the gap, -1..0.01 m with WRC_PRESCRIBE_APPROACH [0] */
   double tolerance;                /**< of overlap and separation, relative to the largest displacement, 1e-14..0.1
                                         [1e-6] */
-  wrc_materials materials;         /**< of the two bodies */
+  wrc_material wheel_material;         /**< elastic, of the wheel */
+  wrc_material rail_material;          /**< elastic, of the rail */
   wrc_grid grid;                   /**< cells of gap and pressure */
-  const double* gap;               /**< nx * ny, -1..1 m [required]. Did you pass mm? */
+  const double* gap;               /**< nx * ny, -1..1 m [required] */
   wrc_progress progress;           /**< NULL: none [NULL] */
   void* user;                      /**< handed to progress [NULL] */
 } wrc_exact_normal_problem;
 
 /** Solution of the normal problem. */
 typedef struct wrc_exact_normal_solution {
-  uint32_t struct_size; /**< sizeof this struct, 56 or more */
+  uint32_t struct_size; /**< sizeof this struct, 64 or more */
   int32_t iterations;   /**< of the conjugate gradients */
+  uint32_t flags;       /**< bit 1 << flag for each WRC_FLAG_... met */
+  uint32_t reserved0;   /**< 0 */
   double approach;      /**< beyond the zero of the gap [m] */
   double normal_force;  /**< [N] */
   double peak_pressure; /**< [Pa] */
@@ -91,20 +89,18 @@ typedef struct wrc_exact_normal_solution {
 
 /** Steady rolling under a given normal pressure. */
 typedef struct wrc_exact_rolling_problem {
-  uint32_t struct_size;           /**< sizeof this struct, 184 or more */
+  uint32_t struct_size;           /**< sizeof this struct, 344 or more */
   int32_t adhesion;               /**< enum wrc_adhesion [WRC_ADHESION_COULOMB] */
   int32_t collocation;            /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
   int32_t max_iterations;         /**< of Newton's method, 1..1000 [60] */
   double tolerance;               /**< of the traction law, 1e-12..0.1 [1e-4] */
-  wrc_materials materials;        /**< of the two bodies */
+  wrc_material wheel_material;        /**< elastic, of the wheel */
+  wrc_material rail_material;         /**< elastic, of the rail */
   wrc_grid grid;                  /**< cells of pressure, friction and tractions */
   const double* pressure;         /**< nx * ny, -1e11..1e11 Pa; cells above zero are the contact, all others are not
-                                       [required]. Too small: pressure is compressive positive. Too large: steel yields
-                                       at a tenth of that */
-  const double* friction;         /**< nx * ny, 1e-4..2; NULL: `coefficient` everywhere [NULL]. Too small: friction must
-                                       be positive. Too large: did you pass per cent? */
-  double coefficient;             /**< Coulomb, 1e-4..2 with WRC_ADHESION_COULOMB and `friction` NULL [0.3]. Too small:
-                                       friction must be positive. Too large: did you pass per cent? */
+                                       [required] */
+  const double* friction;         /**< nx * ny, 1e-4..2; NULL: `coefficient` everywhere [NULL] */
+  double coefficient;             /**< Coulomb, 1e-4..2 with WRC_ADHESION_COULOMB and `friction` NULL [0.3] */
   wrc_creepage creepage;          /**< about the origin of the contact frame */
   wrc_progress progress;          /**< called between grids and iterations; NULL: none [NULL] */
   void* user;                     /**< handed to progress [NULL] */
@@ -112,8 +108,10 @@ typedef struct wrc_exact_rolling_problem {
 
 /** Solution of steady rolling: forces and tractions on the wheel. */
 typedef struct wrc_exact_rolling_solution {
-  uint32_t struct_size;       /**< sizeof this struct, 96 or more */
+  uint32_t struct_size;       /**< sizeof this struct, 104 or more */
   int32_t iterations;         /**< of Newton's method on the given grid */
+  uint32_t flags;             /**< bit 1 << flag for each WRC_FLAG_... met */
+  uint32_t reserved0;         /**< 0 */
   double fx;                  /**< [N] */
   double fy;                  /**< see fx */
   double mz;                  /**< about the origin of the contact frame [N m] */
@@ -129,16 +127,14 @@ typedef struct wrc_exact_rolling_solution {
 
 /** What presses and rubs on one of the bodies, constant on each cell of a grid. */
 typedef struct wrc_exact_loads {
-  uint32_t struct_size;     /**< sizeof this struct, 80 or more */
+  uint32_t struct_size;     /**< sizeof this struct, 112 or more */
   int32_t body;             /**< enum wrc_body: in which the stresses are wanted [WRC_BODY_RAIL] */
-  double poisson;           /**< nu of that body, 0..0.5 [0.25]. Steel has 0.25 to 0.3 */
+  double poisson;           /**< nu of that body, 0..0.5 [0.28] */
   wrc_grid grid;            /**< cells of pressure and tractions */
-  const double* pressure;   /**< nx * ny, -1e11..1e11 Pa [required]. Too small: pressure is compressive positive. Too
-                                 large: steel yields at a tenth of that */
+  const double* pressure;   /**< nx * ny, -1e11..1e11 Pa [required] */
   const double* traction_x; /**< nx * ny, on the wheel as solutions have it, whichever the body, -1e11..1e11 Pa; NULL:
-                                 none [NULL]. Steel yields at a tenth of that */
-  const double* traction_y; /**< nx * ny, the same along y, -1e11..1e11 Pa; NULL: none [NULL]. Steel yields at a tenth of
-                                 that */
+                                 none [NULL] */
+  const double* traction_y; /**< nx * ny, the same along y, -1e11..1e11 Pa; NULL: none [NULL] */
 } wrc_exact_loads;
 
 /** What half-space coefficients on a curved surface are. */
@@ -149,20 +145,30 @@ enum wrc_surface_influence {
 
 /** How finely a wheel on a rail is solved exactly. */
 typedef struct wrc_exact_wrench_options {
-  uint32_t struct_size;  /**< sizeof this struct, 32 or more */
+  uint32_t struct_size;  /**< sizeof this struct, 48 or more */
   int32_t collocation;   /**< enum wrc_collocation [WRC_COLLOCATION_QUARTER_POINT] */
   int32_t influence;     /**< enum wrc_surface_influence [WRC_INFLUENCE_TURNED] */
-  uint32_t reserved;     /**< 0 */
-  double cell_x;         /**< length of a cell along x, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
-  double cell_s;         /**< the same along the rail's arc length, 2e-5..2e-3 m [2e-4]. Too large: did you pass mm? */
+  uint32_t reserved0;    /**< 0 */
+  double cell_x;         /**< length of a cell along x, 2e-5..2e-3 m [2e-4] */
+  double cell_s;         /**< the same along the rail's arc length, 2e-5..2e-3 m [2e-4] */
   wrc_progress progress; /**< called while heights are tried and both problems solved in turn; NULL: none [NULL] */
   void* user;            /**< handed to progress [NULL] */
 } wrc_exact_wrench_options;
 
+/** How finely a contact is checked. */
+typedef struct wrc_exact_check_options {
+  uint32_t struct_size;  /**< sizeof this struct, 32 or more */
+  uint32_t nx;           /**< cells along x, 8..512 [64] */
+  uint32_t ny;           /**< cells along y, 8..512 [64] */
+  uint32_t reserved0;    /**< 0 */
+  wrc_progress progress; /**< NULL: none [NULL] */
+  void* user;            /**< handed to progress [NULL] */
+} wrc_exact_check_options;
+
 /** A real-time result against the exact one. */
 typedef struct wrc_exact_check_result {
   uint32_t struct_size;     /**< sizeof this struct, 64 or more */
-  uint32_t reserved;        /**< 0 */
+  uint32_t flags;           /**< bit 1 << flag for each WRC_FLAG_... met */
   double fx;                /**< exact, on the contact's own pressure and creepages [N] */
   double fy;                /**< see fx */
   double mz;                /**< the same [N m] */
@@ -176,25 +182,17 @@ typedef struct wrc_exact_check_result {
  * As in wrc.h.
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_grid_init(wrc_grid* grid); /**< Defaults: grid. */
-WRC_API int32_t wrc_materials_init(wrc_materials* materials); /**< Defaults: materials. */
 WRC_API int32_t wrc_exact_normal_problem_init(wrc_exact_normal_problem* problem); /**< Defaults: problem. */
-WRC_API int32_t wrc_exact_normal_solution_init(wrc_exact_normal_solution* solution); /**< Defaults: solution. */
 WRC_API int32_t wrc_exact_rolling_problem_init(wrc_exact_rolling_problem* problem); /**< Defaults: problem. */
-WRC_API int32_t wrc_exact_rolling_solution_init(wrc_exact_rolling_solution* solution); /**< Defaults: solution. */
 WRC_API int32_t wrc_exact_loads_init(wrc_exact_loads* loads); /**< Defaults: loads. */
+WRC_API int32_t wrc_exact_check_options_init(wrc_exact_check_options* options); /**< Defaults: options. */
 WRC_API int32_t wrc_exact_wrench_options_init(wrc_exact_wrench_options* options); /**< Defaults: options. */
-WRC_API int32_t wrc_exact_check_result_init(wrc_exact_check_result* result); /**< Defaults: result. */
 /** @cond */
-WRC_DEFAULT(wrc_grid)
-WRC_DEFAULT(wrc_materials)
 WRC_DEFAULT_SIZED(wrc_exact_normal_problem)
-WRC_DEFAULT_SIZED(wrc_exact_normal_solution)
 WRC_DEFAULT_SIZED(wrc_exact_rolling_problem)
-WRC_DEFAULT_SIZED(wrc_exact_rolling_solution)
 WRC_DEFAULT_SIZED(wrc_exact_loads)
+WRC_DEFAULT_SIZED(wrc_exact_check_options)
 WRC_DEFAULT_SIZED(wrc_exact_wrench_options)
-WRC_DEFAULT_SIZED(wrc_exact_check_result)
 /** @endcond */
 /** @} */
 
@@ -273,11 +271,13 @@ WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const d
 typedef struct wrc_exact_transient wrc_exact_transient;
 
 /** Makes two bodies that have not rolled yet, without tractions.
- * @param grid cells of every step @param materials of the two bodies
+ * @param grid cells of every step
+ * @param wheel elastic, of the wheel; NULL: the defaults
+ * @param rail the same of the rail
  * @param[out] transient the caller's, for wrc_exact_transient_destroy(); NULL on failure
  * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _MEMORY. @rt init @thread free */
-WRC_API int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_materials* materials,
+WRC_API int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
                                            wrc_exact_transient** transient, char* text, uint64_t size);
 
 /** Rolls on by one cell. A failed or cancelled step leaves the bodies where they were; one without a cell under pressure
@@ -300,12 +300,11 @@ WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
  * exactly on nx x ny cells over its patches, friction.slope_reduction included, and reports the errors of the real-time
  * method. The contact is not changed.
  * @param contact after wrc_planar_tangential or wrc_planar_step
- * @param nx cells along x, 8..512 @param ny cells along y, 8..512
- * @param progress NULL: none @param user handed to progress
+ * @param options NULL: the defaults
  * @param[out] result exact forces and the errors
  * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _SEQUENCE, _UNSUPPORTED
  * (both ways of rolling blended: creepage.reverse_share is not 0), _MEMORY, _CANCELLED. @rt init @thread contact */
-WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
+WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                                 wrc_exact_check_result* result);
 
 /** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
@@ -333,8 +332,6 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, 
  * @rt init @thread contact */
 WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                                 const wrc_exact_wrench_options* options, wrc_wrench* wrench);
-
-#include "wrc_profiles.h"
 
 #ifdef __cplusplus
 }

@@ -2,13 +2,19 @@
  * Pairs of profiles, before and after they run on each other: where a wheelset touches its track, rolling radius
  * difference, contact angles, equivalent conicity; profiles that wear. Not for real-time use.
  *
- * Part of wrc_offline.h, which includes it; the conventions there hold here. Everything allocates and is "@rt init". Arrays
- * are the caller's.
+ * Conventions are those of wrc.h, which it includes. Everything allocates and is "@rt init". Arrays are the caller's.
+ *
+ * @par Stability
+ * May change in a minor version, with WRC_EXPERIMENTAL_VERSION.
  */
-#if !defined(WRC_OFFLINE_H) && !defined(DOXYGEN)
-#include "wrc_offline.h" /* which includes this file in its place */
-#elif !defined(WRC_PROFILES_H)
+#ifndef WRC_PROFILES_H
 #define WRC_PROFILES_H
+
+#include "wrc.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /** How a conicity is made of a rolling radius difference. Theory manual, "Contact functions and conicity". */
 enum wrc_conicity_method {
@@ -21,20 +27,19 @@ enum wrc_conicity_method {
 /** Where contact functions are asked for. */
 typedef struct wrc_wheelset_geometry_problem {
   uint32_t struct_size;  /**< sizeof this struct, 24 or more */
-  uint32_t count;        /**< lateral displacements, 1..100000 [0]. Too small: say how many displacements there are */
-  const double* lateral; /**< of the wheelset, to the right, `count` of them, -0.1..0.1 m [required]. Did you pass mm? */
+  uint32_t count;        /**< lateral displacements, 1..100000 [0] */
+  const double* lateral; /**< of the wheelset, to the right, `count` of them, -0.1..0.1 m [required] */
   double wheel_load;     /**< vertical, of each wheel, 0 or 1e3..1e6 N; 0: the undeformed bodies touch in one point on
                               either side, as EN 15302 has it, and the functions jump where that point does; a load:
                               elastic, without friction, all contacts weighted by what they carry, continuous; needs
-                              WRC_NORMAL_STRIP_HALFSPACE [0]. Negative: the load is positive where the rail pushes the
-                              wheel upwards. Too small: did you pass kN? Too large: did you pass a pressure, or grams? */
+                              WRC_NORMAL_STRIP_HALFSPACE [0] */
 } wrc_wheelset_geometry_problem;
 
 /** Contact functions over the lateral displacement: arrays of the caller, `count` elements each; NULL: not wanted; set
  * before the call. Coordinates of profiles are those of wrc_profile, right and left alike. */
 typedef struct wrc_wheelset_geometry {
   uint32_t struct_size;      /**< sizeof this struct, 96 or more */
-  uint32_t reserved;         /**< 0 */
+  uint32_t reserved0;        /**< 0 */
   double* vertical;          /**< displacement of the wheelset's middle downwards [m] */
   double* roll;              /**< of the wheelset about the track's x, right wheel down positive [rad] */
   double* radius_difference; /**< rolling radius of the right wheel less that of the left [m] */
@@ -53,23 +58,21 @@ typedef struct wrc_wheelset_geometry {
 typedef struct wrc_conicity_problem {
   uint32_t struct_size;             /**< sizeof this struct, 56 or more */
   int32_t method;                   /**< enum wrc_conicity_method [WRC_CONICITY_WAVELENGTH] */
-  uint32_t count;                   /**< points, 3..100000 [0]. Too small: say how many points there are */
-  uint32_t amplitudes;              /**< 1..100000 [0]. Too small: say how many amplitudes there are */
-  const double* lateral;            /**< of the wheelset, increasing, `count` of them, -0.1..0.1 m [required]. Did you pass
-                                         mm? */
-  const double* radius_difference;  /**< right less left, `count` of them, -0.2..0.2 m [required]. Did you pass mm? */
-  const double* amplitude;          /**< half the way from one side to the other, `amplitudes` of them, 1e-6..0.1 m
-                                         [required]. Did you pass mm? */
-  double contact_distance;          /**< e: between the contact points of both wheels, 0.3..3 m [1.5]. Did you pass mm, or
-                                         half of it? */
-  double radius;                    /**< r0: nominal, of the wheels, 0.05..3 m [0.46]. Did you pass mm, or the diameter? */
+  uint32_t count;                   /**< points, 3..100000 [0] */
+  uint32_t amplitude_count;         /**< 1..100000 [0] */
+  const double* lateral;            /**< of the wheelset, increasing, `count` of them, -0.1..0.1 m [required] */
+  const double* radius_difference;  /**< right less left, `count` of them, -0.2..0.2 m [required] */
+  const double* amplitudes;         /**< half the way from one side to the other, `amplitude_count` of them, 1e-6..0.1 m
+                                         [required] */
+  double contact_distance;          /**< e: between the contact points of both wheels, 0.3..3 m [1.5] */
+  double radius;                    /**< r0: nominal, of the wheels, 0.05..3 m [0.46] */
 } wrc_conicity_problem;
 
-/** Equivalent conicity over the amplitude: arrays of the caller, `amplitudes` elements each; NULL: not wanted; set before
+/** Equivalent conicity over the amplitude: arrays of the caller, `amplitude_count` elements each; NULL: not wanted; set before
  * the call. */
 typedef struct wrc_conicity {
   uint32_t struct_size; /**< sizeof this struct, 32 or more */
-  uint32_t reserved;    /**< 0 */
+  uint32_t reserved0;   /**< 0 */
   double* conicity;     /**< tan gamma_e [-]; 0 where a wheelset left to itself does not swing with this amplitude */
   double* wavelength;   /**< of the kinematic motion [m]: by Klingel's formula from the conicity of a regression; 0 where
                              there is none */
@@ -80,19 +83,18 @@ typedef struct wrc_conicity {
 typedef struct wrc_profile_wear {
   uint32_t struct_size;  /**< sizeof this struct, 88 or more */
   int32_t body;          /**< enum wrc_body: which side of the curve is steel [WRC_BODY_WHEEL] */
-  uint32_t count;        /**< points, 4..20000 [0]. Too small: a spline needs at least four points */
-  uint32_t bins;         /**< of the depth, 1..1000000 [0]. Too small: say how many bins there are */
-  const double* y;       /**< points as in wrc_profile, `count` of them, -1..1 m [required]. Did you pass mm? */
+  uint32_t count;        /**< points, 4..20000 [0] */
+  uint32_t bin_count;    /**< bins of the depth, 1..1000000 [0] */
+  const double* y;       /**< points as in wrc_profile, `count` of them, -1..1 m [required] */
   const double* z;       /**< see y */
-  const double* depth;   /**< along the normal, of each bin for one passage, `bins` of them, 0..0.1 m [required]. Did you pass
-                              a volume? */
-  double first;          /**< arc length at which the first bin begins, 0 at y = 0, -1..1 m [0]. Did you pass mm? */
-  double width;          /**< of a bin, 1e-5..1 m [1e-3]. Did you pass mm? */
+  const double* depth;   /**< along the normal, of each bin for one passage, `bin_count` of them, 0..0.1 m [required] */
+  double first;          /**< arc length at which the first bin begins, 0 at y = 0, -1..1 m [0] */
+  double width;          /**< of a bin, 1e-5..1 m [1e-3] */
   double passages;       /**< wanted, 0..1e12 [1] */
-  double largest_depth;  /**< most that is taken off in one step, 1e-9..1e-2 m [1e-4]. Too large: did you pass mm? */
+  double largest_depth;  /**< most that is taken off in one step, 1e-9..1e-2 m [1e-4] */
   double smoothing;      /**< waves of the depth of this length along the curve keep half their height, 0..0.05 m; 0: as it
-                              is [5e-3]. Did you pass mm? */
-  double spacing;        /**< of the new points along the curve, 5e-5..5e-3 m [5e-4]. Did you pass mm? */
+                              is [5e-3] */
+  double spacing;        /**< of the new points along the curve, 5e-5..5e-3 m [5e-4] */
 } wrc_profile_wear;
 
 /** A worn profile: arrays of the caller, set before the call. */
@@ -100,7 +102,7 @@ typedef struct wrc_worn_profile {
   uint32_t struct_size; /**< sizeof this struct, 56 or more */
   uint32_t capacity;    /**< points there is room for; set before the call */
   uint32_t count;       /**< points */
-  uint32_t reserved;    /**< 0 */
+  uint32_t reserved0;   /**< 0 */
   double* y;            /**< `capacity` of the caller [m]; set before the call */
   double* z;            /**< see y */
   double passages;      /**< that were taken off: those wanted, or as many as largest_depth allows [-] */
@@ -113,25 +115,18 @@ typedef struct wrc_flange {
   double height;    /**< Sh: the tip below the datum [m] */
   double thickness; /**< Sd: from the flange back to the face 10 mm below the datum [m] */
   double slope;     /**< qR: along y from there to the point of the face 2 mm above the tip [m] */
+  double reserved[3]; /**< 0 */
 } wrc_flange;
 
 /** @name Defaults
  * As in wrc.h.
  * @rt hard @thread free
  * @{ */
-WRC_API int32_t wrc_wheelset_geometry_problem_init(wrc_wheelset_geometry_problem* problem); /**< Defaults: problem. */
-WRC_API int32_t wrc_wheelset_geometry_init(wrc_wheelset_geometry* functions); /**< Defaults: functions. */
 WRC_API int32_t wrc_conicity_problem_init(wrc_conicity_problem* problem); /**< Defaults: problem. */
-WRC_API int32_t wrc_conicity_init(wrc_conicity* conicity); /**< Defaults: result. */
 WRC_API int32_t wrc_profile_wear_init(wrc_profile_wear* wear); /**< Defaults: wear. */
-WRC_API int32_t wrc_worn_profile_init(wrc_worn_profile* worn); /**< Defaults: result. */
 /** @cond */
-WRC_DEFAULT_SIZED(wrc_wheelset_geometry_problem)
-WRC_DEFAULT_SIZED(wrc_wheelset_geometry)
 WRC_DEFAULT_SIZED(wrc_conicity_problem)
-WRC_DEFAULT_SIZED(wrc_conicity)
 WRC_DEFAULT_SIZED(wrc_profile_wear)
-WRC_DEFAULT_SIZED(wrc_worn_profile)
 /** @endcond */
 /** @} */
 
@@ -178,7 +173,7 @@ WRC_API int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_p
  * @param count points, 4..20000
  * @param y points as in wrc_profile, `count`
  * @param z see y
- * @param flange_back_to_origin config.wheelset's: from the flange back to y = 0, 0.01..0.2 m
+ * @param flange_back_to_origin along y from the flange's back to y = 0, 0.01..0.2 m; 0.07 of most wheels
  * @param[out] flange the dimensions; zero on failure
  * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
  * @param size bytes of text
@@ -186,5 +181,9 @@ WRC_API int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_p
  * @rt init @thread free */
 WRC_API int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
                                       wrc_flange* flange, char* text, uint64_t size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif /* WRC_PROFILES_H */

@@ -19,14 +19,16 @@
   X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches exist than the configuration has room for")         \
   X(WRC_FLAG_TABLE_RANGE, 5, "the patch is more slender than the coefficient tables: their end is used") \
   X(WRC_FLAG_CREEPAGES_LIMITED, 6, "nearly at rest, or sliding far faster than rolling: creepages are limited") \
-  X(WRC_FLAG_LOAD_JUMPS, 7, "no approach of this normal method carries the load: it leaps past it there") \
+  X(WRC_FLAG_LOAD_JUMPS, 7, "no approach of this normal method carries the load: its force jumps past it there") \
   X(WRC_FLAG_BEYOND_GAP, 8, "beyond what the gap or the profiles carry: continued with the last stiffness") \
   X(WRC_FLAG_CLIMBING, 9, "friction on a steep face lets no height carry the load, or several")          \
   X(WRC_FLAG_BEYOND_SECTIONS, 10, "the rail has no section that far along the track: the nearest is used") \
-  X(WRC_FLAG_DISSIMILAR_MATERIALS, 11, "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out") \
+  X(WRC_FLAG_DISSIMILAR_MATERIALS, 11, "different materials: Kalker's K, which couples pressure and traction, is left out") \
   X(WRC_FLAG_SUM_OVERFLOW, 12, "a sum of bins passed its range: what they hold is worthless")              \
+  X(WRC_FLAG_FORCE_JUMPS, 13, "a planar normal method on a patch of several lowest points: forces jump where the lowest changes") \
+  X(WRC_FLAG_ROTATION_TRANSPOSED, 14, "the angular velocity lies along the axle of the transposed rotation: was its transpose given?") \
   X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
-  X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is not that of a known version of the struct")              \
+  X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is wrong, or a member newer than the library is set")            \
   X(WRC_ERROR_NOT_FINITE, -3, "a value is NaN or infinite")                                             \
   X(WRC_ERROR_RANGE, -4, "a value lies outside its allowed range")                                      \
   X(WRC_ERROR_PROFILE, -5, "a profile cannot be used")                                                  \
@@ -43,8 +45,11 @@
 #define WRC_STATUS_ENUM(name, value, text) name = value,
 enum wrc_status {
   WRC_STATUS_LIST(WRC_STATUS_ENUM)
-  WRC_STATUS_LAST = -14 /* the most negative status, for loops over all of them */
+  WRC_STATUS_ENUM_END = -1000000 /* no status: ends the list */
 };
 #undef WRC_STATUS_ENUM
+
+/** The bit of a flag in the `flags` of a result. */
+#define WRC_FLAG_BIT(flag) ((uint32_t)1 << (flag))
 
 #endif

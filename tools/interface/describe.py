@@ -18,7 +18,6 @@ import baseline
 import cpp
 import cpp_header
 import dlopen
-import fields
 import fortran
 import grammar
 import headers
@@ -34,7 +33,7 @@ def files(interface, table_order, root):
                  for struct in interface.structs.values()}
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
     made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
-    made |= fields.written(interface, MARK) | cpp_header.written(interface, MARK) | python.written(interface, described, MARK)
+    made |= cpp_header.written(interface, MARK) | python.written(interface, described, MARK)
     made["docs/members.md"] = manual.members(interface, described, MARK)
     made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
     return made

@@ -1,28 +1,44 @@
-"""The table of functions for hosts that load the library at run time, and the list of exported functions for Windows."""
-NOT_IN_TABLE = ("wrc_get_api", "wrc_abi_version")  # the table's own beginning says what these do
+"""The tables of functions for hosts that load the library at run time, and the list of exported functions for Windows."""
+import headers
+
+# The beginning of a table says what these do, or they give the tables.
+NOT_IN_TABLE = ("wrc_get_api", "wrc_get_experimental_api", "wrc_abi_version")
+VERSIONS = {"wrc_api": ("WRC_ABI_VERSION", "abi_version"), "wrc_experimental_api": ("WRC_EXPERIMENTAL_VERSION", "experimental_version")}
+INCLUDES = {"wrc_api": ("wrc_planar.h",), "wrc_experimental_api": ("wrc_offline.h", "wrc_profiles.h")}
 
 
 def written(interface, order, mark):
-    """{path in the tree: text}. `order`: names of the present table's members; new functions come behind them."""
-    functions = {name[4:]: each for name, each in interface.functions.items()
-                 if each.exported and name not in NOT_IN_TABLE}
-    members = [name for name in order if name in functions] + [name for name in functions if name not in order]
+    """{path in the tree: text}. `order`: names of the present tables' members; new functions come behind them."""
+    made = {}
+    for table, present in order.items():
+        functions = {name[4:]: each for name, each in interface.functions.items()
+                     if each.exported and name not in NOT_IN_TABLE
+                     and (each.header in headers.EXPERIMENTAL) == (table == "wrc_experimental_api")}
+        members = [name for name in present if name in functions] + [name for name in functions if name not in present]
+        made[f"include_c/{headers.TABLES[table]}"] = header(table, functions, members, mark)
+        made[f"src/abi/generated/{table[4:]}_functions.inc"] = f"// {mark}\n// clang-format off\n" + "".join(f"wrc_{name},\n" for name in members)
     exports = "".join(f"  {name}\n" for name, each in interface.functions.items() if each.exported)
-    return {"include_c/wrc/wrc_api.h": header(functions, members, mark),
-            "src/abi/generated/api_functions.inc": f"// {mark}\n// clang-format off\n" + "".join(f"wrc_{name},\n" for name in members),
-            "src/abi/generated/wrc.def": f"; {mark}\nLIBRARY wrc\nEXPORTS\n{exports}"}
+    made["src/abi/generated/wrc.def"] = f"; {mark}\nLIBRARY wrc\nEXPORTS\n{exports}"
+    return made
 
 
-def header(functions, members, mark):
-    lines = ["/** @file wrc_api.h", " * Every function of wrc.h and wrc_offline.h as a table, so that one dlsym(\"wrc_get_api\") suffices.",
-             f" * {mark}", " */", "#ifndef WRC_API_H", "#define WRC_API_H", "", '#include "wrc_offline.h"', "",
-             "/** The functions, each under its name without wrc_. struct_size grows with the library: a table at least as large as the",
-             " * sizeof(wrc_api) you compiled with has every member you know. */", "struct wrc_api {",
-             "  uint32_t struct_size; /**< sizeof this struct */", "  uint32_t abi_version; /**< WRC_ABI_VERSION of the library */"]
+def header(table, functions, members, mark):
+    number, member = VERSIONS[table]
+    of = "wrc.h and wrc_planar.h" if table == "wrc_api" else "wrc_damage.h, wrc_offline.h and wrc_profiles.h"
+    lines = [f"/** @file {table}.h", f" * Every function of {of} as a table, for hosts that load the library at run time: wrc_get_{table[4:]}().",
+             f" * {mark}", " */", f"#ifndef {table.upper()}_H", f"#define {table.upper()}_H", ""]
+    lines += [f'#include "{name}"' for name in INCLUDES[table]] + [""]
+    if table == "wrc_api":
+        lines += ["/** Has a table this function? Of a library that is older than the header it may lack the last ones. */",
+                  "#define WRC_API_HAS(api, function)                                                              \\",
+                  "  ((size_t)((const char*)&(api)->function - (const char*)(api)) + sizeof (api)->function <= (api)->struct_size)", ""]
+    lines += ["/** The functions, each under its name without wrc_. New ones are added at the end alone. */" if table == "wrc_api" else
+              "/** The functions, each under its name without wrc_. */", f"struct {table} {{",
+              "  uint32_t struct_size; /**< sizeof this struct, of the library */", f"  uint32_t {member}; /**< {number} of the library */"]
     for name in members:
         declared, told = f"  {pointer(name, functions[name])};", f"/**< wrc_{name}() */"
         lines += [f"{declared} {told}"] if len(declared) + len(told) < 120 else [declared, f"    {told}"]
-    return "\n".join(lines + ["};", "", "#endif /* WRC_API_H */"]) + "\n"
+    return "\n".join(lines + ["};", "", f"#endif /* {table.upper()}_H */"]) + "\n"
 
 
 def pointer(name, function):

@@ -3,18 +3,16 @@
     sizeof this struct, FIRST or more        struct_size; FIRST: bytes of the first published version
     0                                        a member kept for later
     see NAME                                 as the member NAME before it
-    enum NAME ... [ENUMERATOR] hints         one of an enumeration
-    ... RANGE UNIT CONDITION ... [DEFAULT] hints
+    enum NAME ... [ENUMERATOR]               one of an enumeration
+    ... RANGE UNIT ... [DEFAULT]
     ... [UNIT] ...                           not checked: a result
 
     RANGE      LOW..HIGH, 0 or LOW..HIGH, LOW..config.NAME; one for each element of an array, or one for all
     UNIT       one of UNITS; none: a pure number
-    CONDITION  where the member is read: with ENUMERATOR; with `NAME` (a count that is not 0), with `NAME` 0,
-               with `NAME` NULL; ", 0 else": where it is not read it must be 0; two joined by "and", or an enumerator of
-               another struct's: the library's code looks at that itself
     DEFAULT    a number, an enumerator, NULL, or "required" of a pointer
     `NAME` of them                           a pointer to as many numbers as the member NAME says
-    hints      likely causes, for messages: said of both sides, or after "Negative:", "Too small:", "Too large:", "Else:"
+
+Where a member is read and likely causes of wrong values stand in members.toml.
 """
 import dataclasses
 import re
@@ -24,11 +22,8 @@ UNITS = ("m", "rad", "N", "Pa", "m/s", "rad/s", "s/m", "1/m", "W", "N m", "m^2",
          "J", "m^3", "s m", "-")
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 RANGE = re.compile(rf"(?P<or_zero>0 or )?(?P<low>{NUMBER})\.\.(?P<high>{NUMBER}|config\.\w+(?:\.\w+)*)(?![\w.])")
-CONDITION = re.compile(r" with (?:(?P<enumerator>WRC_\w+)|`(?P<member>\w+)`(?P<state> NULL| 0)?)"
-                       r"(?P<more> and (?:WRC_\w+|`\w+`(?: NULL| 0)?))?(?P<zero_else>, 0 else)?(?!\w)")
 BRACKET = re.compile(r"(?:^|(?<=\s))\[(?P<inside>[^\]]*)\]")
-LABELS = {"Negative": "negative", "Too small": "too_small", "Too large": "too_large", "Else": "otherwise"}
-LABEL = re.compile(r"\b(Negative|Too small|Too large|Else): ")
+CAUSES = ("negative", "too_small", "too_large", "either", "otherwise")  # keys of members.toml; of "either" both ends
 
 
 @dataclasses.dataclass
@@ -66,6 +61,8 @@ def describe(struct, interface):
     described = {}
     for member in struct.members:
         described[member.name] = _describe(member, described, interface)
+        if not member.comment.startswith("see "):
+            _add_hints(described[member.name], interface.hints.get(struct.name, {}).get(member.name, {}))
     for each in described.values():
         _check(each, described, interface)
     return list(described.values())
@@ -84,6 +81,8 @@ def _describe(member, before, interface):
         return Description(member, "struct_size", text, first_size=int(first.group(1)))
     if text == "0":
         return Description(member, "reserved", text)
+    if member.name.startswith("reserved") and not (member.type.base in interface.structs):
+        refuse(f"{name} must be: 0")
     if text.startswith("see "):
         like = before.get(text[4:])
         if like is None:
@@ -104,26 +103,22 @@ def _describe(member, before, interface):
     told = Description(member, "result", text)
     if defaults:
         told.role, told.default = "input", defaults[0].group("inside")
-        told.hints = _hints(text[defaults[0].end():], refuse, name)
+        if text[defaults[0].end():].strip():
+            refuse(f"{name}: the default ends it; likely causes stand in members.toml")
         text = text[:defaults[0].start()].rstrip()
     found = _ranges(text, refuse, name)
     if found:
-        told.ranges, told.unit, condition, cut = found
+        told.ranges, told.unit, cut = found
         told.sentence = _without(text, cut)
         if units:
             refuse(f"{name} has a unit in brackets beside its range: write it behind the range")
     else:
-        condition = CONDITION.search(text) if told.required else None
         told.sentence = text
         if len(units) > 1 and not member.type.extents:
             refuse(f"{name} has two units")
         if len(units) == 1:
             told.unit = units[0].group("inside")
             told.sentence = _without(text, (units[0].start(), units[0].end()))
-    if condition:
-        told.condition = condition.group("enumerator") or condition.group("member")
-        told.by_hand = bool(condition.group("more"))
-        told.state, told.zero_else = (condition.group("state") or "").strip(), bool(condition.group("zero_else"))
     counted = re.search(r"`(\w+)` of them", text)
     if counted:
         told.counted_by = counted.group(1)
@@ -137,7 +132,7 @@ def _describe(member, before, interface):
 
 
 def _ranges(text, refuse, name):
-    """(ranges, unit, condition, part of the text), or None."""
+    """(ranges, unit, part of the text), or None."""
     matches = list(RANGE.finditer(text))
     if not matches:
         return None
@@ -149,30 +144,25 @@ def _ranges(text, refuse, name):
     fitting = [unit for unit in UNITS if rest.startswith(" " + unit) and not re.match(r"[\w/^]", rest[len(unit) + 1:])]
     unit = max(fitting, key=len, default="")
     end += len(unit) + 1 if unit else 0
-    condition = CONDITION.match(text, end)
-    if condition:
-        end = condition.end()
     if not re.match(r"$|[,;:.]| \(| with | of ", text[end:]):
         refuse(f"{name}: a unit or one of , ; : ( [ must follow the range, not '{text[end:].strip().split(' ')[0]}'")
     ranges = tuple(Range(each.group("low"), each.group("high"), bool(each.group("or_zero"))) for each in matches)
-    return ranges, unit, condition, (matches[0].start(), end)
+    return ranges, unit, (matches[0].start(), end)
 
 
-def _hints(text, refuse, name):
-    """{side: cause} of what follows the default."""
-    if not text:
-        return {}
-    if not text.startswith(". "):
-        refuse(f"{name}: only '. ' and likely causes may follow the default")
-    pieces = LABEL.split(text[2:])
-    hints = {}
-    if pieces[0].strip():
-        cause = pieces[0].strip()
-        cause = cause[0].lower() + cause[1:] if not cause.startswith("WRC_") else cause
-        hints["too_small"] = hints["too_large"] = cause.rstrip(".")
-    for label, cause in zip(pieces[1::2], pieces[2::2]):
-        hints[LABELS[label]] = cause.strip().rstrip(".")
-    return hints
+def _add_hints(told, given):
+    """What members.toml says of a member: where it is read, likely causes of wrong values."""
+    refuse, name = told.member.place.refuse, told.member.name
+    unknown = set(given) - set(CAUSES) - {"read_with", "zero_else", "by_hand"}
+    if unknown:
+        refuse(f"members.toml of {name}: {', '.join(sorted(unknown))} is no key")
+    if given and told.role == "result":
+        refuse(f"members.toml of {name}: a result is not checked")
+    told.condition, _, told.state = given.get("read_with", "").partition(" ")
+    told.zero_else, told.by_hand = given.get("zero_else", False), given.get("by_hand", False)
+    told.hints = {key: given[key] for key in CAUSES if key in given}
+    if "either" in told.hints:
+        told.hints["too_small"] = told.hints["too_large"] = told.hints.pop("either")
 
 
 def _without(text, cut):

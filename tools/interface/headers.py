@@ -6,9 +6,13 @@ libclang of the Python package index)."""
 import dataclasses
 import pathlib
 import sys
+import tomllib
 
-HEADERS = ("wrc/wrc.h", "wrc/wrc_wheel.h", "wrc/wrc_damage.h", "wrc/wrc_offline.h", "wrc/wrc_profiles.h")
-TABLE_HEADER = "wrc/wrc_api.h"  # itself made of the others
+STABLE = ("wrc.h", "wrc_methods.h", "wrc_status.h", "wrc_planar.h")  # frozen from 1.0 on
+EXPERIMENTAL = ("wrc_damage.h", "wrc_offline.h", "wrc_profiles.h")    # may change in a minor version
+HEADERS = tuple(f"wrc/{name}" for name in ("wrc.h", "wrc_planar.h") + EXPERIMENTAL)
+TABLES = {"wrc_api": "wrc/wrc_api.h", "wrc_experimental_api": "wrc/wrc_experimental_api.h"}  # made of the others
+HINTS = "tools/interface/members.toml"
 STANDARD_HEADERS = {
     "stddef.h": "typedef unsigned long size_t;\n#define NULL ((void*)0)\n",
     "stdint.h": "typedef int int32_t;\ntypedef unsigned int uint32_t;\ntypedef unsigned long uint64_t;\n"
@@ -91,12 +95,13 @@ class Function:
 
 @dataclasses.dataclass
 class Interface:
-    numbers: list     # of (name, value): WRC_VERSION, WRC_ABI and WRC_FLAT macros
+    numbers: list     # of (name, value): macros that are integers
     statuses: list    # of (name, value, text)
     enumerations: dict
     structs: dict
     functions: dict
     callbacks: dict   # typedefs of function pointers, and what they stand for
+    hints: dict       # {struct: {member: {key: text}}} of HINTS
 
     def enumerator(self, name):
         """(enumeration, enumerator) of that name, or None."""
@@ -131,16 +136,27 @@ def parse(cindex, include):
     for each in unit.diagnostics:
         if each.severity >= cindex.Diagnostic.Warning:
             raise Refused(str(each))
-    return _Reader(cindex, include).read(unit)
+    found = _Reader(cindex, include).read(unit)
+    with open(include.parent / HINTS, "rb") as file:
+        found.hints = tomllib.load(file)
+    for struct, members in found.hints.items():
+        for member in members:
+            if struct not in found.structs or member not in [each.name for each in found.structs[struct].members]:
+                raise Refused(f"{HINTS}: there is no {struct}.{member}")
+    return found
 
 
 def table_order(cindex, include):
-    """Names of the functions in the table for dlopen as it is, in their order; its types may be out of date."""
+    """{table: names of its functions} of the tables for dlopen as they are, in their order; types may be out of date."""
     include = pathlib.Path(include).resolve()
-    if not (include / TABLE_HEADER).exists():
+    return {table: _members(cindex, include, table, header) for table, header in TABLES.items()}
+
+
+def _members(cindex, include, table, header):
+    if not (include / header).exists():
         return []
-    for cursor in translation_unit(cindex, include, (TABLE_HEADER,)).cursor.get_children():
-        if cursor.kind == cindex.CursorKind.STRUCT_DECL and cursor.spelling == "wrc_api" and cursor.is_definition():
+    for cursor in translation_unit(cindex, include, (header,)).cursor.get_children():
+        if cursor.kind == cindex.CursorKind.STRUCT_DECL and cursor.spelling == table and cursor.is_definition():
             return [each.spelling for each in cursor.get_children() if each.kind == cindex.CursorKind.FIELD_DECL][2:]
     return []
 
@@ -161,7 +177,7 @@ class _Reader:
         self.include = include
 
     def read(self, unit):
-        found = Interface([], [], {}, {}, {}, {})
+        found = Interface([], [], {}, {}, {}, {}, {})
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
             if file is None or not file.name.startswith(str(self.include / "wrc")):
@@ -188,8 +204,9 @@ class _Reader:
 
     def macro(self, cursor, found):
         name, tokens = cursor.spelling, [token.spelling for token in cursor.get_tokens()][1:]
-        if name.startswith(("WRC_VERSION_", "WRC_ABI_", "WRC_FLAT_")):
-            found.numbers.append((name, int(tokens[0])))
+        number = "".join(tokens).strip("()")
+        if name.startswith("WRC_") and number.removeprefix("-").isdigit():
+            found.numbers.append((name, int(number)))
         elif name == "WRC_STATUS_LIST":
             tokens = tokens[tokens.index(")") + 1:]  # of its parameter
             while tokens:  # X ( name , [-] value , "text" )

@@ -15,13 +15,13 @@ from . import _library as _l
 from . import _struct as s
 
 VERSION_MAJOR = 0
-VERSION_MINOR = 2
+VERSION_MINOR = 9
 VERSION_PATCH = 0
-ABI_VERSION = 2
-FLAT_INPUTS = 8
-FLAT_OUTPUTS = 12
-FLAT_WHEEL_INPUTS = 28
-FLAT_WHEEL_OUTPUTS = 18
+ABI_VERSION = 900
+EXPERIMENTAL_VERSION = 1
+WRENCH_INPUTS = 19
+ALL_REGIONS = -1
+DAMAGE_SUMS = 8
 
 
 class Status(s.Choice):
@@ -34,12 +34,14 @@ class Status(s.Choice):
     FLAG_MORE_PATCHES = 4
     FLAG_TABLE_RANGE = 5
     FLAG_CREEPAGES_LIMITED = 6
-    FLAG_LOAD_LEAPS = 7
+    FLAG_LOAD_JUMPS = 7
     FLAG_BEYOND_GAP = 8
     FLAG_CLIMBING = 9
     FLAG_BEYOND_SECTIONS = 10
-    FLAG_UNLIKE_MATERIALS = 11
+    FLAG_DISSIMILAR_MATERIALS = 11
     FLAG_SUM_OVERFLOW = 12
+    FLAG_FORCE_JUMPS = 13
+    FLAG_ROTATION_TRANSPOSED = 14
     ERROR_NULL = -1
     ERROR_STRUCT_SIZE = -2
     ERROR_NOT_FINITE = -3
@@ -64,14 +66,16 @@ STATUS_TEXTS = {
     4: 'more contact patches exist than the configuration has room for',
     5: 'the patch is more slender than the coefficient tables: their end is used',
     6: 'nearly at rest, or sliding far faster than rolling: creepages are limited',
-    7: 'no approach of this normal method carries the load: it leaps past it there',
+    7: 'no approach of this normal method carries the load: its force jumps past it there',
     8: 'beyond what the gap or the profiles carry: continued with the last stiffness',
     9: 'friction on a steep face lets no height carry the load, or several',
     10: 'the rail has no section that far along the track: the nearest is used',
-    11: "unlike bodies: what couples normal and tangential contact, Kalker's K, is left out",
+    11: "different materials: Kalker's K, which couples pressure and traction, is left out",
     12: 'a sum of bins passed its range: what they hold is worthless',
+    13: 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes',
+    14: 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?',
     -1: 'a required pointer is NULL',
-    -2: 'struct_size is not that of a known version of the struct',
+    -2: 'struct_size is wrong, or a member newer than the library is set',
     -3: 'a value is NaN or infinite',
     -4: 'a value lies outside its allowed range',
     -5: 'a profile cannot be used',
@@ -109,15 +113,13 @@ class NormalMethod(s.Choice):
 
 
 class TangentialMethod(s.Choice):
-    """Method of the tangential problem. All but the first have the bound friction * pressure.
+    """Method of the tangential problem. All but FASTSIM have the bound friction * pressure.
 
     FASTSIM: FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and flexibility of
         config.tangential; modified FASTSIM where friction.slope_fall > 0
     FASTRIP: FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it sticks,
         FASTSIM's directions where it slips
     STRIP_FASTSIM: FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions
-    COARSE_HALFSPACE: exact half-space theory on grids of 8 x 8 and 16 x 16 cells, extrapolated: forces within
-        about 1 % of mu N, about a hundred times the time of FASTSIM
     FORCE_TABLE: total forces from config.tangential.force_table, exact solutions for double ellipses: no
         tractions, no slip, and nothing that is made of them
     """
@@ -125,8 +127,7 @@ class TangentialMethod(s.Choice):
     FASTSIM = 0
     FASTRIP = 1
     STRIP_FASTSIM = 2
-    COARSE_HALFSPACE = 3
-    FORCE_TABLE = 4
+    FORCE_TABLE = 3
 
 
 class PatchModel(s.Choice):
@@ -146,33 +147,54 @@ class PatchModel(s.Choice):
     ELLIPSE_AT_POINT = 3
 
 
+class Regularisation(s.Choice):
+    """Criteria by which a patch gets its equivalent double ellipse.
+
+    WIDTH: criteria (1), (2b), (3): area and width kept; the paper's choice
+    RATIO: criteria (1), (2), (3): area and length/width ratio kept (KBTNH)
+    """
+
+    WIDTH = 0
+    RATIO = 1
+
+
+class TractionBound(s.Choice):
+    """Form of the traction bound along a strip. Over the patch each integrates to friction * load where friction
+        is uniform.
+
+    PARABOLIC: paper eq. 9: right slope at the leading edge
+    ELLIPTIC: friction * pressure: the actual pressure of each strip
+    ELLIPSOIDAL: friction * load spread as sqrt(x_l^2 - x^2): the pressure of a Kik-Piotrowski patch. On
+        double ellipses the same as ELLIPTIC
+    """
+
+    PARABOLIC = 0
+    ELLIPTIC = 1
+    ELLIPSOIDAL = 2
+
+
+class Flexibility(s.Choice):
+    """How the flexibilities of linear theory enter FASTSIM.
+
+    SEPARATE: one for each force of linear theory: right for small creepage
+    SINGLE: Kalker's weighted sum for all: right traction directions at large creepage
+    BLENDED: from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023)
+    """
+
+    SEPARATE = 0
+    SINGLE = 1
+    BLENDED = 2
+
+
 class Side(s.Choice):
-    """Which wheel of the wheelset. The left wheel has its flange at y > 0; frames and signs stay those of the
-        top.
+    """Which wheel of the wheelset.
 
     RIGHT: flange at y < 0
-    LEFT: flange at y > 0
+    LEFT: flange at y > 0; frames and signs stay those of the right wheel
     """
 
     RIGHT = 0
     LEFT = 1
-
-
-class ProfileKind(s.Choice):
-    """Where a profile comes from.
-
-    NONE: of both bodies: no geometry, the caller hands over gaps
-    POINTS: points y, z of the caller, joined by a cubic spline
-    S1002: wheel, EN 13715, from its analytic definition
-    PROFILE_60E1: rail, nominal head (R300/R80/R13), uncanted: set rail_inclination, e.g. 1/40
-    UIC60_BENCHMARK: rail of the Manchester benchmark; canted 1:40 already: rail_inclination = 0
-    """
-
-    NONE = 0
-    POINTS = 1
-    S1002 = 2
-    PROFILE_60E1 = 3
-    UIC60_BENCHMARK = 4
 
 
 class Body(s.Choice):
@@ -186,86 +208,29 @@ class Body(s.Choice):
     RAIL = 1
 
 
-class Regularisation(s.Choice):
-    """Criteria by which a patch gets its equivalent double ellipse.
+class ProfileKind(s.Choice):
+    """Where a profile comes from.
 
-    WIDTH: criteria (1), (2b), (3): area and width kept; the paper's choice
-    RATIO: criteria (1), (2), (3): area and length/width ratio kept (KBTNH)
+    NONE: no profile. A model without both has planar gaps only
+    POINTS: points y, z of the caller, joined by a cubic spline
+    S1002: wheel, EN 13715, from its analytic definition
+    PROFILE_60E1: rail, nominal head (R300/R80/R13), not canted: set rail_inclination, e.g. 1/40
+    UIC60_BENCHMARK: rail of the Manchester benchmark, canted 1:40 already
     """
 
-    WIDTH = 0
-    RATIO = 1
-
-
-class TractionBound(s.Choice):
-    """Form of the traction bound along a strip. All integrate to friction * load over the patch where friction
-        is the same everywhere.
-
-    PARABOLIC: paper eq. 9: right slope at the leading edge; integrates to friction * load
-    ELLIPTIC: friction * pressure: the actual pressure of each strip
-    ELLIPSOIDAL: friction * load spread like sqrt(x_l^2 - x^2) over the patch, whatever its pressure: the
-        pressure of a Kik-Piotrowski patch; on double ellipses the same as ELLIPTIC
-    """
-
-    PARABOLIC = 0
-    ELLIPTIC = 1
-    ELLIPSOIDAL = 2
-
-
-class Flexibility(s.Choice):
-    """How the flexibilities of linear theory enter FASTSIM; the other methods have their own way.
-
-    SEPARATE: one for each force of linear theory: right for small creepage
-    SINGLE: Kalker's weighted sum for all: right traction directions at large creepage
-    BLENDED: from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023)
-    """
-
-    SEPARATE = 0
-    SINGLE = 1
-    BLENDED = 2
-
-
-class FrictionKind(s.Choice):
-    """How friction depends on the sliding speed w: of a strip, the root mean square of its rigid slip times the
-        rolling speed (with friction.slope_fall: of the patch, speed * |(nu_x, nu_y)|). Theory manual, section
-        5.
-
-    CONSTANT: not at all
-    FALLING: times (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach
-    STATIC_KINETIC: times kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): from the static
-        coefficient to the kinetic one
-    TEMPERATURE: on the temperature of the surfaces, Contact.temperature(): whole up to cold_temperature,
-        times hot_ratio from hot_temperature on, linear between, and of each strip the mean over its load;
-        found together with the tractions. Not with a method that gives forces alone
-    """
-
-    CONSTANT = 0
-    FALLING = 1
-    STATIC_KINETIC = 2
-    TEMPERATURE = 3
-
-
-class ZoneFrame(s.Choice):
-    """Where the y of friction zones counts from.
-
-    CONTACT_FRAME: contact frame: zones move with the contact point
-    RAIL_PROFILE: rail profile, as ContactPoint.y_rail: zones stay on the rail; field side > 0. Needs the
-        contact point of a Contact.geometry
-    WHEEL_PROFILE: wheel profile, as ContactPoint.y_wheel: zones stay on the wheel, as a lubricated flange;
-        flange side < 0. Needs the same
-    """
-
-    CONTACT_FRAME = 0
-    RAIL_PROFILE = 1
-    WHEEL_PROFILE = 2
+    NONE = 0
+    POINTS = 1
+    S1002 = 2
+    PROFILE_60E1 = 3
+    UIC60_BENCHMARK = 4
 
 
 class ProfilePlacement(s.Choice):
     """Where profiles lie.
 
-    GAUGE: rails by track_gauge and gauge_depth, their tops at z = 0: of new profiles
-    ORIGIN: rails by the origin of their points: it lies at y = rail_origin, z = 0, so that a worn rail stays
-        where the new one was; their inclination turns them about it
+    GAUGE: rails by track_gauge and gauge_depth, tops at z = 0: new profiles
+    ORIGIN: rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it. A worn
+        rail stays where the new one was
     """
 
     GAUGE = 0
@@ -275,8 +240,8 @@ class ProfilePlacement(s.Choice):
 class InstructionSet(s.Choice):
     """Instruction set of the kernels. Results are the same bits with all of them.
 
-    BEST: the widest this processor has
-    BASELINE: what every processor of this architecture has: SSE2, NEON
+    BEST: the widest that this processor has
+    BASELINE: what every processor of the architecture has: SSE2, NEON
     AVX2: x86-64 with AVX2
     AVX512: x86-64 with AVX-512 F, DQ, VL
     """
@@ -287,80 +252,43 @@ class InstructionSet(s.Choice):
     AVX512 = 3
 
 
-class Prescribed(s.Choice):
-    """Which of load and approach is given; the other is a result.
+class FrictionSpeedLaw(s.Choice):
+    """How friction falls with the sliding speed w of a strip: the root mean square of its rigid slip times the
+        rolling speed.
 
-    LOAD: normal_force is given
-    APPROACH: approach is given: the choice near lift-off
+    NONE: factor 1
+    EXPONENTIAL: factor (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach
+    HYPERBOLIC: factor kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): static to kinetic
     """
 
-    LOAD = 0
-    APPROACH = 1
+    NONE = 0
+    EXPONENTIAL = 1
+    HYPERBOLIC = 2
 
 
-class Available(enum.IntFlag):
-    """What a result holds besides what it always has.
+class FrictionTemperatureLaw(s.Choice):
+    """How friction falls with the temperature of the surfaces.
 
-    TRACTIONS: what is made of tractions and slip: not with a method that gives forces alone
-    PLACE: places in the track frame: not with a gap, strips or an ellipse of the caller
+    NONE: factor 1
+    LINEAR: factor 1 up to cold_temperature, hot_ratio from hot_temperature on, linear between. A strip has
+        the mean over its load. Not with a method that gives forces alone
     """
 
-    TRACTIONS = 1
-    PLACE = 2
+    NONE = 0
+    LINEAR = 1
 
 
-class FieldId(s.Choice):
-    """Arrays of the last step that wrc_contact_field() shows without copying, in the contact frame. Fields over
-        cells have count[0] = cells along the strip (0 is at the leading edge: at +x, rolling backwards at -x)
-        and count[1] = strips (by increasing y); fields over strips have count[0] = strips. After
-        Contact.tangential strips are those the tractions live on: of the ellipse, where the patch model has
-        one.
+class ZoneFrame(s.Choice):
+    """Where the y of friction zones counts from.
 
-    X: cells: x of the cell centre [m]
-    PRESSURE: cells: normal pressure [Pa]
-    TRACTION_X: cells: tangential traction on the wheel [Pa]
-    TRACTION_Y: cells: see FieldId.TRACTION_X
-    SLIP_X: cells: sliding velocity / rolling speed [-]
-    SLIP_Y: cells: see FieldId.SLIP_X
-    POWER_DENSITY: cells: power per area, paper eq. 10 [W/m^2]; needs Contact.damage
-    FATIGUE_INDEX: cells: local surface fatigue index, paper eq. 12 [-]; needs Contact.damage
-    STRIP_Y: strips: lateral middle [m]
-    STRIP_WIDTH: strips: lateral width [m]
-    STRIP_CENTRE: strips: x of the middle [m]
-    STRIP_HALF: strips: half length [m]
-    STRIP_PEAK: strips: peak pressure [Pa]
-    STRIP_POWER: strips: frictional power per unit width [W/m]; needs Contact.damage
-    GAP_Y: gap rows: y [m] (after Contact.geometry or a gap of your own)
-    GAP_HEIGHT: gap rows: smallest gap of the row [m]
-    GAP_CENTRE: gap rows: x of that smallest gap [m]
-    GAP_CURVATURE: gap rows: d2h/dx2 [1/m]
-    STRIP_WEAR: strips: volume lost per metre rolled and per width, Sheffield's law [m]; needs Contact.wear
-    STRIP_FRICTION: strips: coefficient of friction the law gave [-]; needs Contact.tangential
-    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]; needs
-        Contact.temperature
+    CONTACT_FRAME: contact frame, of wrc_planar.h alone: zones move with the contact point
+    RAIL_PROFILE: rail profile, field side > 0: zones stay on the rail
+    WHEEL_PROFILE: wheel profile, flange side < 0: zones stay on the wheel, as a lubricated flange
     """
 
-    X = 0
-    PRESSURE = 1
-    TRACTION_X = 2
-    TRACTION_Y = 3
-    SLIP_X = 4
-    SLIP_Y = 5
-    POWER_DENSITY = 6
-    FATIGUE_INDEX = 7
-    STRIP_Y = 8
-    STRIP_WIDTH = 9
-    STRIP_CENTRE = 10
-    STRIP_HALF = 11
-    STRIP_PEAK = 12
-    STRIP_POWER = 13
-    GAP_Y = 14
-    GAP_HEIGHT = 15
-    GAP_CENTRE = 16
-    GAP_CURVATURE = 17
-    STRIP_WEAR = 18
-    STRIP_FRICTION = 19
-    TEMPERATURE_RISE = 20
+    CONTACT_FRAME = 0
+    RAIL_PROFILE = 1
+    WHEEL_PROFILE = 2
 
 
 class WheelReference(s.Choice):
@@ -374,110 +302,148 @@ class WheelReference(s.Choice):
     WHEEL = 1
 
 
-class Axes(s.Choice):
-    """In which axes an angular velocity is given.
+class Orientation(s.Choice):
+    """How an orientation is given.
 
-    TRACK: track axes
-    BODY: the body's: those of roll and yaw, which do not turn with the pitch, or of rotation
+    ANGLES: by roll and yaw
+    ROWS: by rotation row by row, as C and numpy store a matrix: track = R body, y body is the axle
+    COLUMNS: by rotation column by column, as Fortran, MATLAB and Eigen store the same matrix
     """
 
-    TRACK = 0
-    BODY = 1
+    ANGLES = 0
+    ROWS = 1
+    COLUMNS = 2
 
 
-class WheelPrescribed(s.Choice):
-    """Which of height and load of a wheel is given; the other is a result.
+class Axes(s.Choice):
+    """How an angular velocity is given.
 
-    HEIGHT: wheel.z is given: the choice of a dynamic simulation
-    VERTICAL_LOAD: vertical_load is given, z of the reference point is found
+    NONE: by roll_rate, pitch_rate, yaw_rate; angular_velocity must be 0
+    TRACK: by angular_velocity along the track's axes: a yawed axle then has an x component, too
+    BODY: by angular_velocity along the axes of the body without its pitch: y is about the axle
+    """
+
+    NONE = 0
+    TRACK = 1
+    BODY = 2
+
+
+class Prescribed(s.Choice):
+    """Which of height, load and approach is given; the others are results.
+
+    HEIGHT: wheel: its z. The choice of a dynamic simulation
+    VERTICAL_LOAD: wheel: vertical_load; z of the reference point is found
+    NORMAL_FORCE: contact plane: normal_force along the contact normal
+    APPROACH: contact plane: approach of the bodies. The choice near lift-off
     """
 
     HEIGHT = 0
     VERTICAL_LOAD = 1
+    NORMAL_FORCE = 2
+    APPROACH = 3
 
 
-class WheelStart(s.Choice):
-    """Where the sweeps over the strips, and the search for the height of a load, begin.
+class Start(s.Choice):
+    """Where iterations begin.
 
-    ANEW: results depend on the inputs of the call alone, to the last bit
-    FROM_LAST: the contact's last solution: a third faster where poses follow each other. Results then depend
-        on the calls before, by at most 1e-7 of the normal force. For explicit integrators and fixed steps:
-        the iterations of an implicit one that are to end at 1e-8 see that
+    COLD: anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving
+    WARM: from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a
+        wheel. For explicit integrators and fixed steps, not for implicit ones
     """
 
-    ANEW = 0
-    FROM_LAST = 1
+    COLD = 0
+    WARM = 1
 
 
-class RegionField(s.Choice):
-    """What wrc_contact_region_field() writes of a region: one value per strip, by increasing arc length, or one
-        per cell of its strips. Each strip has axes of its own on the rail's surface: x forward along the
-        track, s along the rail's arc from its gauge side to its field side, on either side of the track.
+class Available(enum.IntFlag):
+    """What a result holds besides what it always has.
 
-    X: cells: x of the middle, as Region.point[0] [m]
+    TRACTIONS: what is made of tractions and slip: not with a method that gives forces alone
+    PLACE: places in the track frame: not with a gap, strips or an ellipse of the caller
+    """
+
+    TRACTIONS = 1
+    PLACE = 2
+
+
+class Field(s.Choice):
+    """Fields of a region: one value per cell or per strip. Strips lie side by side, from the gauge side to the
+        field side of a rail's arc length s, on a contact plane by increasing y. Cells divide a strip; cell 0
+        is at its leading edge.
+
+    X: cells: x of the middle. Wheel: from its reference point; plane: contact frame [m]
     PRESSURE: cells: normal pressure in the middle [Pa]
     TRACTION_X: cells: tangential traction on the wheel along x [Pa]
-    TRACTION_S: cells: the same along s [Pa]
-    SLIP_X: cells: sliding velocity of the wheel over the rail / rolling speed along x [-]
-    SLIP_S: cells: the same along s [-]
-    POWER_DENSITY: cells: frictional power per area [W/m^2]
-    FATIGUE_INDEX: cells: local surface fatigue index, as FieldId.FATIGUE_INDEX [-]
-    STRIP_S: strips: arc length of the middle, from the gauge end of the rail's profile [m]
-    STRIP_WIDTH: strips: width along the arc [m]
-    STRIP_CENTRE: strips: x of the middle, as Region.point[0] [m]
-    STRIP_HALF: strips: half length [m]
+    TRACTION_Y: cells: the same along the rail's arc, or along y of the contact plane [Pa]
+    SLIP_X: cells: sliding velocity of the wheel over the rail / rolling speed, along x [-]
+    SLIP_Y: cells: the same along the rail's arc, or along y of the contact plane [-]
+    POWER_DENSITY: cells: frictional power per area, paper eq. 10 [W/m^2]
+    FATIGUE_INDEX: cells: local surface fatigue index, paper eq. 12 [-]
+    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]
+    STRIP_Y: strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m]
+    STRIP_WIDTH: strips: width [m]
+    STRIP_CENTRE: strips: x of the middle, as Field.X [m]
+    STRIP_HALF_LENGTH: strips: half length [m]
     STRIP_PEAK: strips: peak pressure, damping included [Pa]
-    STRIP_POWER: strips: frictional power per unit width [W/m]
-    STRIP_FRICTION: strips: coefficient of friction the law gave [-]
-    STRIP_Y: strips: the middle in the coordinates of the rail's profile, as Region.y_rail [m]
-    STRIP_Z: strips: the same, as Region.z_rail [m]
-    STRIP_ANGLE: strips: of the rail's surface about x in the same coordinates; < 0 on the gauge side [rad]
-    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]:
-        Contact.region_temperature()
+    STRIP_POWER: strips: frictional power per width [W/m]
+    STRIP_FRICTION: strips: coefficient of friction that the law gave [-]
+    STRIP_WEAR: strips: volume lost per metre rolled and per width, Sheffield's law [m]
+    STRIP_PROFILE_Y: strips of a wheel: the middle in the coordinates of the rail's profile [m]
+    STRIP_PROFILE_Z: strips of a wheel: the same, down [m]
+    STRIP_ANGLE: strips of a wheel: of the rail's surface about x there; < 0 on the gauge side [rad]
+    GAP_Y: rows of a planar gap: y [m]
+    GAP_HEIGHT: rows of a planar gap: smallest gap of the row [m]
+    GAP_CENTRE: rows of a planar gap: x of that smallest gap [m]
+    GAP_CURVATURE: rows of a planar gap: d2h/dx2 [1/m]
     """
 
     X = 0
     PRESSURE = 1
     TRACTION_X = 2
-    TRACTION_S = 3
+    TRACTION_Y = 3
     SLIP_X = 4
-    SLIP_S = 5
+    SLIP_Y = 5
     POWER_DENSITY = 6
     FATIGUE_INDEX = 7
-    STRIP_S = 8
-    STRIP_WIDTH = 9
-    STRIP_CENTRE = 10
-    STRIP_HALF = 11
-    STRIP_PEAK = 12
-    STRIP_POWER = 13
-    STRIP_FRICTION = 14
-    STRIP_Y = 15
-    STRIP_Z = 16
-    STRIP_ANGLE = 17
-    TEMPERATURE_RISE = 18
+    TEMPERATURE_RISE = 8
+    STRIP_Y = 9
+    STRIP_WIDTH = 10
+    STRIP_CENTRE = 11
+    STRIP_HALF_LENGTH = 12
+    STRIP_PEAK = 13
+    STRIP_POWER = 14
+    STRIP_FRICTION = 15
+    STRIP_WEAR = 16
+    STRIP_PROFILE_Y = 17
+    STRIP_PROFILE_Z = 18
+    STRIP_ANGLE = 19
+    GAP_Y = 20
+    GAP_HEIGHT = 21
+    GAP_CENTRE = 22
+    GAP_CURVATURE = 23
 
 
 class WrenchInput(s.Choice):
-    """What a wrench depends on: the columns of WrenchSensitivities.
+    """What a wrench depends on: the columns of WrenchDerivatives.
 
     Y: wheel.y [m]
     Z: wheel.z [m], where the height is prescribed
-    ROLL: wheel.roll; with rotation that of its axle [rad]
-    YAW: wheel.yaw; with rotation that of its axle [rad]
+    ROLL: wheel.roll [rad]. With a matrix: turning of the body about the track's x
+    YAW: wheel.yaw [rad]. With a matrix: turning of the body about its z, which is rolled
     VELOCITY_X: wheel.velocity[0] [m/s]
     VELOCITY_Y: wheel.velocity[1] [m/s]
     VELOCITY_Z: wheel.velocity[2] [m/s]
-    ANGULAR_VELOCITY_X: wheel.angular_velocity[0], in the axes it is given in [rad/s]
-    ANGULAR_VELOCITY_Y: wheel.angular_velocity[1] [rad/s]
-    ANGULAR_VELOCITY_Z: wheel.angular_velocity[2] [rad/s]
+    ANGULAR_VELOCITY_X: wheel.angular_velocity[0] in its axes; with Axes.NONE roll_rate [rad/s]
+    ANGULAR_VELOCITY_Y: wheel.angular_velocity[1]; with Axes.NONE pitch_rate [rad/s]
+    ANGULAR_VELOCITY_Z: wheel.angular_velocity[2]; with Axes.NONE yaw_rate [rad/s]
     RAIL_Y: rail.y [m]
     RAIL_Z: rail.z [m]
     RAIL_ROLL: rail.roll [rad]
     RAIL_Y_VELOCITY: rail.y_velocity [m/s]
     RAIL_Z_VELOCITY: rail.z_velocity [m/s]
-    RAIL_ROLL_VELOCITY: rail.roll_velocity [rad/s]
+    RAIL_ROLL_RATE: rail.roll_rate [rad/s]
     VERTICAL_LOAD: vertical_load [N], where it is prescribed
-    DISTANCE: distance [m]; but for what strips grow wider or narrower along the track
+    DISTANCE: distance [m], without what strips grow wider or narrower along the track
     ANGLE: angle [rad]
     """
 
@@ -496,7 +462,7 @@ class WrenchInput(s.Choice):
     RAIL_ROLL = 12
     RAIL_Y_VELOCITY = 13
     RAIL_Z_VELOCITY = 14
-    RAIL_ROLL_VELOCITY = 15
+    RAIL_ROLL_RATE = 15
     VERTICAL_LOAD = 16
     DISTANCE = 17
     ANGLE = 18
@@ -530,19 +496,8 @@ class DamageQuantity(s.Choice):
     WHOLE_LIFE = 5
     SURFACE_FATIGUE = 6
     TIME = 7
-    LARGEST_PRESSURE = 8
-    LARGEST_TRACTION = 9
-
-
-class DamageSource(s.Choice):
-    """Which results of a contact are added.
-
-    WRENCH: the last Contact.wrench()
-    STAGES: the last Contact.damage() or Contact.step(), of a pose
-    """
-
-    WRENCH = 0
-    STAGES = 1
+    LARGEST_PRESSURE = 1000
+    LARGEST_TRACTION = 1001
 
 
 class Adhesion(s.Choice):
@@ -592,23 +547,20 @@ class ConicityMethod(s.Choice):
 
 
 class Profile(s.Struct):
-    """A wheel or rail profile. Points: y strictly increasing, z down, 4 to 20000 points from 1e-12 m to 35 mm
-        apart (closer, slopes are made of rounding) over 20 to 500 mm, within 1 m of the origin, without a
-        step: 1 mm or more from one point to the next at over 79 degrees (of a rail: 56 degrees, on its upper
-        40 mm), between parts below 45 degrees and a fifth as steep. - wheel: y = 0 at the running circle,
-        flange at y < 0 (also for a left wheel), z = 0 at y = 0. - rail: y towards the field side, z = 0 at
-        the top; gauge side at y < 0 (also for a left rail), where the points reach down to
-        config.track.gauge_depth at least, after canting.
+    """A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over
+        20 to 500 mm, within 1 m of the origin, without a step. - Wheel: y = 0 at the running circle, flange
+        at y < 0 (also for a left wheel), z = 0 at y = 0. - Rail: y towards the field side, z = 0 at the top;
+        gauge side at y < 0 (also for a left rail). Its points go down the gauge face by track.gauge_depth at
+        least. - A step is refused: 1 mm and more from one point to the next at over 79 degrees, between parts
+        below 45 degrees. For a rail's upper 40 mm 56 degrees hold.
 
     Members:
       kind: ProfileKind (default ProfileKind.NONE)
       count: number of points (4 .. 20000; default 0)
-      y [m]: count of them with ProfileKind.POINTS (required)
-      z [m]: count of them with ProfileKind.POINTS (required)
-      smoothing [m]: of points only: waves of this length along the curve, keep half their height, shorter
-          ones next to nothing (a seventeenth at half the length), longer ones nearly all; 0: the points are
-          interpolated. Tested: 7e-3 on points every 0.5 mm with 5 um of noise on both bodies. See
-          wrc_model_profile() (0 .. 0.05; default 0)
+      y [m]: count of them (required)
+      z [m]: count of them (required)
+      smoothing [m]: wavelength along the curve that keeps half its height; 0: points are interpolated. Waves
+          of half that length keep a seventeenth. Tested: 7e-3 (0 .. 0.05; default 0)
     """
 
     _c_name_ = 'wrc_profile'
@@ -618,53 +570,52 @@ class Profile(s.Struct):
     y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'z'))  # type: ignore[assignment]
     z: Optional[np.ndarray] = s.Pointer('z', count='count', group=('y', 'z'))  # type: ignore[assignment]
     smoothing: float
+    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'z': 'm', 'smoothing': 'm'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('_kind', c.c_int32),
         ('_count', c.c_uint32),
         ('_y', c.POINTER(c.c_double)),
         ('_z', c.POINTER(c.c_double)),
         ('smoothing', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(Profile) == 32
+assert c.sizeof(Profile) == 80
 
 
-class ConfigMaterial(s.Struct):
-    """Elastic and yield properties. Of bodies that are not alike all methods take the combined 1/G = (1/G_w +
-        1/G_r) / 2 and nu/G = (nu_w/G_w + nu_r/G_r) / 2, with which pressure alone and traction alone are as
-        they should; what couples them, in the measure K/G = ((1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r) / 4, is
-        left out, and Status.FLAG_UNLIKE_MATERIALS says so when the model is made. Theory manual, section 4.
+class Material(s.Struct):
+    """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in
+        real time. Then Status.FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section
+        4.
 
     Members:
-      shear_modulus [Pa]: G, of both bodies or of the wheel (1e8 .. 1e12; default 80e9)
-      poisson: nu, of both bodies or of the wheel (0 .. 0.5; default 0.25)
-      shear_yield [Pa]: k, yield limit in shear for the fatigue indices (1e6 .. 1e11; default 250e6)
-      rail_shear_modulus [Pa]: G of the rail; 0: as the wheel's (0 or 1e8 .. 1e12; default 0)
-      rail_poisson: nu of the rail; must be 0 where rail_shear_modulus is (0 .. 0.5; default 0)
+      shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)
+      poisson: nu (0 .. 0.5; default 0.28)
+      shear_yield [Pa]: k, yield limit in shear. Fatigue indices take the smaller of both bodies (1e6 .. 1e11;
+          default 250e6)
     """
 
-    _c_name_ = 'wrc_config_material'
+    _c_name_ = 'wrc_material'
     __slots__ = ()
     shear_modulus: float
     poisson: float
     shear_yield: float
-    rail_shear_modulus: float
-    rail_poisson: float
-    _units_ = {'shear_modulus': 'Pa', 'shear_yield': 'Pa', 'rail_shear_modulus': 'Pa'}
-    _hidden_ = ()
+    reserved: np.ndarray = s.Array('reserved', 24, (5,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'shear_modulus': 'Pa', 'shear_yield': 'Pa'}
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('shear_modulus', c.c_double),
         ('poisson', c.c_double),
         ('shear_yield', c.c_double),
-        ('rail_shear_modulus', c.c_double),
-        ('rail_poisson', c.c_double),
+        ('_reserved', c.c_double * 5),
     ]
-assert c.sizeof(ConfigMaterial) == 40
+assert c.sizeof(Material) == 64
 
 
 class HeatProperties(s.Struct):
-    """How a body takes up heat. Read by Contact.temperature() and friction over temperature.
+    """How a body takes up heat. Read by temperatures and by friction over temperature.
 
     Members:
       conductivity [W/(m K)]: lambda (0.1 .. 1000; default 50)
@@ -677,14 +628,16 @@ class HeatProperties(s.Struct):
     conductivity: float
     density: float
     specific_heat: float
+    reserved: np.ndarray = s.Array('reserved', 24, (5,), c.c_double)  # type: ignore[assignment]
     _units_ = {'conductivity': 'W/(m K)', 'density': 'kg/m^3', 'specific_heat': 'J/(kg K)'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('conductivity', c.c_double),
         ('density', c.c_double),
         ('specific_heat', c.c_double),
+        ('_reserved', c.c_double * 5),
     ]
-assert c.sizeof(HeatProperties) == 24
+assert c.sizeof(HeatProperties) == 64
 
 
 class ConfigWheelset(s.Struct):
@@ -692,21 +645,23 @@ class ConfigWheelset(s.Struct):
 
     Members:
       wheel_radius [m]: nominal rolling radius, at the tape circle (0.1 .. 1.5; default 0.46)
-      flange_back_distance [m]: between the inner faces of the wheelset; not read without profiles (0.3 ..
-          2.5; default 1.360)
+      tape_circle_distance [m]: between the tape circles of both wheels; not read without profiles (0.3 .. 3;
+          default 1.5)
     """
 
     _c_name_ = 'wrc_config_wheelset'
     __slots__ = ()
     wheel_radius: float
-    flange_back_distance: float
-    _units_ = {'wheel_radius': 'm', 'flange_back_distance': 'm'}
-    _hidden_ = ()
+    tape_circle_distance: float
+    reserved: np.ndarray = s.Array('reserved', 16, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'wheel_radius': 'm', 'tape_circle_distance': 'm'}
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('wheel_radius', c.c_double),
-        ('flange_back_distance', c.c_double),
+        ('tape_circle_distance', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigWheelset) == 16
+assert c.sizeof(ConfigWheelset) == 64
 
 
 class ConfigTrack(s.Struct):
@@ -715,9 +670,9 @@ class ConfigTrack(s.Struct):
     Members:
       placement: ProfilePlacement (default ProfilePlacement.GAUGE)
       gauge [m]: between the gauge faces of the rails (0.3 .. 2.5; default 1.435)
-      gauge_depth [m]: gauge is measured this far below the rail top (0.005 .. 0.04; default 0.014)
-      rail_inclination: tangent of the cant towards the track centre; must be 0 for
-          ProfileKind.UIC60_BENCHMARK, which is canted already (-0.2 .. 0.2; default 0)
+      gauge_depth [m]: depth below the rail top at which the gauge is measured (0.005 .. 0.04; default 0.014)
+      rail_inclination: tangent of the cant towards the track centre; 1:40 is 0.025. 0 for
+          ProfileKind.UIC60_BENCHMARK (-0.2 .. 0.2; default 0)
       rail_origin [m]: distance of the rail profile's origin from the track's centre line (0.2 .. 1.5; default
           0)
     """
@@ -725,46 +680,44 @@ class ConfigTrack(s.Struct):
     _c_name_ = 'wrc_config_track'
     __slots__ = ()
     placement: ProfilePlacement = s.Chosen('placement', ProfilePlacement)  # type: ignore[assignment]
-    reserved: int
+    reserved0: int
     gauge: float
     gauge_depth: float
     rail_inclination: float
     rail_origin: float
+    reserved: np.ndarray = s.Array('reserved', 40, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'gauge': 'm', 'gauge_depth': 'm', 'rail_origin': 'm'}
-    _hidden_ = ('reserved',)
+    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
         ('_placement', c.c_int32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('gauge', c.c_double),
         ('gauge_depth', c.c_double),
         ('rail_inclination', c.c_double),
         ('rail_origin', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigTrack) == 40
+assert c.sizeof(ConfigTrack) == 88
 
 
 class RailSection(s.Struct):
-    """One cross section of a rail that changes along the track; Contact.wrench() alone reads them. Between two
-        sections the rail is blended, twice continuously differentiable by the distance, point by point of
-        equal length along both outlines: from end to end, or from mark to mark where marks are given. So
-        outlines that are paired should end at the same places of the rail. A face is a surface of its own -
-        stock rail, blade, wing rail, nose -, with sections of its own, and is there from the first of them to
-        the last: one that begins or ends should do so where the wheel does not touch it. The rail itself
-        reaches from the first section of all to the last. Theory manual, section 9.
+    """One cross section of a rail that changes along the track. Sections of one surface (stock rail, blade, wing
+        rail, nose) are blended point by point of equal share of their length, twice continuously
+        differentiable in the distance. Marks divide that length: points of equal mark belong together. A
+        surface is there from its first section to its last. It should begin and end where no wheel touches
+        it. Theory manual, section 9.
 
     Members:
-      distance [m]: along the track; of a face increasing, by 1 mm or more (-1e7 .. 1e7; default 0)
-      y [m]: where the profile's origin lies, from that of config.rail: towards the field side (-0.5 .. 0.5;
-          default 0)
+      distance [m]: along the track. Within a surface it increases by 1 mm at least (-1e7 .. 1e7; default 0)
+      y [m]: place of the profile's origin from that of config.rail, to the field side (-0.5 .. 0.5; default
+          0)
       z [m]: the same downwards (-0.5 .. 0.5; default 0)
-      face: which surface it is of: sections of one face stand side by side, faces counted from 0 on, best
-          from the gauge side to the field side, as regions are listed (0 .. 3; default 0)
-      marks: the same for all sections of a face (0 .. 64; default 0)
-      mark [m]: marks of them, y on this profile: of points that belong together with those of equal number on
-          the face's other sections; increasing, 1 mm or more from each other and from the ends (-0.5 .. 0.5;
-          required)
-      profile: its outline, from its own origin, canted as config.rail by config.track.rail_inclination; not
-          ProfileKind.UIC60_BENCHMARK beside another
+      surface: which surface it is of; sections of one surface stand side by side. Count from the gauge side
+          (0 .. 3; default 0)
+      mark_count: number of marks; equal for all sections of a surface (0 .. 64; default 0)
+      marks [m]: mark_count of them: y on this profile, increasing by 1 mm at least, also from the ends (-0.5
+          .. 0.5; required)
+      profile: its outline from its own origin, canted by config.track.rail_inclination
     """
 
     _c_name_ = 'wrc_rail_section'
@@ -772,88 +725,90 @@ class RailSection(s.Struct):
     distance: float
     y: float
     z: float
-    face: int
-    marks: int = s.Count('marks')  # type: ignore[assignment]
-    mark: Optional[np.ndarray] = s.Pointer('mark', count='marks', group=('mark',))  # type: ignore[assignment]
+    surface: int
+    mark_count: int = s.Count('mark_count')  # type: ignore[assignment]
+    marks: Optional[np.ndarray] = s.Pointer('marks', count='mark_count', group=('marks',))  # type: ignore[assignment]
     profile: Profile
-    _units_ = {'distance': 'm', 'y': 'm', 'z': 'm', 'mark': 'm'}
-    _hidden_ = ()
+    reserved: np.ndarray = s.Array('reserved', 120, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'distance': 'm', 'y': 'm', 'z': 'm', 'marks': 'm'}
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('distance', c.c_double),
         ('y', c.c_double),
         ('z', c.c_double),
-        ('face', c.c_int32),
-        ('_marks', c.c_uint32),
-        ('_mark', c.POINTER(c.c_double)),
+        ('surface', c.c_int32),
+        ('_mark_count', c.c_uint32),
+        ('_marks', c.POINTER(c.c_double)),
         ('profile', Profile),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(RailSection) == 72
+assert c.sizeof(RailSection) == 168
 
 
 class ConfigRoundness(s.Struct):
-    """A wheel that is not round: a flat, a polygon, a measurement. Contact.wrench() alone reads it. A periodic
-        cubic spline goes through each row. Theory manual, section 9.
+    """A wheel that is not round: a flat, a polygon, a measurement. A periodic cubic spline goes through each
+        row. Theory manual, section 9.
 
     Members:
-      angles: places round the wheel in each row, the first again at the end; 0: it is round (0 or 9 .. 20000;
+      angle_count: places round the wheel in each row; the first comes again at the end (0 or 9 .. 20000;
           default 0)
-      rows: places across the tread (1 .. 16; default 0)
-      angle [rad]: angles of them, increasing, from 0 to 2 pi; 0 is the lowest point at WheelInput.angle 0,
-          and angles grow from there towards +x (0 .. 6.2831854; required)
-      y [m]: rows of them: where on the wheel's profile the rows are, increasing; between them is blended;
-          None: of one row (-0.5 .. 0.5; default None)
-      deviation [m]: rows * angles of them, row by row: what the radius has more than that of the profile; in
-          each row the last as the first (-0.005 .. 0.005; required)
+      row_count: rows across the tread (1 .. 16; default 0)
+      angles [rad]: angle_count of them, increasing from 0 to 2 pi. At WheelInput.angle 0, 0 is the lowest
+          point and angles grow towards +x (0 .. 6.2831854; required)
+      y [m]: row_count of them: y of each row on the wheel's profile, increasing; None: one row (-0.5 .. 0.5;
+          default None)
+      deviations [m]: row_count * angle_count of them, row by row: radius less that of the profile (-0.005 ..
+          0.005; required)
     """
 
     _c_name_ = 'wrc_config_roundness'
     __slots__ = ()
-    angles: int = s.Count('angles')  # type: ignore[assignment]
-    rows: int = s.Count('rows')  # type: ignore[assignment]
-    angle: Optional[np.ndarray] = s.Pointer('angle', count='angles', group=('angle',))  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='rows', group=('y',))  # type: ignore[assignment]
-    deviation: Optional[np.ndarray] = s.Pointer('deviation')  # type: ignore[assignment]
-    _units_ = {'angle': 'rad', 'y': 'm', 'deviation': 'm'}
-    _hidden_ = ()
+    angle_count: int = s.Count('angle_count')  # type: ignore[assignment]
+    row_count: int = s.Count('row_count')  # type: ignore[assignment]
+    angles: Optional[np.ndarray] = s.Pointer('angles', count='angle_count', group=('angles',))  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', count='row_count', group=('y',))  # type: ignore[assignment]
+    deviations: Optional[np.ndarray] = s.Pointer('deviations')  # type: ignore[assignment]
+    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'angles': 'rad', 'y': 'm', 'deviations': 'm'}
+    _hidden_ = ('reserved',)
     _fields_ = [
-        ('_angles', c.c_uint32),
-        ('_rows', c.c_uint32),
-        ('_angle', c.POINTER(c.c_double)),
+        ('_angle_count', c.c_uint32),
+        ('_row_count', c.c_uint32),
+        ('_angles', c.POINTER(c.c_double)),
         ('_y', c.POINTER(c.c_double)),
-        ('_deviation', c.POINTER(c.c_double)),
+        ('_deviations', c.POINTER(c.c_double)),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigRoundness) == 32
+assert c.sizeof(ConfigRoundness) == 80
 
 
-class ConfigGrid(s.Struct):
-    """How finely contacts are divided.
+class ConfigCheckRail(s.Struct):
+    """A check rail beside each rail, which guides the back of the wheel's flange. It is the same all along the
+        track and moves with the rail. The wheel's profile must have points on the flange's back, beyond the
+        tip.
 
     Members:
-      strips: strips across the patch (4 .. 512; default 60)
-      cells: cells along each strip; memory only with a method that gives forces alone (4 .. 512; default 32)
-      gap_rows: rows the gap is sampled at, and most a caller's gap may have (8 .. 4096; default 256)
-      max_patches: patches reported; more are flagged (1 .. 16; default 4)
-      gap_limit [m]: rows of a pose reach to where the gap exceeds this; deeper approaches are not solved but
-          continued, Status.FLAG_BEYOND_GAP (1e-5 .. 0.02; default 1e-3)
+      y [m]: place of its profile's origin from that of config.rail, to the field side: < 0 (-0.5 .. 0;
+          default 0)
+      z [m]: the same downwards: < 0 where it stands above the rail's origin (-0.5 .. 0.5; default 0)
+      profile: its outline as that of a rail; its field side guides. ProfileKind.NONE: there is no check rail
     """
 
-    _c_name_ = 'wrc_config_grid'
+    _c_name_ = 'wrc_config_check_rail'
     __slots__ = ()
-    strips: int
-    cells: int
-    gap_rows: int
-    max_patches: int
-    gap_limit: float
-    _units_ = {'gap_limit': 'm'}
-    _hidden_ = ()
+    y: float
+    z: float
+    profile: Profile
+    reserved: np.ndarray = s.Array('reserved', 96, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'y': 'm', 'z': 'm'}
+    _hidden_ = ('reserved',)
     _fields_ = [
-        ('strips', c.c_int32),
-        ('cells', c.c_int32),
-        ('gap_rows', c.c_int32),
-        ('max_patches', c.c_int32),
-        ('gap_limit', c.c_double),
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('profile', Profile),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigGrid) == 24
+assert c.sizeof(ConfigCheckRail) == 144
 
 
 class ConfigNormal(s.Struct):
@@ -861,36 +816,27 @@ class ConfigNormal(s.Struct):
 
     Members:
       method: NormalMethod (default NormalMethod.STRIP_HALFSPACE)
-      max_iterations: cap of the steps of the load search; not read by NormalMethod.STRIP_HALFSPACE (4 ..
-          1000; default 60)
-      max_sweeps: cap of the sweeps over the strips on each of two grids; read by NormalMethod.STRIP_HALFSPACE
-          (4 .. 1000; default 16)
-      warm_start: 1: NormalMethod.STRIP_HALFSPACE starts from the contact's last solution (not read by
-          Contact.wrench: WheelInput.start); results then depend on the calls before: the same approach again
-          moves the force by up to 0.1 %. Unfit for implicit integrators, whose iterations stall on that, and
-          for differences between calls. 0: results depend on the inputs of the call alone (0 .. 1; default 0)
-      load_tolerance: relative error of a prescribed load at the approach found for it (below 1e-12 as that);
-          not read by NormalMethod.STRIP_HALFSPACE, which meets the load to rounding (1e-14 .. 1e-2; default
-          1e-10)
+      max_iterations: cap of the steps of the load search; not of NormalMethod.STRIP_HALFSPACE (4 .. 1000;
+          default 60)
+      load_tolerance: relative error of a prescribed load; not of NormalMethod.STRIP_HALFSPACE (1e-14 .. 1e-2;
+          default 1e-10)
     """
 
     _c_name_ = 'wrc_config_normal'
     __slots__ = ()
     method: NormalMethod = s.Chosen('method', NormalMethod)  # type: ignore[assignment]
     max_iterations: int
-    max_sweeps: int
-    warm_start: int
     load_tolerance: float
+    reserved: np.ndarray = s.Array('reserved', 16, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('_method', c.c_int32),
         ('max_iterations', c.c_int32),
-        ('max_sweeps', c.c_int32),
-        ('warm_start', c.c_int32),
         ('load_tolerance', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigNormal) == 24
+assert c.sizeof(ConfigNormal) == 64
 
 
 class ConfigTangential(s.Struct):
@@ -898,12 +844,11 @@ class ConfigTangential(s.Struct):
 
     Members:
       method: TangentialMethod (default TangentialMethod.STRIP_FASTSIM)
-      patch_model: PatchModel; read by TangentialMethod.FASTSIM and _FASTRIP (default PatchModel.PATCH_SDEC)
-      bound: TractionBound; read by TangentialMethod.FASTSIM (default TractionBound.PARABOLIC)
-      flexibility: Flexibility; read by TangentialMethod.FASTSIM (default Flexibility.SEPARATE)
-      regularisation: Regularisation (default Regularisation.WIDTH)
-      force_table: file of the force table, for TangentialMethod.FORCE_TABLE alone: share/wrc/force_table.bin
-          of the installed library; read when the model is made, never after (default None)
+      patch_model: PatchModel; of FASTSIM and FaStrip (default PatchModel.PATCH_SDEC)
+      bound: TractionBound; of FASTSIM (default TractionBound.PARABOLIC)
+      flexibility: Flexibility; of FASTSIM (default Flexibility.SEPARATE)
+      force_table: file of the force table, read once by the model; of TangentialMethod.FORCE_TABLE (default
+          None)
     """
 
     _c_name_ = 'wrc_config_tangential'
@@ -912,9 +857,8 @@ class ConfigTangential(s.Struct):
     patch_model: PatchModel = s.Chosen('patch_model', PatchModel)  # type: ignore[assignment]
     bound: TractionBound = s.Chosen('bound', TractionBound)  # type: ignore[assignment]
     flexibility: Flexibility = s.Chosen('flexibility', Flexibility)  # type: ignore[assignment]
-    regularisation: Regularisation = s.Chosen('regularisation', Regularisation)  # type: ignore[assignment]
-    reserved: int
     force_table: Optional[str] = s.Text('force_table')  # type: ignore[assignment]
+    reserved: np.ndarray = s.Array('reserved', 24, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {}
     _hidden_ = ('reserved',)
     _fields_ = [
@@ -922,71 +866,109 @@ class ConfigTangential(s.Struct):
         ('_patch_model', c.c_int32),
         ('_bound', c.c_int32),
         ('_flexibility', c.c_int32),
-        ('_regularisation', c.c_int32),
-        ('reserved', c.c_uint32),
         ('_force_table', c.c_char_p),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(ConfigTangential) == 32
+assert c.sizeof(ConfigTangential) == 72
 
 
-class ConfigCheckRail(s.Struct):
-    """A check rail beside each rail, which guides the back of the wheel's flange; Contact.wrench() alone reads
-        it. It is the same all along the track and moves with the rail (RailState). The wheel's profile must
-        have its flange's back: points beyond the tip, which z(y) can follow as steeply as points are allowed
-        to be.
+class ConfigSurface(s.Struct):
+    """Options of Contact.wrench() alone.
 
     Members:
-      y [m]: where its profile's origin lies, from that of config.rail: towards the field side, so < 0 (-0.5
-          .. 0; default 0)
-      z [m]: the same downwards, so < 0 where it stands above the rail's origin (-0.5 .. 0.5; default 0)
-      profile: its outline, y as that of the rail: the face that guides is on its field side. Canted as
-          config.rail by config.track.rail_inclination; ProfileKind.NONE: there is none
+      cells: cells along each strip, of fields and of FASTSIM (4 .. 512; default 32)
     """
 
-    _c_name_ = 'wrc_config_check_rail'
+    _c_name_ = 'wrc_config_surface'
     __slots__ = ()
-    y: float
-    z: float
-    profile: Profile
-    _units_ = {'y': 'm', 'z': 'm'}
-    _hidden_ = ()
+    cells: int
+    reserved0: int
+    reserved: np.ndarray = s.Array('reserved', 8, (14,), c.c_double)  # type: ignore[assignment]
+    _units_ = {}
+    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
-        ('y', c.c_double),
-        ('z', c.c_double),
-        ('profile', Profile),
+        ('cells', c.c_int32),
+        ('reserved0', c.c_uint32),
+        ('_reserved', c.c_double * 14),
     ]
-assert c.sizeof(ConfigCheckRail) == 48
+assert c.sizeof(ConfigSurface) == 120
+
+
+class ConfigPlanar(s.Struct):
+    """Options of the stages of wrc_planar.h, and of their normal methods where Contact.wrench() applies them.
+
+    Members:
+      strips: strips across the patch (4 .. 512; default 60)
+      cells: cells along each strip (4 .. 512; default 32)
+      gap_rows: rows the gap is sampled at, and most that a caller's gap has (8 .. 4096; default 256)
+      max_patches: patches reported; more are flagged (1 .. 16; default 4)
+      max_sweeps: cap of the sweeps over the strips on each of two grids; of NormalMethod.STRIP_HALFSPACE (4
+          .. 1000; default 16)
+      start: Start: of the sweeps of NormalMethod.STRIP_HALFSPACE. Warm, the same approach again moves the
+          force by up to 0.1 % (default Start.COLD)
+      regularisation: Regularisation (default Regularisation.WIDTH)
+      non_steady: 1: contacts remember tractions over the distances told to wrc_planar_roll(). Of
+          TangentialMethod.STRIP_FASTSIM, forwards (0 .. 1; default 0)
+      gap_limit [m]: gap up to which rows of a pose reach. Deeper approaches are continued,
+          Status.FLAG_BEYOND_GAP (1e-5 .. 0.02; default 1e-3)
+    """
+
+    _c_name_ = 'wrc_config_planar'
+    __slots__ = ()
+    strips: int
+    cells: int
+    gap_rows: int
+    max_patches: int
+    max_sweeps: int
+    start: Start = s.Chosen('start', Start)  # type: ignore[assignment]
+    regularisation: Regularisation = s.Chosen('regularisation', Regularisation)  # type: ignore[assignment]
+    non_steady: int
+    gap_limit: float
+    reserved: np.ndarray = s.Array('reserved', 40, (8,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'gap_limit': 'm'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('strips', c.c_int32),
+        ('cells', c.c_int32),
+        ('gap_rows', c.c_int32),
+        ('max_patches', c.c_int32),
+        ('max_sweeps', c.c_int32),
+        ('_start', c.c_int32),
+        ('_regularisation', c.c_int32),
+        ('non_steady', c.c_int32),
+        ('gap_limit', c.c_double),
+        ('_reserved', c.c_double * 8),
+    ]
+assert c.sizeof(ConfigPlanar) == 104
 
 
 class Config(s.Struct):
-    """Everything a model is made of. Begin with wrc_config_default(), which fills the values in brackets. A
-        member that the chosen methods do not read must keep that value: anything else is
-        Status.ERROR_UNSUPPORTED, with a sentence.
+    """Everything a model is made of. Begin with wrc_config_default(). A member that the chosen methods do not
+        read must keep its default: anything else is Status.ERROR_UNSUPPORTED, with a sentence.
 
     Members:
-      instruction_set: InstructionSet; one this processor lacks is Status.ERROR_UNSUPPORTED (default
-          InstructionSet.BEST)
+      instruction_set: InstructionSet (default InstructionSet.BEST)
       wheel: profile of the wheel
       rail: profile of the rail; both are ProfileKind.NONE or neither is
-      material: of both bodies
+      wheel_material: of the wheel
+      rail_material: of the rail
       wheel_heat: how the wheel takes up heat
-      rail_heat: how the rail does
+      rail_heat: how the rail takes up heat
       wheelset: where the wheels are on their axle
       track: where the rails are
-      grid: strips, cells, rows of the gap
-      normal: method and options of the normal problem
-      tangential: method and options of the tangential problem
-      rail_sections: of a rail that changes along the track; 0: it is config.rail everywhere (0 .. 1000;
+      normal: method of the normal problem
+      tangential: method of the tangential problem
+      surface: options of Contact.wrench()
+      planar: options of the stages of wrc_planar.h
+      roundness: of a wheel that is not round; of Contact.wrench()
+      roller_curvature [1/m]: 1 / radius of a roller at the origin of the rail's profile; 0: a straight rail;
+          of Contact.wrench() (0 or 1e-12 .. 10; default 0)
+      check_rail: beside the rail; of Contact.wrench()
+      rail_section_count: sections of a rail that changes along the track; of Contact.wrench() (0 .. 1000;
           default 0)
-      non_steady: 1: contacts remember their tractions, and forces follow what changes over the distances told
-          to wrc_planar_roll(); one way of rolling, forwards, not with Contact.wrench; read by
-          TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
-      rail_section: rail_sections of them with rail_sections; config.rail is beside them what the rail's place
-          follows from and what the stages see (required)
-      roundness: of the wheel
-      roller_curvature [1/m]: of a rail that is a roller: 1 / its radius at the origin of the rail's profile;
-          0: a straight rail (0 or 1e-12 .. 10; default 0)
-      check_rail: beside the rail
+      rail_section_size: sizeof(RailSection), with sections (0 or 1 .. 4096; default 0)
+      rail_sections: rail_section_count of them. config.rail stays the rail of the stages, and its place is
+          the sections' (required)
     """
 
     _c_name_ = 'wrc_config'
@@ -995,20 +977,22 @@ class Config(s.Struct):
     instruction_set: InstructionSet = s.Chosen('instruction_set', InstructionSet)  # type: ignore[assignment]
     wheel: Profile
     rail: Profile
-    material: ConfigMaterial
+    wheel_material: Material
+    rail_material: Material
     wheel_heat: HeatProperties
     rail_heat: HeatProperties
     wheelset: ConfigWheelset
     track: ConfigTrack
-    grid: ConfigGrid
     normal: ConfigNormal
     tangential: ConfigTangential
-    rail_sections: int = s.Count('rail_sections')  # type: ignore[assignment]
-    non_steady: int
-    rail_section: Sequence[RailSection] = s.References('rail_section', 'rail_sections')  # type: ignore[assignment]
+    surface: ConfigSurface
+    planar: ConfigPlanar
     roundness: ConfigRoundness
     roller_curvature: float
     check_rail: ConfigCheckRail
+    rail_section_count: int = s.Count('rail_section_count')  # type: ignore[assignment]
+    rail_section_size: int
+    rail_sections: Sequence[RailSection] = s.References('rail_sections', 'rail_section_count')  # type: ignore[assignment]
     _units_ = {'roller_curvature': '1/m'}
     _hidden_ = ('struct_size',)
     _fields_ = [
@@ -1016,214 +1000,77 @@ class Config(s.Struct):
         ('_instruction_set', c.c_int32),
         ('wheel', Profile),
         ('rail', Profile),
-        ('material', ConfigMaterial),
+        ('wheel_material', Material),
+        ('rail_material', Material),
         ('wheel_heat', HeatProperties),
         ('rail_heat', HeatProperties),
         ('wheelset', ConfigWheelset),
         ('track', ConfigTrack),
-        ('grid', ConfigGrid),
         ('normal', ConfigNormal),
         ('tangential', ConfigTangential),
-        ('_rail_sections', c.c_uint32),
-        ('non_steady', c.c_int32),
-        ('_rail_section', c.POINTER(RailSection)),
+        ('surface', ConfigSurface),
+        ('planar', ConfigPlanar),
         ('roundness', ConfigRoundness),
         ('roller_curvature', c.c_double),
         ('check_rail', ConfigCheckRail),
+        ('_rail_section_count', c.c_uint32),
+        ('rail_section_size', c.c_uint32),
+        ('_rail_sections', c.POINTER(RailSection)),
     ]
-assert c.sizeof(Config) == 400
+assert c.sizeof(Config) == 1184
 
 
-class Pose(s.Struct):
-    """Pose of the wheelset relative to the track, in the track frame. The vertical position follows from the
-        load. What is smaller than 1e-100 counts as 0.
+class Allocator(s.Struct):
+    """Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither.
 
     Members:
-      lateral [m]: shift of the wheelset to the right (-0.1 .. 0.1; default 0)
-      roll [rad]: about x: right wheel down is positive (-0.2 .. 0.2; default 0)
-      yaw [rad]: about z: nose to the right is positive (-0.2 .. 0.2; default 0)
+      user: handed to both (default None)
+      allocate: alignment is a power of two; returns None where no memory is left (default None)
+      release: called by the destroy functions, and when a create fails (default None)
     """
 
-    _c_name_ = 'wrc_planar_pose'
+    _c_name_ = 'wrc_allocator'
     __slots__ = ()
-    lateral: float
-    roll: float
-    yaw: float
-    _units_ = {'lateral': 'm', 'roll': 'rad', 'yaw': 'rad'}
-    _hidden_ = ()
-    _fields_ = [
-        ('lateral', c.c_double),
-        ('roll', c.c_double),
-        ('yaw', c.c_double),
-    ]
-assert c.sizeof(Pose) == 24
-
-
-class ContactPoint(s.Struct):
-    """Where wheel and rail first touch when the wheelset of that pose is lowered.
-
-    Members:
-      x [m]: on the rail, track frame; x is that of the wheel's point
-      y [m]: see x
-      z [m]: see x
-      y_wheel [m]: in the coordinates of the wheel profile, flange side negative
-      y_rail [m]: from the origin of the rail profile, after canting; field side positive
-      angle [rad]: contact angle: rotation about x from the track to the contact frame
-      vertical_gap [m]: the wheel must be lowered by this, from its running circle level with the rail top
-      rolling_radius [m]: of the wheel at the contact point
-    """
-
-    _c_name_ = 'wrc_planar_point'
-    __slots__ = ()
-    x: float
-    y: float
-    z: float
-    y_wheel: float
-    y_rail: float
-    angle: float
-    vertical_gap: float
-    rolling_radius: float
-    _units_ = {'x': 'm', 'y': 'm', 'z': 'm', 'y_wheel': 'm', 'y_rail': 'm', 'angle': 'rad', 'vertical_gap': 'm', 'rolling_radius': 'm'}
-    _hidden_ = ()
-    _fields_ = [
-        ('x', c.c_double),
-        ('y', c.c_double),
-        ('z', c.c_double),
-        ('y_wheel', c.c_double),
-        ('y_rail', c.c_double),
-        ('angle', c.c_double),
-        ('vertical_gap', c.c_double),
-        ('rolling_radius', c.c_double),
-    ]
-assert c.sizeof(ContactPoint) == 64
-
-
-class Gap(s.Struct):
-    """The undeformed gap, when the caller owns the contact search: rows along x at increasing y in the contact
-        frame, measured along the normal. Its minimum is first contact; a constant offset is irrelevant. -
-        columns == 0: row j is height[j] + curvature[j]/2 (x - centre[j])^2 - columns > 0: element-wise, h[j *
-        row_stride + i] at (x[i], y[j]); each row is represented by the parabola fitted to its lowest part,
-        what lies less than config.grid.gap_limit / 4 above its minimum but at least three points.
-
-    Members:
-      rows: (4 .. config.grid.gap_rows; default 0)
-      columns: (0 or 3 .. 100000; default 0)
-      y [m]: rows of them, increasing, at least 1e-6 m apart: slopes are read off neighbours, and closer they
-          are made of the errors of heights (-0.3 .. 0.3; required)
-      height [m]: rows of them (-0.3 .. 0.3; required)
-      centre [m]: rows of them; None: zero (-0.3 .. 0.3; default None)
-      curvature [1/m]: rows of them (1 / rolling radius for a wheel on a straight rail) (1e-3 .. 1e6;
-          required)
-      x [m]: columns of them, increasing, at least 1e-6 m apart (-0.3 .. 0.3; required)
-      h [m]: (-0.3 .. 0.3; required)
-      row_stride: elements from one row of h to the next, >= columns (default 0)
-    """
-
-    _c_name_ = 'wrc_planar_gap'
-    __slots__ = ()
-    rows: int = s.Count('rows')  # type: ignore[assignment]
-    columns: int = s.Count('columns')  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    height: Optional[np.ndarray] = s.Pointer('height', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    centre: Optional[np.ndarray] = s.Pointer('centre', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    curvature: Optional[np.ndarray] = s.Pointer('curvature', count='rows', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    x: Optional[np.ndarray] = s.Pointer('x', count='columns', group=('x',))  # type: ignore[assignment]
-    h: Optional[np.ndarray] = s.Pointer('h', matrix=True)  # type: ignore[assignment]
-    row_stride: int
-    _units_ = {'y': 'm', 'height': 'm', 'centre': 'm', 'curvature': '1/m', 'x': 'm', 'h': 'm'}
-    _hidden_ = ()
-    _fields_ = [
-        ('_rows', c.c_uint32),
-        ('_columns', c.c_uint32),
-        ('_y', c.POINTER(c.c_double)),
-        ('_height', c.POINTER(c.c_double)),
-        ('_centre', c.POINTER(c.c_double)),
-        ('_curvature', c.POINTER(c.c_double)),
-        ('_x', c.POINTER(c.c_double)),
-        ('_h', c.POINTER(c.c_double)),
-        ('row_stride', c.c_uint64),
-    ]
-assert c.sizeof(Gap) == 64
-
-
-class Load(s.Struct):
-    """What presses the bodies together, and damping of the approach if wanted (Hunt and Crossley, J. Appl. Mech.
-        42 (1975) 440-445): every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never
-        below 0, on the elastic patch. The force so grows from zero at first touch and never pulls. Everything
-        downstream (traction bound, forces.fn, fields, damage) sees this pressure;
-        NormalSolution.damping_force is its share of the normal force. An impact at v m/s rebounds with about
-        (1 - damping * v) of its velocity while damping * v is small.
-
-    Members:
-      prescribed: Prescribed (default Prescribed.LOAD)
-      normal_force [N]: along the contact normal; must be set (1e2 .. 1e6; default 0)
-      approach [m]: beyond first touch; <= 0: no contact (-1 .. 0.01; default 0)
-      approach_velocity [m/s]: d approach / dt; positive while the bodies near each other, as
-          Creepage.approach_velocity (-20 .. 20; default 0)
-      damping [s/m]: a prescribed load is the whole load; 0: none (0 .. 10; default 0)
-    """
-
-    _c_name_ = 'wrc_planar_load'
-    __slots__ = ()
-    prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
-    reserved: int
-    normal_force: float
-    approach: float
-    approach_velocity: float
-    damping: float
-    _units_ = {'normal_force': 'N', 'approach': 'm', 'approach_velocity': 'm/s', 'damping': 's/m'}
+    user: Any
+    allocate: Any
+    release: Any
+    reserved: np.ndarray = s.Array('reserved', 24, (2,), c.c_double)  # type: ignore[assignment]
+    _units_ = {}
     _hidden_ = ('reserved',)
     _fields_ = [
-        ('_prescribed', c.c_int32),
-        ('reserved', c.c_uint32),
-        ('normal_force', c.c_double),
-        ('approach', c.c_double),
-        ('approach_velocity', c.c_double),
-        ('damping', c.c_double),
+        ('user', c.c_void_p),
+        ('allocate', c.c_void_p),
+        ('release', c.c_void_p),
+        ('_reserved', c.c_double * 2),
     ]
-assert c.sizeof(Load) == 40
+assert c.sizeof(Allocator) == 40
 
 
-class Creepage(s.Struct):
-    """Rigid slip per unit rolled length and rolling speed: sliding velocities over |speed|. A creepage below
-        1e-100 counts as none.
+class View(s.Struct):
+    """A read-only view: element i is data[i].
 
     Members:
-      longitudinal: nu_x (-10 .. 10; default 0)
-      lateral: nu_y (-10 .. 10; default 0)
-      spin [1/m]: phi (-1000 .. 1000; default 0)
-      speed [m/s]: rolling speed V: its sign says which edge leads (0: forward), its amount scales the power
-          and the sliding speed of friction that falls (-200 .. 200; default 1)
-      approach_velocity [m/s]: result of Contact.creepages(), not read: velocity of the wheel's point along
-          the contact normal into the rail, for Load
-      reverse_share: share of forces, power, adhesion and sensitivities that is of rolling the other way than
-          speed says: near standstill Contact.creepages() sets it, and both ways are solved; fields, what
-          damage and wear make of them are of the way of speed (0 .. 0.5; default 0)
+      data: in the model's memory; None on failure
+      count: elements
     """
 
-    _c_name_ = 'wrc_creepage'
+    _c_name_ = 'wrc_view'
     __slots__ = ()
-    longitudinal: float
-    lateral: float
-    spin: float
-    speed: float
-    approach_velocity: float
-    reverse_share: float
-    _units_ = {'spin': '1/m', 'speed': 'm/s', 'approach_velocity': 'm/s'}
-    _hidden_ = ()
+    data: Optional[np.ndarray] = s.Pointer('data')  # type: ignore[assignment]
+    count: int
+    reserved: np.ndarray = s.Array('reserved', 16, (2,), c.c_double)  # type: ignore[assignment]
+    _units_ = {}
+    _hidden_ = ('reserved',)
     _fields_ = [
-        ('longitudinal', c.c_double),
-        ('lateral', c.c_double),
-        ('spin', c.c_double),
-        ('speed', c.c_double),
-        ('approach_velocity', c.c_double),
-        ('reverse_share', c.c_double),
+        ('_data', c.POINTER(c.c_double)),
+        ('count', c.c_uint64),
+        ('_reserved', c.c_double * 2),
     ]
-assert c.sizeof(Creepage) == 48
+assert c.sizeof(View) == 32
 
 
 class BulkTemperatures(s.Struct):
-    """Temperatures of the bodies away from the contact, which friction's heat does not reach while they pass.
+    """Temperatures of the bodies away from the contact.
 
     Members:
       wheel [degC]: of the tread (-273 .. 2000; default 20)
@@ -1234,53 +1081,52 @@ class BulkTemperatures(s.Struct):
     __slots__ = ()
     wheel: float
     rail: float
+    reserved: np.ndarray = s.Array('reserved', 16, (2,), c.c_double)  # type: ignore[assignment]
     _units_ = {'wheel': 'degC', 'rail': 'degC'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('wheel', c.c_double),
         ('rail', c.c_double),
+        ('_reserved', c.c_double * 2),
     ]
-assert c.sizeof(BulkTemperatures) == 16
+assert c.sizeof(BulkTemperatures) == 32
 
 
 class Friction(s.Struct):
-    """Friction between the bodies, and what a layer between them does. Each strip of the patch has one
-        coefficient: that at rest (coefficient, or of the zones) times what is left of it at the strip's
-        sliding speed or temperature. It may vanish: such strips carry no traction. A member that neither the
-        kind nor the tangential method reads must be its default: anything else is Status.ERROR_UNSUPPORTED.
-        Zones are read where zones > 0. Theory manual, section 5.
+    """Friction between the bodies, and a layer between them. Each strip has one coefficient: that at rest
+        (coefficient, or of the zones) times the factor of speed_law times that of temperature_law. Members of
+        laws that are not chosen are checked and not read: a program may keep the parameters of all. Theory
+        manual, section 5.
 
     Members:
-      coefficient: Coulomb; at rest where it falls with the sliding speed; 0, none, of a wheel on a rail alone
-          (wrc_wheel.h) (0 or 1e-4 .. 2; default 0.3)
-      kind: FrictionKind (default FrictionKind.CONSTANT)
-      zone_frame: ZoneFrame (default ZoneFrame.CONTACT_FRAME)
-      kinetic_ratio: friction at high sliding speed over that at rest (Polach's A); not read by
-          FrictionKind.CONSTANT (0 .. 1; default 0.4)
-      fall_rate [s/m]: FrictionKind.FALLING: Polach's B (0 .. 1000; default 0.6)
-      half_speed [m/s]: w at which half of the fall is done (1e-6 .. 100; default 1)
+      coefficient: Coulomb, at rest; 0, no friction, in Contact.wrench() alone (0 or 1e-4 .. 2; default 0.3)
+      speed_law: FrictionSpeedLaw (default FrictionSpeedLaw.NONE)
+      temperature_law: FrictionTemperatureLaw (default FrictionTemperatureLaw.NONE)
+      kinetic_ratio: friction at high sliding speed over that at rest (Polach's A) (0 .. 1; default 0.4)
+      fall_rate [s/m]: Polach's B, of the exponential law (0 .. 1000; default 0.6)
+      half_speed [m/s]: sliding speed at which half of the fall is done, of the hyperbolic law (1e-6 .. 100;
+          default 1)
       hot_ratio: friction of hot surfaces over that of cold ones (0 .. 1; default 0.5)
       cold_temperature [degC]: up to which friction is whole (-273 .. 2000; default 0)
-      hot_temperature [degC]: from which on friction is hot_ratio of that, at least 1 degC above
-          cold_temperature (-273 .. 3000; default 400)
-      bulk: of the bodies; read by FrictionKind.TEMPERATURE
-      slope_reduction: a layer between the bodies: initial slope of the creep curve over that of clean bodies,
-          for every method (0.01 .. 1; default 1)
-      slope_limit: modified FASTSIM: share of that slope left at large slip; read by TangentialMethod.FASTSIM
-          (0 .. 1; default 0.02)
-      slope_fall: modified FASTSIM: how fast the slope falls as slip grows; 0: not; read by
-          TangentialMethod.FASTSIM (0 .. 1000; default 0)
-      zone_y [m]: breakpoints, zones of them, increasing; two at the same y make a step (-1 .. 1; required)
-      zone_coefficient: friction at rest there, zones of them, in place of coefficient; linear between
-          breakpoints, constant beyond; a strip has the mean over its width. 0: no friction (0 .. 2; required)
-      zones: breakpoints; 0: coefficient everywhere (0 .. 64; default 0)
+      hot_temperature [degC]: from which friction has hot_ratio; 1 degC above cold_temperature at least (-273
+          .. 3000; default 400)
+      bulk: of the bodies; read by the temperature law
+      slope_reduction: initial slope of the creep curve over that of clean bodies: a layer (0.01 .. 1; default
+          1)
+      slope_limit: share of that slope left at large slip; of modified FASTSIM (0 .. 1; default 0.02)
+      slope_fall: how fast the slope falls with slip; of modified FASTSIM (0 .. 1000; default 0)
+      zone_y [m]: breakpoints, zone_count of them, increasing; two at one y make a step (-1 .. 1; required)
+      zone_coefficients: friction at rest at the breakpoints, zone_count of them, in place of coefficient.
+          Linear between them, constant beyond. A strip has its mean (0 .. 2; required)
+      zone_count: breakpoints (0 .. 64; default 0)
+      zone_frame: ZoneFrame (default ZoneFrame.CONTACT_FRAME)
     """
 
     _c_name_ = 'wrc_friction'
     __slots__ = ()
     coefficient: float
-    kind: FrictionKind = s.Chosen('kind', FrictionKind)  # type: ignore[assignment]
-    zone_frame: ZoneFrame = s.Chosen('zone_frame', ZoneFrame)  # type: ignore[assignment]
+    speed_law: FrictionSpeedLaw = s.Chosen('speed_law', FrictionSpeedLaw)  # type: ignore[assignment]
+    temperature_law: FrictionTemperatureLaw = s.Chosen('temperature_law', FrictionTemperatureLaw)  # type: ignore[assignment]
     kinetic_ratio: float
     fall_rate: float
     half_speed: float
@@ -1291,16 +1137,17 @@ class Friction(s.Struct):
     slope_reduction: float
     slope_limit: float
     slope_fall: float
-    zone_y: Optional[np.ndarray] = s.Pointer('zone_y', count='zones', group=('zone_y', 'zone_coefficient'))  # type: ignore[assignment]
-    zone_coefficient: Optional[np.ndarray] = s.Pointer('zone_coefficient', count='zones', group=('zone_y', 'zone_coefficient'))  # type: ignore[assignment]
-    zones: int = s.Count('zones')  # type: ignore[assignment]
-    reserved: int
+    zone_y: Optional[np.ndarray] = s.Pointer('zone_y', count='zone_count', group=('zone_y', 'zone_coefficients'))  # type: ignore[assignment]
+    zone_coefficients: Optional[np.ndarray] = s.Pointer('zone_coefficients', count='zone_count', group=('zone_y', 'zone_coefficients'))  # type: ignore[assignment]
+    zone_count: int = s.Count('zone_count')  # type: ignore[assignment]
+    zone_frame: ZoneFrame = s.Chosen('zone_frame', ZoneFrame)  # type: ignore[assignment]
+    reserved: np.ndarray = s.Array('reserved', 144, (12,), c.c_double)  # type: ignore[assignment]
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm'}
     _hidden_ = ('reserved',)
     _fields_ = [
         ('coefficient', c.c_double),
-        ('_kind', c.c_int32),
-        ('_zone_frame', c.c_int32),
+        ('_speed_law', c.c_int32),
+        ('_temperature_law', c.c_int32),
         ('kinetic_ratio', c.c_double),
         ('fall_rate', c.c_double),
         ('half_speed', c.c_double),
@@ -1312,23 +1159,339 @@ class Friction(s.Struct):
         ('slope_limit', c.c_double),
         ('slope_fall', c.c_double),
         ('_zone_y', c.POINTER(c.c_double)),
-        ('_zone_coefficient', c.POINTER(c.c_double)),
-        ('_zones', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('_zone_coefficients', c.POINTER(c.c_double)),
+        ('_zone_count', c.c_uint32),
+        ('_zone_frame', c.c_int32),
+        ('_reserved', c.c_double * 12),
     ]
-assert c.sizeof(Friction) == 128
+assert c.sizeof(Friction) == 240
+
+
+class WheelState(s.Struct):
+    """Where a wheel or wheelset is and how it moves, against the ground.
+
+    Members:
+      reference: WheelReference: of y, z, velocity and the wrench's moment (default WheelReference.WHEELSET)
+      orientation: Orientation: by roll and yaw, or by rotation (default Orientation.ANGLES)
+      angular_axes: Axes: by roll_rate, pitch_rate, yaw_rate, or by angular_velocity (default Axes.NONE)
+      y [m]: displacement of the reference point to the right (-0.2 .. 0.2; default 0)
+      z [m]: the same downwards; 0 is the nominal height (-0.5 .. 0.2; default 0)
+      roll [rad]: about x, right wheel down (-0.5 .. 0.5; default 0)
+      yaw [rad]: about the rolled z, nose to the right (-0.5 .. 0.5; default 0)
+      velocity [m/s]: of the reference point, track axes (-200 .. 200, -50 .. 50, -50 .. 50; default 0)
+      roll_rate [rad/s]: time derivative of roll (-200 .. 200; default 0)
+      pitch_rate [rad/s]: about the axle, -v / r0 rolling forwards (-2000 .. 2000; default 0)
+      yaw_rate [rad/s]: time derivative of yaw (-200 .. 200; default 0)
+      angular_velocity [rad/s]: whole, in the axes that angular_axes says (-200 .. 200, -2000 .. 2000, -200 ..
+          200; default 0)
+      rotation: R of track = R body, orthonormal to 1e-6, its axle within 0.5 rad of the track's y (-1.001 ..
+          1.001; default 0)
+    """
+
+    _c_name_ = 'wrc_wheel_state'
+    __slots__ = ()
+    reference: WheelReference = s.Chosen('reference', WheelReference)  # type: ignore[assignment]
+    orientation: Orientation = s.Chosen('orientation', Orientation)  # type: ignore[assignment]
+    angular_axes: Axes = s.Chosen('angular_axes', Axes)  # type: ignore[assignment]
+    reserved0: int
+    y: float
+    z: float
+    roll: float
+    yaw: float
+    velocity: np.ndarray = s.Array('velocity', 48, (3,), c.c_double)  # type: ignore[assignment]
+    roll_rate: float
+    pitch_rate: float
+    yaw_rate: float
+    angular_velocity: np.ndarray = s.Array('angular_velocity', 96, (3,), c.c_double)  # type: ignore[assignment]
+    rotation: np.ndarray = s.Array('rotation', 120, (9,), c.c_double)  # type: ignore[assignment]
+    reserved: np.ndarray = s.Array('reserved', 192, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'yaw': 'rad', 'velocity': 'm/s', 'roll_rate': 'rad/s', 'pitch_rate': 'rad/s', 'yaw_rate': 'rad/s', 'angular_velocity': 'rad/s'}
+    _hidden_ = ('reserved0', 'reserved')
+    _fields_ = [
+        ('_reference', c.c_int32),
+        ('_orientation', c.c_int32),
+        ('_angular_axes', c.c_int32),
+        ('reserved0', c.c_uint32),
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('roll', c.c_double),
+        ('yaw', c.c_double),
+        ('_velocity', c.c_double * 3),
+        ('roll_rate', c.c_double),
+        ('pitch_rate', c.c_double),
+        ('yaw_rate', c.c_double),
+        ('_angular_velocity', c.c_double * 3),
+        ('_rotation', c.c_double * 9),
+        ('_reserved', c.c_double * 6),
+    ]
+assert c.sizeof(WheelState) == 240
+
+
+class RailState(s.Struct):
+    """Displacement and motion of a rail, track axes. Velocities are those of its material: a bent rail at rest
+        has none. Its slopes along the track are inputs of their own. speed * slope is never a velocity.
+
+    Members:
+      y [m]: displacement of the origin of its profile to the right (-0.2 .. 0.2; default 0)
+      z [m]: the same downwards (-0.2 .. 0.2; default 0)
+      roll [rad]: rotation about that origin and the x axis (-0.5 .. 0.5; default 0)
+      y_slope: dy / dx of the rail at the wheel (-0.1 .. 0.1; default 0)
+      z_slope: dz / dx of the rail at the wheel (-0.1 .. 0.1; default 0)
+      y_velocity [m/s]: of its material along y (-50 .. 50; default 0)
+      z_velocity [m/s]: of its material along z (-50 .. 50; default 0)
+      roll_rate [rad/s]: of its material about x (-200 .. 200; default 0)
+    """
+
+    _c_name_ = 'wrc_rail_state'
+    __slots__ = ()
+    y: float
+    z: float
+    roll: float
+    y_slope: float
+    z_slope: float
+    y_velocity: float
+    z_velocity: float
+    roll_rate: float
+    reserved: np.ndarray = s.Array('reserved', 64, (6,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'y_velocity': 'm/s', 'z_velocity': 'm/s', 'roll_rate': 'rad/s'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('roll', c.c_double),
+        ('y_slope', c.c_double),
+        ('z_slope', c.c_double),
+        ('y_velocity', c.c_double),
+        ('z_velocity', c.c_double),
+        ('roll_rate', c.c_double),
+        ('_reserved', c.c_double * 6),
+    ]
+assert c.sizeof(RailState) == 112
+
+
+class FrameMotion(s.Struct):
+    """How a frame moves that follows a curved track, for hosts whose velocities are those within it. Its origin
+        is on the track centre line, level with the rails' tops. It turns at speed * (twist,
+        vertical_curvature, curvature) about its axes. That motion is added to the wheel's. All zero:
+        velocities are against the ground. Velocities of the rail always are.
+
+    Members:
+      speed [m/s]: of its origin along the track (-200 .. 200; default 0)
+      curvature [1/m]: of the track in plan, to the right (-0.1 .. 0.1; default 0)
+      vertical_curvature [1/m]: of the track's height, upwards as in a dip (-0.1 .. 0.1; default 0)
+      twist [1/m]: rate of the cant over the speed, right side down (-0.5 .. 0.5; default 0)
+    """
+
+    _c_name_ = 'wrc_frame_motion'
+    __slots__ = ()
+    speed: float
+    curvature: float
+    vertical_curvature: float
+    twist: float
+    reserved: np.ndarray = s.Array('reserved', 32, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'speed': 'm/s', 'curvature': '1/m', 'vertical_curvature': '1/m', 'twist': '1/m'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('speed', c.c_double),
+        ('curvature', c.c_double),
+        ('vertical_curvature', c.c_double),
+        ('twist', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(FrameMotion) == 64
+
+
+class WheelInput(s.Struct):
+    """What Contact.wrench() reads. What pointers within point to is the caller's and only read during the call.
+
+    Members:
+      prescribed: Prescribed: Prescribed.HEIGHT or _VERTICAL_LOAD (default Prescribed.HEIGHT)
+      start: Start (default Start.COLD)
+      wheel: where the wheel is and how it moves
+      rail: where the rail is and how it moves
+      frame: motion of the axes that velocities are given in
+      friction: of each strip at its own sliding speed; zones count from the origin of a profile
+      vertical_load [N]: vertical force on the wheel, creep forces included, upwards positive (1e2 .. 1e6;
+          default 0)
+      damping [s/m]: factor of Hunt and Crossley: each strip's pressure is the elastic one times 1 + 3/2
+          damping d(overlap)/dt, never below 0 (0 .. 10; default 0)
+      distance [m]: of the reference point along the track, for a rail with sections, or from above the axle
+          of a roller (-1e7 .. 1e7; default 0)
+      angle [rad]: of the wheel about its axle, for one with config.roundness, right-hand rule about y (-1e9
+          .. 1e9; default 0)
+      roller_rate [rad/s]: angular velocity of a roller about its axle, right-hand rule about y (-2000 ..
+          2000; default 0)
+    """
+
+    _c_name_ = 'wrc_wheel_input'
+    __slots__ = ()
+    struct_size: int
+    prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
+    start: Start = s.Chosen('start', Start)  # type: ignore[assignment]
+    reserved0: int
+    wheel: WheelState
+    rail: RailState
+    frame: FrameMotion
+    friction: Friction
+    vertical_load: float
+    damping: float
+    distance: float
+    angle: float
+    roller_rate: float
+    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_rate': 'rad/s'}
+    _hidden_ = ('struct_size', 'reserved0')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('_prescribed', c.c_int32),
+        ('_start', c.c_int32),
+        ('reserved0', c.c_uint32),
+        ('wheel', WheelState),
+        ('rail', RailState),
+        ('frame', FrameMotion),
+        ('friction', Friction),
+        ('vertical_load', c.c_double),
+        ('damping', c.c_double),
+        ('distance', c.c_double),
+        ('angle', c.c_double),
+        ('roller_rate', c.c_double),
+    ]
+assert c.sizeof(WheelInput) == 712
+
+
+class Wrench(s.Struct):
+    """What passes between a wheel and its rail. All zero but for z and clearance where they do not touch.
+
+    Members:
+      flags: bit 1 << flag for each WRC_FLAG_... met
+      region_count: separate regions in contact: Contact.region()
+      iterations: of the normal problem, all of the call
+      force [N]: on the wheel, track axes
+      moment [N m]: on the wheel about its reference point, track axes
+      rail_force [N]: on the rail, track axes: -force
+      rail_moment [N m]: on the rail about the displaced origin of its profile, track axes
+      z [m]: displacement of the reference point, as given or as found
+      clearance [m]: apart: height by which the wheel must be lowered to touch, at most the search limit; else
+          0
+      normal_force [N]: sum over the regions of the resultants of their pressures. It steps where regions join
+      area [m^2]:
+      peak_pressure [Pa]:
+      power [W]: frictional power, >= 0
+      steepest_angle [rad]: largest angle of a rail strip in contact against the horizontal. It steps where
+          strips enter
+    """
+
+    _c_name_ = 'wrc_wrench'
+    __slots__ = ()
+    struct_size: int
+    flags: int
+    region_count: int
+    iterations: int
+    force: np.ndarray = s.Array('force', 16, (3,), c.c_double)  # type: ignore[assignment]
+    moment: np.ndarray = s.Array('moment', 40, (3,), c.c_double)  # type: ignore[assignment]
+    rail_force: np.ndarray = s.Array('rail_force', 64, (3,), c.c_double)  # type: ignore[assignment]
+    rail_moment: np.ndarray = s.Array('rail_moment', 88, (3,), c.c_double)  # type: ignore[assignment]
+    z: float
+    clearance: float
+    normal_force: float
+    area: float
+    peak_pressure: float
+    power: float
+    steepest_angle: float
+    _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'clearance': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
+    _hidden_ = ('struct_size',)
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('flags', c.c_uint32),
+        ('region_count', c.c_int32),
+        ('iterations', c.c_int32),
+        ('_force', c.c_double * 3),
+        ('_moment', c.c_double * 3),
+        ('_rail_force', c.c_double * 3),
+        ('_rail_moment', c.c_double * 3),
+        ('z', c.c_double),
+        ('clearance', c.c_double),
+        ('normal_force', c.c_double),
+        ('area', c.c_double),
+        ('peak_pressure', c.c_double),
+        ('power', c.c_double),
+        ('steepest_angle', c.c_double),
+    ]
+assert c.sizeof(Wrench) == 168
+
+
+class WrenchDerivatives(s.Struct):
+    """Derivatives of the wrench on the wheel about its reference point. What is prescribed is held: under a
+        given load the height follows all other inputs, and the column of z is zero.
+
+    Members:
+      wrench: rows force x, y, z [N], moment x, y, z [N m]; columns WrenchInput, the rest 0
+      z: of Wrench.z; columns the same
+    """
+
+    _c_name_ = 'wrc_wrench_derivatives'
+    __slots__ = ()
+    struct_size: int
+    reserved0: int
+    wrench: np.ndarray = s.Array('wrench', 8, (6, 32), c.c_double)  # type: ignore[assignment]
+    z: np.ndarray = s.Array('z', 1544, (32,), c.c_double)  # type: ignore[assignment]
+    _units_ = {}
+    _hidden_ = ('struct_size', 'reserved0')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('_wrench', (c.c_double * 32) * 6),
+        ('_z', c.c_double * 32),
+    ]
+assert c.sizeof(WrenchDerivatives) == 1800
+
+
+class Creepage(s.Struct):
+    """Rigid slip of the wheel over the rail per rolled length: at (x, y) of the contact plane (longitudinal -
+        spin y, lateral + spin x). An amount below 1e-100 counts as 0.
+
+    Members:
+      longitudinal: nu_x (-10 .. 10; default 0)
+      lateral: nu_y (-10 .. 10; default 0)
+      spin [1/m]: phi (-1000 .. 1000; default 0)
+      speed [m/s]: rolling speed V. Its sign says which edge leads, its amount scales power (-200 .. 200;
+          default 1)
+      approach_velocity [m/s]: result of Contact.planar_creepages(): of the wheel into the rail along the
+          normal
+      reverse_share: share of the solution that rolls the other way: near standstill both are solved. A result
+          of Contact.planar_creepages() (0 .. 0.5; default 0)
+    """
+
+    _c_name_ = 'wrc_creepage'
+    __slots__ = ()
+    longitudinal: float
+    lateral: float
+    spin: float
+    speed: float
+    approach_velocity: float
+    reverse_share: float
+    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'spin': '1/m', 'speed': 'm/s', 'approach_velocity': 'm/s'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('longitudinal', c.c_double),
+        ('lateral', c.c_double),
+        ('spin', c.c_double),
+        ('speed', c.c_double),
+        ('approach_velocity', c.c_double),
+        ('reverse_share', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(Creepage) == 80
 
 
 class Ellipse(s.Struct):
-    """An equivalent double ellipse and the load it carries: two half ellipses of equal length that meet at the
-        joint. Found for every patch; or handed over as a patch, exactly (then pressure is semi-elliptic, p0 =
-        1.5 N / (pi a b), and the joint lies at the origin of the contact frame).
+    """An equivalent double ellipse and its load: two half ellipses of equal length that meet at the joint.
 
     Members:
       a [m]: semi-axis along rolling (1e-6 .. 0.1; default 0)
-      b [m]: half its width; it reaches from y - b (1 - psi) to y + b (1 + psi) (1e-6 .. 0.1; default 0)
+      b [m]: half its width. It reaches from y - b (1 - psi) to y + b (1 + psi) (1e-6 .. 0.1; default 0)
       psi: shape number; 0 is an ellipse; paper eq. 2 (-0.95 .. 0.95; default 0)
-      y [m]: its joint in the contact frame; not read
+      y [m]: result: its joint, as Field.STRIP_Y
       normal_force [N]: compressive positive, damping included (1e-3 .. 1e7; default 0)
     """
 
@@ -1339,246 +1502,131 @@ class Ellipse(s.Struct):
     psi: float
     y: float
     normal_force: float
+    reserved: np.ndarray = s.Array('reserved', 40, (3,), c.c_double)  # type: ignore[assignment]
     _units_ = {'a': 'm', 'b': 'm', 'y': 'm', 'normal_force': 'N'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('a', c.c_double),
         ('b', c.c_double),
         ('psi', c.c_double),
         ('y', c.c_double),
         ('normal_force', c.c_double),
+        ('_reserved', c.c_double * 3),
     ]
-assert c.sizeof(Ellipse) == 40
+assert c.sizeof(Ellipse) == 64
 
 
-class NormalSolution(s.Struct):
-    """What the normal problem of a contact came to, all patches together.
-
-    Members:
-      patches: separate patches: Contact.patch() has each
-      strips: strips under pressure
-      iterations: of the root find, or sweeps
-      ellipse: of the patch that carries most
-      normal_force [N]: compressive positive, damping included
-      damping_force [N]: share of normal_force that comes from load.damping; < 0 while the bodies part
-      approach [m]: beyond first touch, along the normal; 0 for an ellipse or strips of the caller
-      stiffness [N/m]: d normal_force / d approach; of STRIP_HALFSPACE and ANALYN within 6 %; d normal_force /
-          d approach_velocity is 3/2 load.damping * (normal_force - damping_force), in N s/m
-      peak_pressure [Pa]: largest pressure as solved, not of the equivalent ellipse
-      area [m^2]:
-      length [m]: extent along x: foremost to rearmost edge of all strips
-      width [m]: extent along y: y_max - y_min
-      y_min [m]: lateral borders
-      y_max [m]: see y_min
-    """
-
-    _c_name_ = 'wrc_planar_normal_solution'
-    __slots__ = ()
-    patches: int
-    strips: int
-    iterations: int
-    reserved: int
-    ellipse: Ellipse
-    normal_force: float
-    damping_force: float
-    approach: float
-    stiffness: float
-    peak_pressure: float
-    area: float
-    length: float
-    width: float
-    y_min: float
-    y_max: float
-    _units_ = {'normal_force': 'N', 'damping_force': 'N', 'approach': 'm', 'stiffness': 'N/m', 'peak_pressure': 'Pa', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm'}
-    _hidden_ = ('reserved',)
-    _fields_ = [
-        ('patches', c.c_int32),
-        ('strips', c.c_int32),
-        ('iterations', c.c_int32),
-        ('reserved', c.c_uint32),
-        ('ellipse', Ellipse),
-        ('normal_force', c.c_double),
-        ('damping_force', c.c_double),
-        ('approach', c.c_double),
-        ('stiffness', c.c_double),
-        ('peak_pressure', c.c_double),
-        ('area', c.c_double),
-        ('length', c.c_double),
-        ('width', c.c_double),
-        ('y_min', c.c_double),
-        ('y_max', c.c_double),
-    ]
-assert c.sizeof(NormalSolution) == 136
-
-
-class Strips(s.Struct):
-    """A pressure distribution of the caller, as strips along x with semi-elliptic pressure.
-
-    Members:
-      count: (1 .. config.grid.strips; default 0)
-      y [m]: middle, count of them, increasing; strips must not overlap (-0.3 .. 0.3; required)
-      width [m]: count of them (1e-9 .. 0.1; required)
-      centre [m]: x of the middle, count of them; None: zero (-0.3 .. 0.3; default None)
-      half_length [m]: count of them (1e-9 .. 0.1; required)
-      peak [Pa]: count of them (0 .. 1e11; required)
-    """
-
-    _c_name_ = 'wrc_planar_strips'
-    __slots__ = ()
-    count: int = s.Count('count')  # type: ignore[assignment]
-    reserved: int
-    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    width: Optional[np.ndarray] = s.Pointer('width', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    centre: Optional[np.ndarray] = s.Pointer('centre', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    half_length: Optional[np.ndarray] = s.Pointer('half_length', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    peak: Optional[np.ndarray] = s.Pointer('peak', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    _units_ = {'y': 'm', 'width': 'm', 'centre': 'm', 'half_length': 'm', 'peak': 'Pa'}
-    _hidden_ = ('reserved',)
-    _fields_ = [
-        ('_count', c.c_uint32),
-        ('reserved', c.c_uint32),
-        ('_y', c.POINTER(c.c_double)),
-        ('_width', c.POINTER(c.c_double)),
-        ('_centre', c.POINTER(c.c_double)),
-        ('_half_length', c.POINTER(c.c_double)),
-        ('_peak', c.POINTER(c.c_double)),
-    ]
-assert c.sizeof(Strips) == 48
-
-
-class Forces(s.Struct):
-    """Forces on the wheel in the contact frame, moment about its origin.
-
-    Members:
-      fx [N]: creep forces
-      fy [N]: see fx
-      fn [N]: normal force, compressive positive, damping included
-      mz [N m]: spin moment
-      power [W]: frictional power at the given speed, >= 0
-      adhesion_fraction: share of the patch's area that sticks; Available.TRACTIONS
-      available: bits of Available: what else stands here; where one is missing, 0 does
-    """
-
-    _c_name_ = 'wrc_planar_forces'
-    __slots__ = ()
-    fx: float
-    fy: float
-    fn: float
-    mz: float
-    power: float
-    adhesion_fraction: float
-    available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
-    reserved: int
-    _units_ = {'fx': 'N', 'fy': 'N', 'fn': 'N', 'mz': 'N m', 'power': 'W'}
-    _hidden_ = ('reserved',)
-    _fields_ = [
-        ('fx', c.c_double),
-        ('fy', c.c_double),
-        ('fn', c.c_double),
-        ('mz', c.c_double),
-        ('power', c.c_double),
-        ('adhesion_fraction', c.c_double),
-        ('_available', c.c_uint32),
-        ('reserved', c.c_uint32),
-    ]
-assert c.sizeof(Forces) == 56
-
-
-class Patch(s.Struct):
-    """One patch of a contact with its forces. Moments are about the origin of the contact frame: the forces of
-        all patches add up to those of the contact.
+class Region(s.Struct):
+    """One region of a wheel in contact, a run of neighbouring strips, or one patch of a contact plane. The
+        wrench does not depend on where regions are divided.
 
     Members:
       available: bits of Available; where one is missing, 0 stands
-      strips: strips the patch is made of
-      ellipse: its equivalent double ellipse, with the place of its joint and its load
-      forces: on the wheel; zero before Contact.tangential()
-      peak_pressure [Pa]:
+      strip_count: strips it is made of
+      cell_count: cells along each of them
+      surface: of the rail, as RailSection.surface. With a check rail 0 is that and 1 the rail
+      point [m]: wheel: centre of pressure, x from the reference point; plane: the ellipse's joint; track axes
+      normal: unit vector into the rail, track axes
+      y_wheel [m]: that point in the coordinates of the wheel's profile, flange side negative
+      z_wheel [m]: the same, down from the tape circle
+      y_rail [m]: that point in the coordinates of the rail's profile, field side positive
+      z_rail [m]: the same, down from the profile's origin
+      angle [rad]: contact angle about x from the track's z to the normal; < 0 on the right rail's gauge side
+      rolling_radius [m]: of the wheel at that point
+      force [N]: on the wheel, track axes
+      moment [N m]: on the wheel about point, track axes
+      normal_force [N]: resultant of the pressure, compressive positive
+      longitudinal_force [N]: sum of the strips' tangential forces along x
+      lateral_force [N]: sum of the strips' tangential forces along the rail's arc, or along y of the contact
+          plane
+      spin_moment [N m]: about the normal: wheel, through point; plane, through the origin of the contact
+          frame
+      creepage: wheel: means over the load; plane: as given
+      ellipse: its equivalent double ellipse, of a wheel laid flat along the rail's arc
       area [m^2]:
-      length [m]: extent along x
-      width [m]: extent along y
-      y_min [m]: lateral borders
+      length [m]: extent along x: foremost to rearmost edge of all strips
+      width [m]: extent across: y_max - y_min
+      y_min [m]: border, as Field.STRIP_Y
       y_max [m]: see y_min
-      point [m]: the joint in the contact plane, track frame; Available.PLACE
-      normal: unit vector into the rail, track frame; Available.PLACE. All patches of a contact plane share
-          it; regions of a wheel on a rail have their own (Region)
+      peak_pressure [Pa]:
+      power [W]: frictional power
+      adhesion_fraction: share of the area that sticks; Available.TRACTIONS
     """
 
-    _c_name_ = 'wrc_patch'
+    _c_name_ = 'wrc_region'
     __slots__ = ()
     struct_size: int
     available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
-    strips: int
-    reserved: int
+    strip_count: int
+    cell_count: int
+    surface: int
+    reserved0: int
+    point: np.ndarray = s.Array('point', 24, (3,), c.c_double)  # type: ignore[assignment]
+    normal: np.ndarray = s.Array('normal', 48, (3,), c.c_double)  # type: ignore[assignment]
+    y_wheel: float
+    z_wheel: float
+    y_rail: float
+    z_rail: float
+    angle: float
+    rolling_radius: float
+    force: np.ndarray = s.Array('force', 120, (3,), c.c_double)  # type: ignore[assignment]
+    moment: np.ndarray = s.Array('moment', 144, (3,), c.c_double)  # type: ignore[assignment]
+    normal_force: float
+    longitudinal_force: float
+    lateral_force: float
+    spin_moment: float
+    creepage: Creepage
     ellipse: Ellipse
-    forces: Forces
-    peak_pressure: float
     area: float
     length: float
     width: float
     y_min: float
     y_max: float
-    point: np.ndarray = s.Array('point', 160, (3,), c.c_double)  # type: ignore[assignment]
-    normal: np.ndarray = s.Array('normal', 184, (3,), c.c_double)  # type: ignore[assignment]
-    _units_ = {'peak_pressure': 'Pa', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm', 'point': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    peak_pressure: float
+    power: float
+    adhesion_fraction: float
+    _units_ = {'point': 'm', 'y_wheel': 'm', 'z_wheel': 'm', 'y_rail': 'm', 'z_rail': 'm', 'angle': 'rad', 'rolling_radius': 'm', 'force': 'N', 'moment': 'N m', 'normal_force': 'N', 'longitudinal_force': 'N', 'lateral_force': 'N', 'spin_moment': 'N m', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm', 'peak_pressure': 'Pa', 'power': 'W'}
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_available', c.c_uint32),
-        ('strips', c.c_int32),
-        ('reserved', c.c_uint32),
+        ('strip_count', c.c_int32),
+        ('cell_count', c.c_int32),
+        ('surface', c.c_int32),
+        ('reserved0', c.c_uint32),
+        ('_point', c.c_double * 3),
+        ('_normal', c.c_double * 3),
+        ('y_wheel', c.c_double),
+        ('z_wheel', c.c_double),
+        ('y_rail', c.c_double),
+        ('z_rail', c.c_double),
+        ('angle', c.c_double),
+        ('rolling_radius', c.c_double),
+        ('_force', c.c_double * 3),
+        ('_moment', c.c_double * 3),
+        ('normal_force', c.c_double),
+        ('longitudinal_force', c.c_double),
+        ('lateral_force', c.c_double),
+        ('spin_moment', c.c_double),
+        ('creepage', Creepage),
         ('ellipse', Ellipse),
-        ('forces', Forces),
-        ('peak_pressure', c.c_double),
         ('area', c.c_double),
         ('length', c.c_double),
         ('width', c.c_double),
         ('y_min', c.c_double),
         ('y_max', c.c_double),
-        ('_point', c.c_double * 3),
-        ('_normal', c.c_double * 3),
+        ('peak_pressure', c.c_double),
+        ('power', c.c_double),
+        ('adhesion_fraction', c.c_double),
     ]
-assert c.sizeof(Patch) == 208
-
-
-class Motion(s.Struct):
-    """Velocity of the wheelset relative to the track, in the track frame.
-
-    Members:
-      speed [m/s]: of its middle along the track; backwards < 0 (-200 .. 200; default 0)
-      lateral_velocity [m/s]: to the right (-20 .. 20; default 0)
-      vertical_velocity [m/s]: down (-20 .. 20; default 0)
-      roll_rate [rad/s]: about x (-100 .. 100; default 0)
-      yaw_rate [rad/s]: about z (-100 .. 100; default 0)
-      pitch_rate [rad/s]: about the axle (y): negative rolling forward (-2000 .. 2000; default 0)
-    """
-
-    _c_name_ = 'wrc_planar_motion'
-    __slots__ = ()
-    speed: float
-    lateral_velocity: float
-    vertical_velocity: float
-    roll_rate: float
-    yaw_rate: float
-    pitch_rate: float
-    _units_ = {'speed': 'm/s', 'lateral_velocity': 'm/s', 'vertical_velocity': 'm/s', 'roll_rate': 'rad/s', 'yaw_rate': 'rad/s', 'pitch_rate': 'rad/s'}
-    _hidden_ = ()
-    _fields_ = [
-        ('speed', c.c_double),
-        ('lateral_velocity', c.c_double),
-        ('vertical_velocity', c.c_double),
-        ('roll_rate', c.c_double),
-        ('yaw_rate', c.c_double),
-        ('pitch_rate', c.c_double),
-    ]
-assert c.sizeof(Motion) == 48
+assert c.sizeof(Region) == 408
 
 
 class Damage(s.Struct):
-    """Wear and rolling contact fatigue numbers of the last Contact.tangential.
+    """Wear and fatigue numbers of a region.
 
     Members:
-      power [W]: total frictional power, the integral of FieldId.POWER_DENSITY
+      power [W]: frictional power
       peak_power_density [W/m^2]: Available.TRACTIONS
       t_gamma [N]: power / speed: energy dissipated per metre rolled, spin included
       t_gamma_no_spin [N]: |Fx nu_x + Fy nu_y|: the other definition in use
@@ -1586,7 +1634,7 @@ class Damage(s.Struct):
       load_factor: p0 / k: ordinate of the shakedown map
       shakedown_limit: of load_factor at mu_a, line contact; ratcheting above
       fatigue_index: FI = mu_a - k / p0, paper eq. 11; damage when positive
-      local_fatigue_index: largest local index over the patch, paper eq. 12; Available.TRACTIONS
+      local_fatigue_index: largest local index over the region, paper eq. 12; Available.TRACTIONS
       available: bits of Available; where one is missing, 0 stands
     """
 
@@ -1602,9 +1650,10 @@ class Damage(s.Struct):
     fatigue_index: float
     local_fatigue_index: float
     available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
-    reserved: int
+    reserved0: int
+    reserved: np.ndarray = s.Array('reserved', 80, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'power': 'W', 'peak_power_density': 'W/m^2', 't_gamma': 'N', 't_gamma_no_spin': 'N'}
-    _hidden_ = ('reserved',)
+    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
         ('power', c.c_double),
         ('peak_power_density', c.c_double),
@@ -1616,13 +1665,433 @@ class Damage(s.Struct):
         ('fatigue_index', c.c_double),
         ('local_fatigue_index', c.c_double),
         ('_available', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(Damage) == 80
+assert c.sizeof(Damage) == 128
+
+
+class PlanarPose(s.Struct):
+    """Pose of the wheelset, track frame. Its height follows from the load. An amount below 1e-100 counts as 0.
+
+    Members:
+      lateral [m]: shift of the wheelset to the right (-0.1 .. 0.1; default 0)
+      roll [rad]: about x, right wheel down (-0.2 .. 0.2; default 0)
+      yaw [rad]: about the rolled z, nose to the right (-0.2 .. 0.2; default 0)
+    """
+
+    _c_name_ = 'wrc_planar_pose'
+    __slots__ = ()
+    lateral: float
+    roll: float
+    yaw: float
+    reserved: np.ndarray = s.Array('reserved', 24, (3,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'lateral': 'm', 'roll': 'rad', 'yaw': 'rad'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('lateral', c.c_double),
+        ('roll', c.c_double),
+        ('yaw', c.c_double),
+        ('_reserved', c.c_double * 3),
+    ]
+assert c.sizeof(PlanarPose) == 48
+
+
+class PlanarMotion(s.Struct):
+    """Velocity of the wheelset relative to the track, track frame.
+
+    Members:
+      speed [m/s]: of its middle along the track, backwards < 0 (-200 .. 200; default 0)
+      lateral_velocity [m/s]: to the right (-20 .. 20; default 0)
+      vertical_velocity [m/s]: down (-20 .. 20; default 0)
+      roll_rate [rad/s]: about x (-100 .. 100; default 0)
+      yaw_rate [rad/s]: about z (-100 .. 100; default 0)
+      pitch_rate [rad/s]: about the axle, rolling forwards < 0 (-2000 .. 2000; default 0)
+    """
+
+    _c_name_ = 'wrc_planar_motion'
+    __slots__ = ()
+    speed: float
+    lateral_velocity: float
+    vertical_velocity: float
+    roll_rate: float
+    yaw_rate: float
+    pitch_rate: float
+    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'speed': 'm/s', 'lateral_velocity': 'm/s', 'vertical_velocity': 'm/s', 'roll_rate': 'rad/s', 'yaw_rate': 'rad/s', 'pitch_rate': 'rad/s'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('speed', c.c_double),
+        ('lateral_velocity', c.c_double),
+        ('vertical_velocity', c.c_double),
+        ('roll_rate', c.c_double),
+        ('yaw_rate', c.c_double),
+        ('pitch_rate', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarMotion) == 80
+
+
+class PlanarPoint(s.Struct):
+    """Where wheel and rail first touch when the wheelset of a pose is lowered.
+
+    Members:
+      x [m]: of the wheel's point, track frame
+      y [m]: on the rail, track frame
+      z [m]: see y
+      y_wheel [m]: in the coordinates of the wheel profile, flange side negative
+      y_rail [m]: from the origin of the rail profile, after canting; field side positive
+      angle [rad]: contact angle: rotation about x from the track to the contact frame
+      vertical_gap [m]: height by which the wheel must be lowered, from its running circle level with the rail
+          top
+      rolling_radius [m]: of the wheel at the contact point
+    """
+
+    _c_name_ = 'wrc_planar_point'
+    __slots__ = ()
+    x: float
+    y: float
+    z: float
+    y_wheel: float
+    y_rail: float
+    angle: float
+    vertical_gap: float
+    rolling_radius: float
+    reserved: np.ndarray = s.Array('reserved', 64, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'x': 'm', 'y': 'm', 'z': 'm', 'y_wheel': 'm', 'y_rail': 'm', 'angle': 'rad', 'vertical_gap': 'm', 'rolling_radius': 'm'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('x', c.c_double),
+        ('y', c.c_double),
+        ('z', c.c_double),
+        ('y_wheel', c.c_double),
+        ('y_rail', c.c_double),
+        ('angle', c.c_double),
+        ('vertical_gap', c.c_double),
+        ('rolling_radius', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarPoint) == 96
+
+
+class PlanarGap(s.Struct):
+    """The undeformed gap of a caller: rows along x at increasing y of the contact frame, along the normal. A
+        constant offset does not matter. - column_count == 0: row j is height[j] + curvature[j]/2 (x -
+        centre[j])^2 - column_count > 0: h[j * row_stride + i] at (x[i], y[j]). Each row is taken as the
+        parabola fitted to its lowest part, up to config.planar.gap_limit / 4 above its minimum, with three
+        points at least.
+
+    Members:
+      row_count: (4 .. config.planar.gap_rows; default 0)
+      column_count: (0 or 3 .. 100000; default 0)
+      y [m]: row_count of them, increasing by 1e-6 m at least (-0.3 .. 0.3; required)
+      height [m]: row_count of them, smallest gap of the row (-0.3 .. 0.3; required)
+      centre [m]: row_count of them, x of that smallest gap; None: zero (-0.3 .. 0.3; default None)
+      curvature [1/m]: row_count of them, d2h/dx2. 1 / rolling radius on a straight rail (1e-3 .. 1e6;
+          required)
+      x [m]: column_count of them, increasing by 1e-6 m at least (-0.3 .. 0.3; required)
+      h [m]: gap of each element (-0.3 .. 0.3; required)
+      row_stride: elements from one row of h to the next, >= column_count (default 0)
+    """
+
+    _c_name_ = 'wrc_planar_gap'
+    __slots__ = ()
+    row_count: int = s.Count('row_count')  # type: ignore[assignment]
+    column_count: int = s.Count('column_count')  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
+    height: Optional[np.ndarray] = s.Pointer('height', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
+    centre: Optional[np.ndarray] = s.Pointer('centre', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
+    curvature: Optional[np.ndarray] = s.Pointer('curvature', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
+    x: Optional[np.ndarray] = s.Pointer('x', count='column_count', group=('x',))  # type: ignore[assignment]
+    h: Optional[np.ndarray] = s.Pointer('h', matrix=True)  # type: ignore[assignment]
+    row_stride: int
+    reserved: np.ndarray = s.Array('reserved', 64, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'y': 'm', 'height': 'm', 'centre': 'm', 'curvature': '1/m', 'x': 'm', 'h': 'm'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('_row_count', c.c_uint32),
+        ('_column_count', c.c_uint32),
+        ('_y', c.POINTER(c.c_double)),
+        ('_height', c.POINTER(c.c_double)),
+        ('_centre', c.POINTER(c.c_double)),
+        ('_curvature', c.POINTER(c.c_double)),
+        ('_x', c.POINTER(c.c_double)),
+        ('_h', c.POINTER(c.c_double)),
+        ('row_stride', c.c_uint64),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarGap) == 96
+
+
+class PlanarLoad(s.Struct):
+    """What presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445:
+        every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never below 0. An impact
+        at v m/s rebounds with about (1 - damping v) of its velocity.
+
+    Members:
+      prescribed: Prescribed: Prescribed.NORMAL_FORCE or _APPROACH (default Prescribed.NORMAL_FORCE)
+      normal_force [N]: along the contact normal (1e2 .. 1e6; default 0)
+      approach [m]: beyond first touch; <= 0: no contact (-1 .. 0.01; default 0)
+      approach_velocity [m/s]: d approach / dt; positive while the bodies near each other (-20 .. 20; default
+          0)
+      damping [s/m]: factor of Hunt and Crossley; 0: none (0 .. 10; default 0)
+    """
+
+    _c_name_ = 'wrc_planar_load'
+    __slots__ = ()
+    prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
+    reserved0: int
+    normal_force: float
+    approach: float
+    approach_velocity: float
+    damping: float
+    reserved: np.ndarray = s.Array('reserved', 40, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'normal_force': 'N', 'approach': 'm', 'approach_velocity': 'm/s', 'damping': 's/m'}
+    _hidden_ = ('reserved0', 'reserved')
+    _fields_ = [
+        ('_prescribed', c.c_int32),
+        ('reserved0', c.c_uint32),
+        ('normal_force', c.c_double),
+        ('approach', c.c_double),
+        ('approach_velocity', c.c_double),
+        ('damping', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarLoad) == 72
+
+
+class PlanarStrips(s.Struct):
+    """A pressure distribution of the caller: strips along x with semi-elliptic pressure.
+
+    Members:
+      count: number of strips (1 .. config.planar.strips; default 0)
+      y [m]: middle, count of them, increasing; strips do not overlap (-0.3 .. 0.3; required)
+      width [m]: count of them (1e-9 .. 0.1; required)
+      centre [m]: x of the middle, count of them; None: zero (-0.3 .. 0.3; default None)
+      half_length [m]: count of them (1e-9 .. 0.1; required)
+      peak [Pa]: peak pressure, count of them (0 .. 1e11; required)
+    """
+
+    _c_name_ = 'wrc_planar_strips'
+    __slots__ = ()
+    count: int = s.Count('count')  # type: ignore[assignment]
+    reserved0: int
+    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
+    width: Optional[np.ndarray] = s.Pointer('width', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
+    centre: Optional[np.ndarray] = s.Pointer('centre', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
+    half_length: Optional[np.ndarray] = s.Pointer('half_length', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
+    peak: Optional[np.ndarray] = s.Pointer('peak', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
+    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'y': 'm', 'width': 'm', 'centre': 'm', 'half_length': 'm', 'peak': 'Pa'}
+    _hidden_ = ('reserved0', 'reserved')
+    _fields_ = [
+        ('_count', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('_y', c.POINTER(c.c_double)),
+        ('_width', c.POINTER(c.c_double)),
+        ('_centre', c.POINTER(c.c_double)),
+        ('_half_length', c.POINTER(c.c_double)),
+        ('_peak', c.POINTER(c.c_double)),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarStrips) == 80
+
+
+class PlanarNormalSolution(s.Struct):
+    """Solution of the normal problem, all patches together.
+
+    Members:
+      patch_count: separate patches: Contact.region() has each
+      strip_count: strips under pressure
+      iterations: of the load search, or sweeps
+      flags: bit 1 << flag for each WRC_FLAG_... met
+      ellipse: of the patch that carries most
+      normal_force [N]: compressive positive, damping included
+      damping_force [N]: share of normal_force that is damping; < 0 while the bodies part
+      approach [m]: beyond first touch, along the normal; 0 for an ellipse or strips of the caller
+      stiffness [N/m]: d normal_force / d approach; of STRIP_HALFSPACE and ANALYN within 6 %
+      peak_pressure [Pa]: largest pressure as solved, not of the equivalent ellipse
+      area [m^2]:
+      length [m]: extent along x: foremost to rearmost edge of all strips
+      width [m]: extent along y: y_max - y_min
+      y_min [m]: lateral border
+      y_max [m]: see y_min
+    """
+
+    _c_name_ = 'wrc_planar_normal_solution'
+    __slots__ = ()
+    patch_count: int
+    strip_count: int
+    iterations: int
+    flags: int
+    ellipse: Ellipse
+    normal_force: float
+    damping_force: float
+    approach: float
+    stiffness: float
+    peak_pressure: float
+    area: float
+    length: float
+    width: float
+    y_min: float
+    y_max: float
+    reserved: np.ndarray = s.Array('reserved', 160, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'normal_force': 'N', 'damping_force': 'N', 'approach': 'm', 'stiffness': 'N/m', 'peak_pressure': 'Pa', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('patch_count', c.c_int32),
+        ('strip_count', c.c_int32),
+        ('iterations', c.c_int32),
+        ('flags', c.c_uint32),
+        ('ellipse', Ellipse),
+        ('normal_force', c.c_double),
+        ('damping_force', c.c_double),
+        ('approach', c.c_double),
+        ('stiffness', c.c_double),
+        ('peak_pressure', c.c_double),
+        ('area', c.c_double),
+        ('length', c.c_double),
+        ('width', c.c_double),
+        ('y_min', c.c_double),
+        ('y_max', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarNormalSolution) == 192
+
+
+class PlanarForces(s.Struct):
+    """Forces on the wheel in the contact frame, moment about its origin.
+
+    Members:
+      fx [N]: longitudinal creep force
+      fy [N]: lateral creep force
+      fn [N]: normal force, compressive positive, damping included
+      mz [N m]: spin moment
+      power [W]: frictional power at the given speed, >= 0
+      adhesion_fraction: share of the patch's area that sticks; Available.TRACTIONS
+      available: bits of Available; where one is missing, 0 stands
+      flags: bit 1 << flag for each WRC_FLAG_... met
+    """
+
+    _c_name_ = 'wrc_planar_forces'
+    __slots__ = ()
+    fx: float
+    fy: float
+    fn: float
+    mz: float
+    power: float
+    adhesion_fraction: float
+    available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
+    flags: int
+    reserved: np.ndarray = s.Array('reserved', 56, (4,), c.c_double)  # type: ignore[assignment]
+    _units_ = {'fx': 'N', 'fy': 'N', 'fn': 'N', 'mz': 'N m', 'power': 'W'}
+    _hidden_ = ('reserved',)
+    _fields_ = [
+        ('fx', c.c_double),
+        ('fy', c.c_double),
+        ('fn', c.c_double),
+        ('mz', c.c_double),
+        ('power', c.c_double),
+        ('adhesion_fraction', c.c_double),
+        ('_available', c.c_uint32),
+        ('flags', c.c_uint32),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(PlanarForces) == 88
+
+
+class PlanarDerivatives(s.Struct):
+    """Derivatives of the forces of the last Contact.planar_tangential() at its patch.
+
+    Members:
+      forces: rows fx, fy [N], mz [N m]; columns longitudinal, lateral [-], spin [1/m], normal_force [N] of
+          the same patch, factor on friction [-], the rest 0
+    """
+
+    _c_name_ = 'wrc_planar_derivatives'
+    __slots__ = ()
+    struct_size: int
+    reserved0: int
+    forces: np.ndarray = s.Array('forces', 8, (3, 8), c.c_double)  # type: ignore[assignment]
+    _units_ = {}
+    _hidden_ = ('struct_size', 'reserved0')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('_forces', (c.c_double * 8) * 3),
+    ]
+assert c.sizeof(PlanarDerivatives) == 200
+
+
+class PlanarInput(s.Struct):
+    """What Contact.planar_step() reads. What pointers within point to is the caller's and only read during the
+        call.
+
+    Members:
+      pose: of the wheelset; not used with gap, but within its ranges
+      gap: a gap of the caller in place of the pose; None: the pose (default None)
+      load: what presses the bodies together
+      creepage: rigid slip at the origin of the contact frame
+      friction: between the bodies
+    """
+
+    _c_name_ = 'wrc_planar_input'
+    __slots__ = ()
+    struct_size: int
+    reserved0: int
+    pose: PlanarPose
+    gap: Optional[PlanarGap] = s.Reference('gap')  # type: ignore[assignment]
+    load: PlanarLoad
+    creepage: Creepage
+    friction: Friction
+    _units_ = {}
+    _hidden_ = ('struct_size', 'reserved0')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('pose', PlanarPose),
+        ('_gap', c.POINTER(PlanarGap)),
+        ('load', PlanarLoad),
+        ('creepage', Creepage),
+        ('friction', Friction),
+    ]
+assert c.sizeof(PlanarInput) == 456
+
+
+class PlanarOutput(s.Struct):
+    """What Contact.planar_step() fills.
+
+    Members:
+      flags: bit 1 << flag for each WRC_FLAG_... met, of all stages
+      point: zero when there was no pose
+      normal: of the normal stage
+      forces: of the tangential stage
+      damage: of all patches together
+    """
+
+    _c_name_ = 'wrc_planar_output'
+    __slots__ = ()
+    struct_size: int
+    flags: int
+    point: PlanarPoint
+    normal: PlanarNormalSolution
+    forces: PlanarForces
+    damage: Damage
+    _units_ = {}
+    _hidden_ = ('struct_size',)
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('flags', c.c_uint32),
+        ('point', PlanarPoint),
+        ('normal', PlanarNormalSolution),
+        ('forces', PlanarForces),
+        ('damage', Damage),
+    ]
+assert c.sizeof(PlanarOutput) == 512
 
 
 class WearLaws(s.Struct):
-    """Parameters of the wear laws. wrc_wear_laws_init() fills the published values in brackets; all of them are
+    """Parameters of the wear laws. Defaults are the published values, in their published units; all are
         unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
         Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
@@ -1663,7 +2132,7 @@ class WearLaws(s.Struct):
     _c_name_ = 'wrc_wear_laws'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    reserved0: int
     t_gamma_mild_end: float
     t_gamma_severe_start: float
     t_gamma_mild_slope: float
@@ -1687,10 +2156,10 @@ class WearLaws(s.Struct):
     power_exponent: float
     power_reference: float
     _units_ = {'t_gamma_mild_end': 'N', 't_gamma_severe_start': 'N', 't_gamma_mild_slope': 'mm^3/(km N)', 't_gamma_plateau': 'mm^3/km', 't_gamma_severe_slope': 'mm^3/(km N)', 't_gamma_severe_offset': 'mm^3/km', 'sheffield_mild_end': 'N/mm^2', 'sheffield_severe_end': 'N/mm^2', 'sheffield_mild_slope': 'microgram/(m N)', 'sheffield_catastrophic_slope': 'microgram/(m N)', 'density': 'kg/m^3', 'hardness': 'Pa', 'archard_severe_start': 'm/s', 'archard_severe_end': 'm/s', 'power_coefficient': 'kg/J', 'power_reference': 'W/m^2'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('t_gamma_mild_end', c.c_double),
         ('t_gamma_severe_start', c.c_double),
         ('t_gamma_mild_slope', c.c_double),
@@ -1718,7 +2187,7 @@ assert c.sizeof(WearLaws) == 184
 
 
 class Wear(s.Struct):
-    """Wear of the last Contact.tangential.
+    """Wear of one region.
 
     Members:
       worn_area_rate [m^2/m]: T-gamma law: area lost from the wheel's section per metre rolled
@@ -1733,15 +2202,17 @@ class Wear(s.Struct):
     largest_depth_rate: float
     largest_depth_velocity: float
     largest_power_depth_velocity: float
+    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'worn_area_rate': 'm^2/m', 'largest_depth_rate': 'm/m', 'largest_depth_velocity': 'm/s', 'largest_power_depth_velocity': 'm/s'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('worn_area_rate', c.c_double),
         ('largest_depth_rate', c.c_double),
         ('largest_depth_velocity', c.c_double),
         ('largest_power_depth_velocity', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
-assert c.sizeof(Wear) == 32
+assert c.sizeof(Wear) == 80
 
 
 class Coefficients(s.Struct):
@@ -1766,8 +2237,9 @@ class Coefficients(s.Struct):
     c13s: float
     c22s: float
     c23s: float
+    reserved: np.ndarray = s.Array('reserved', 56, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('c11', c.c_double),
         ('c22', c.c_double),
@@ -1776,499 +2248,9 @@ class Coefficients(s.Struct):
         ('c13s', c.c_double),
         ('c22s', c.c_double),
         ('c23s', c.c_double),
+        ('_reserved', c.c_double * 4),
     ]
-assert c.sizeof(Coefficients) == 56
-
-
-class Sensitivity(s.Struct):
-    """Derivatives of the forces of the last Contact.tangential at its patch.
-
-    Members:
-      forces: rows: fx, fy [N], mz [N m]; columns: longitudinal, lateral [-], spin [1/m], normal_force [N]
-          (same patch, pressure growing in proportion), friction coefficient [-] (its factor on the whole law;
-          with friction.zones, their mean over the load)
-    """
-
-    _c_name_ = 'wrc_planar_derivatives'
-    __slots__ = ()
-    forces: np.ndarray = s.Array('forces', 0, (3, 5), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ()
-    _fields_ = [
-        ('_forces', (c.c_double * 5) * 3),
-    ]
-assert c.sizeof(Sensitivity) == 120
-
-
-class StepSensitivity(s.Struct):
-    """Derivatives of the last whole step, creepages and friction held.
-
-    Members:
-      by_load: of fx, fy, mz and the approach [m] with respect to the normal force [N]; where the approach is
-          prescribed, of fx, fy, mz and the normal force with respect to the approach
-      by_lateral [m]: of the same four with respect to the lateral shift of the wheelset; zero for a gap of
-          the caller
-    """
-
-    _c_name_ = 'wrc_step_sensitivity'
-    __slots__ = ()
-    by_load: np.ndarray = s.Array('by_load', 0, (4,), c.c_double)  # type: ignore[assignment]
-    by_lateral: np.ndarray = s.Array('by_lateral', 32, (4,), c.c_double)  # type: ignore[assignment]
-    _units_ = {'by_lateral': 'm'}
-    _hidden_ = ()
-    _fields_ = [
-        ('_by_load', c.c_double * 4),
-        ('_by_lateral', c.c_double * 4),
-    ]
-assert c.sizeof(StepSensitivity) == 64
-
-
-class Input(s.Struct):
-    """What Contact.step() reads. What pointers within point to is the caller's and only read during the call.
-
-    Members:
-      pose: of the wheelset; not used with gap, but within its ranges all the same
-      gap: a gap of the caller in place of the pose; None: the pose (default None)
-      load: what presses the bodies together
-      creepage: rigid slip at the origin of the contact frame
-      friction: between the bodies
-    """
-
-    _c_name_ = 'wrc_planar_input'
-    __slots__ = ()
-    struct_size: int
-    reserved: int
-    pose: Pose
-    gap: Optional[Gap] = s.Reference('gap')  # type: ignore[assignment]
-    load: Load
-    creepage: Creepage
-    friction: Friction
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved')
-    _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
-        ('pose', Pose),
-        ('_gap', c.POINTER(Gap)),
-        ('load', Load),
-        ('creepage', Creepage),
-        ('friction', Friction),
-    ]
-assert c.sizeof(Input) == 256
-
-
-class Output(s.Struct):
-    """What Contact.step() fills.
-
-    Members:
-      point: zero when there was no pose
-      normal: of the normal stage
-      forces: of the tangential stage
-      damage: of the damage stage
-    """
-
-    _c_name_ = 'wrc_planar_output'
-    __slots__ = ()
-    struct_size: int
-    reserved: int
-    point: ContactPoint
-    normal: NormalSolution
-    forces: Forces
-    damage: Damage
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved')
-    _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
-        ('point', ContactPoint),
-        ('normal', NormalSolution),
-        ('forces', Forces),
-        ('damage', Damage),
-    ]
-assert c.sizeof(Output) == 344
-
-
-class View(s.Struct):
-    """A read-only view of a field: element (i, j) is data[i * stride[0] + j * stride[1]]. Valid until the next
-        call on the contact.
-
-    Members:
-      data: in the contact's memory; None: not computed
-      count: elements along each dimension; count[1] = 1 for rank 1
-      stride: in elements
-      rank: 1 or 2
-    """
-
-    _c_name_ = 'wrc_view'
-    __slots__ = ()
-    data: Optional[np.ndarray] = s.Pointer('data')  # type: ignore[assignment]
-    count: np.ndarray = s.Array('count', 8, (2,), c.c_uint64)  # type: ignore[assignment]
-    stride: np.ndarray = s.Array('stride', 24, (2,), c.c_uint64)  # type: ignore[assignment]
-    rank: int
-    reserved: int
-    _units_ = {}
-    _hidden_ = ('reserved',)
-    _fields_ = [
-        ('_data', c.POINTER(c.c_double)),
-        ('_count', c.c_uint64 * 2),
-        ('_stride', c.c_uint64 * 2),
-        ('rank', c.c_uint32),
-        ('reserved', c.c_uint32),
-    ]
-assert c.sizeof(View) == 48
-
-
-class Allocator(s.Struct):
-    """Where memory comes from in wrc_model_create() and wrc_contact_create(). Both functions or neither.
-
-    Members:
-      user: handed to both (default None)
-      allocate: alignment: a power of two; gives None where none is left (default None)
-      release: called by the destroy functions, and when a create fails (default None)
-    """
-
-    _c_name_ = 'wrc_allocator'
-    __slots__ = ()
-    user: Any
-    allocate: Any
-    release: Any
-    _units_ = {}
-    _hidden_ = ()
-    _fields_ = [
-        ('user', c.c_void_p),
-        ('allocate', c.c_void_p),
-        ('release', c.c_void_p),
-    ]
-assert c.sizeof(Allocator) == 24
-
-
-class WheelState(s.Struct):
-    """Where a wheel or wheelset is and how it moves, against the ground.
-
-    Members:
-      reference: WheelReference: of y, z, velocity and the wrench's moment (default WheelReference.WHEELSET)
-      angular_axes: Axes: of angular_velocity (default Axes.TRACK)
-      y [m]: displacement of the reference point to the right (-0.2 .. 0.2; default 0)
-      z [m]: the same downwards (-0.5 .. 0.2; default 0)
-      roll [rad]: must be 0 with rotation (-0.5 .. 0.5; default 0)
-      yaw [rad]: must be 0 with rotation (-0.5 .. 0.5; default 0)
-      rotation: 9 numbers row by row, track = R * body, orthonormal to 1e-6; the axle within 0.5 rad of the
-          track's y axis in both directions; None: from roll and yaw (default None)
-      velocity [m/s]: of the reference point, track axes (-200 .. 200, -50 .. 50, -50 .. 50; default 0)
-      angular_velocity [rad/s]: y is about the axle (-200 .. 200, -2000 .. 2000, -200 .. 200; default 0)
-    """
-
-    _c_name_ = 'wrc_wheel_state'
-    __slots__ = ()
-    reference: WheelReference = s.Chosen('reference', WheelReference)  # type: ignore[assignment]
-    angular_axes: Axes = s.Chosen('angular_axes', Axes)  # type: ignore[assignment]
-    y: float
-    z: float
-    roll: float
-    yaw: float
-    rotation: Optional[np.ndarray] = s.Pointer('rotation', fixed=9)  # type: ignore[assignment]
-    velocity: np.ndarray = s.Array('velocity', 48, (3,), c.c_double)  # type: ignore[assignment]
-    angular_velocity: np.ndarray = s.Array('angular_velocity', 72, (3,), c.c_double)  # type: ignore[assignment]
-    _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'yaw': 'rad', 'velocity': 'm/s', 'angular_velocity': 'rad/s'}
-    _hidden_ = ()
-    _fields_ = [
-        ('_reference', c.c_int32),
-        ('_angular_axes', c.c_int32),
-        ('y', c.c_double),
-        ('z', c.c_double),
-        ('roll', c.c_double),
-        ('yaw', c.c_double),
-        ('_rotation', c.POINTER(c.c_double)),
-        ('_velocity', c.c_double * 3),
-        ('_angular_velocity', c.c_double * 3),
-    ]
-assert c.sizeof(WheelState) == 96
-
-
-class RailState(s.Struct):
-    """Displacement and motion of a rail, track axes. The velocities are those of its material. Where a wheel
-        runs along a rail that is bent but at rest they are 0: what the rail's slope adds is there when the
-        wheel's velocity, angular velocity and orientation are given in axes turned into the rail's direction
-        (docs/hosts.md), and the wrench is in these axes then.
-
-    Members:
-      y [m]: displacement of the origin of its profile to the right (-0.2 .. 0.2; default 0)
-      z [m]: the same downwards (-0.2 .. 0.2; default 0)
-      roll [rad]: rotation about that origin and the x axis (-0.5 .. 0.5; default 0)
-      y_velocity [m/s]: along y (-50 .. 50; default 0)
-      z_velocity [m/s]: along z (-50 .. 50; default 0)
-      roll_velocity [rad/s]: about x (-200 .. 200; default 0)
-    """
-
-    _c_name_ = 'wrc_rail_state'
-    __slots__ = ()
-    y: float
-    z: float
-    roll: float
-    y_velocity: float
-    z_velocity: float
-    roll_velocity: float
-    _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'y_velocity': 'm/s', 'z_velocity': 'm/s', 'roll_velocity': 'rad/s'}
-    _hidden_ = ()
-    _fields_ = [
-        ('y', c.c_double),
-        ('z', c.c_double),
-        ('roll', c.c_double),
-        ('y_velocity', c.c_double),
-        ('z_velocity', c.c_double),
-        ('roll_velocity', c.c_double),
-    ]
-assert c.sizeof(RailState) == 48
-
-
-class FrameMotion(s.Struct):
-    """How a frame moves that follows a curved track, for hosts whose velocities are those within it. Its origin
-        is on the track centre line, level with the rails' tops, its axes are track axes there. It turns at
-        speed * (twist, vertical_curvature, curvature) about them, and what it does is added to the wheel's
-        velocity and angular velocity, at the wheel's reference point (where its height is not given, at its
-        nominal height). All zero: velocities are against the ground. Velocities of the rail are those of its
-        material against the ground either way.
-
-    Members:
-      speed [m/s]: of its origin along the track (-200 .. 200; default 0)
-      curvature [1/m]: of the track in plan, to the right (-0.1 .. 0.1; default 0)
-      vertical_curvature [1/m]: of the track's height, upwards as in a dip (-0.1 .. 0.1; default 0)
-      twist [1/m]: roll of the track per distance, right side down: rate of the cant over the speed (-0.5 ..
-          0.5; default 0)
-    """
-
-    _c_name_ = 'wrc_frame_motion'
-    __slots__ = ()
-    speed: float
-    curvature: float
-    vertical_curvature: float
-    twist: float
-    _units_ = {'speed': 'm/s', 'curvature': '1/m', 'vertical_curvature': '1/m', 'twist': '1/m'}
-    _hidden_ = ()
-    _fields_ = [
-        ('speed', c.c_double),
-        ('curvature', c.c_double),
-        ('vertical_curvature', c.c_double),
-        ('twist', c.c_double),
-    ]
-assert c.sizeof(FrameMotion) == 32
-
-
-class WheelInput(s.Struct):
-    """What Contact.wrench() reads. What pointers within point to is the caller's and only read during the call.
-
-    Members:
-      prescribed: WheelPrescribed (default WheelPrescribed.HEIGHT)
-      start: WheelStart (default WheelStart.ANEW)
-      wheel: where the wheel is and how it moves
-      rail: where the rail is and how it moves
-      friction: of each strip at its own sliding speed; coefficient 0 without zones: none, and no creep
-          forces; zones count from the origin of the rail's profile (ZoneFrame.RAIL_PROFILE) and lie on the
-          rail, or from that of the wheel's (ZoneFrame.WHEEL_PROFILE) and lie on the wheel
-      vertical_load [N]: the whole vertical force on the wheel, creep forces included, upwards positive (1e2
-          .. 1e6; default 0)
-      damping [s/m]: of Hunt and Crossley as in Load, strip by strip, with the velocity at which the strip's
-          own overlap grows (0 .. 10; default 0)
-      distance [m]: of the reference point along the track, for a rail with config.rail_sections; or from
-          above the axle of a roller (config.roller_curvature), within 0.2 m of it; 0 else (-1e7 .. 1e7;
-          default 0)
-      angle [rad]: of the wheel about its axle, for one with config.roundness; 0 else: right-hand rule about
-          y, so that its rate is the angular velocity about the axle and it falls rolling forwards (-1e9 ..
-          1e9; default 0)
-      roller_velocity [rad/s]: angular velocity of a roller (config.roller_curvature) about its axle,
-          right-hand rule about y; 0 else: it is positive where a wheel at rest rolls forwards on it (-2000 ..
-          2000; default 0)
-      frame: of the axes that velocities are given in
-    """
-
-    _c_name_ = 'wrc_wheel_input'
-    __slots__ = ()
-    struct_size: int
-    prescribed: WheelPrescribed = s.Chosen('prescribed', WheelPrescribed)  # type: ignore[assignment]
-    start: WheelStart = s.Chosen('start', WheelStart)  # type: ignore[assignment]
-    reserved: int
-    wheel: WheelState
-    rail: RailState
-    friction: Friction
-    vertical_load: float
-    damping: float
-    distance: float
-    angle: float
-    roller_velocity: float
-    frame: FrameMotion
-    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_velocity': 'rad/s'}
-    _hidden_ = ('struct_size', 'reserved')
-    _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('_prescribed', c.c_int32),
-        ('_start', c.c_int32),
-        ('reserved', c.c_uint32),
-        ('wheel', WheelState),
-        ('rail', RailState),
-        ('friction', Friction),
-        ('vertical_load', c.c_double),
-        ('damping', c.c_double),
-        ('distance', c.c_double),
-        ('angle', c.c_double),
-        ('roller_velocity', c.c_double),
-        ('frame', FrameMotion),
-    ]
-assert c.sizeof(WheelInput) == 360
-
-
-class Wrench(s.Struct):
-    """What passes between a wheel and its rail. All zero, but for z, where they do not touch. Numbers are
-        continuous functions of the inputs but where they say otherwise.
-
-    Members:
-      regions: separate regions in contact: Contact.region()
-      iterations: of the normal problem, all of the call
-      leaps: 1: a normal method for planes has been applied to a patch with several lowest points, about as
-          deep as each other: forces leap where the lowest changes; 0: no such patch
-      force [N]: on the wheel, track axes
-      moment [N m]: on the wheel about its reference point, track axes
-      rail_force [N]: on the rail, track axes: -force
-      rail_moment [N m]: on the rail about the displaced origin of its profile, track axes
-      z [m]: displacement of the reference point, as given or as found
-      normal_force [N]: sum over the regions of the resultants of their pressures; steps where regions join or
-          part, as their resultants have different directions
-      area [m^2]:
-      peak_pressure [Pa]:
-      power [W]: frictional power, >= 0
-      steepest_angle [rad]: largest angle between z and the surface normal of a rail's strip in contact, >= 0;
-          steps where a strip enters or leaves
-    """
-
-    _c_name_ = 'wrc_wrench'
-    __slots__ = ()
-    struct_size: int
-    regions: int
-    iterations: int
-    leaps: int
-    force: np.ndarray = s.Array('force', 16, (3,), c.c_double)  # type: ignore[assignment]
-    moment: np.ndarray = s.Array('moment', 40, (3,), c.c_double)  # type: ignore[assignment]
-    rail_force: np.ndarray = s.Array('rail_force', 64, (3,), c.c_double)  # type: ignore[assignment]
-    rail_moment: np.ndarray = s.Array('rail_moment', 88, (3,), c.c_double)  # type: ignore[assignment]
-    z: float
-    normal_force: float
-    area: float
-    peak_pressure: float
-    power: float
-    steepest_angle: float
-    _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
-    _hidden_ = ('struct_size',)
-    _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('regions', c.c_int32),
-        ('iterations', c.c_int32),
-        ('leaps', c.c_uint32),
-        ('_force', c.c_double * 3),
-        ('_moment', c.c_double * 3),
-        ('_rail_force', c.c_double * 3),
-        ('_rail_moment', c.c_double * 3),
-        ('z', c.c_double),
-        ('normal_force', c.c_double),
-        ('area', c.c_double),
-        ('peak_pressure', c.c_double),
-        ('power', c.c_double),
-        ('steepest_angle', c.c_double),
-    ]
-assert c.sizeof(Wrench) == 160
-
-
-class Region(s.Struct):
-    """One region of the last Contact.wrench(): a run of neighbouring strips in contact. For people and for what
-        comes after; the wrench does not depend on where regions are divided.
-
-    Members:
-      point [m]: centre of pressure, track axes; x from the wheel's reference point
-      y_wheel [m]: that point in the coordinates of the wheel's profile, flange side negative
-      z_wheel [m]: the same, down from the tape circle
-      y_rail [m]: that point in the coordinates of the rail's profile, field side positive
-      z_rail [m]: the same, down from the profile's origin
-      angle [rad]: of the resultant of the pressure: about x from the track's z to the normal into the rail; <
-          0 on the gauge side of the right rail, > 0 on that of the left
-      normal_force [N]: resultant of the pressure
-      force [N]: on the wheel, track axes
-      moment [N m]: on the wheel about point, track axes
-      area [m^2]:
-      peak_pressure [Pa]:
-      power [W]: frictional power
-      creepage: means over the load: longitudinal, lateral [-], spin [1/m], of the wheel over the rail
-      strips: strips it is made of: columns of wrc_contact_region_field()
-      cells: cells along each of them: its rows
-      face: of which surface of the rail: as RailSection.face; with config.check_rail 0 on that and 1 on the
-          rail; 0 else
-    """
-
-    _c_name_ = 'wrc_region'
-    __slots__ = ()
-    struct_size: int
-    reserved: int
-    point: np.ndarray = s.Array('point', 8, (3,), c.c_double)  # type: ignore[assignment]
-    y_wheel: float
-    z_wheel: float
-    y_rail: float
-    z_rail: float
-    angle: float
-    normal_force: float
-    force: np.ndarray = s.Array('force', 80, (3,), c.c_double)  # type: ignore[assignment]
-    moment: np.ndarray = s.Array('moment', 104, (3,), c.c_double)  # type: ignore[assignment]
-    area: float
-    peak_pressure: float
-    power: float
-    creepage: np.ndarray = s.Array('creepage', 152, (3,), c.c_double)  # type: ignore[assignment]
-    strips: int
-    cells: int
-    face: int
-    reserved2: int
-    _units_ = {'point': 'm', 'y_wheel': 'm', 'z_wheel': 'm', 'y_rail': 'm', 'z_rail': 'm', 'angle': 'rad', 'normal_force': 'N', 'force': 'N', 'moment': 'N m', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W'}
-    _hidden_ = ('struct_size', 'reserved', 'reserved2')
-    _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
-        ('_point', c.c_double * 3),
-        ('y_wheel', c.c_double),
-        ('z_wheel', c.c_double),
-        ('y_rail', c.c_double),
-        ('z_rail', c.c_double),
-        ('angle', c.c_double),
-        ('normal_force', c.c_double),
-        ('_force', c.c_double * 3),
-        ('_moment', c.c_double * 3),
-        ('area', c.c_double),
-        ('peak_pressure', c.c_double),
-        ('power', c.c_double),
-        ('_creepage', c.c_double * 3),
-        ('strips', c.c_int32),
-        ('cells', c.c_int32),
-        ('face', c.c_int32),
-        ('reserved2', c.c_uint32),
-    ]
-assert c.sizeof(Region) == 192
-
-
-class WrenchSensitivities(s.Struct):
-    """Derivatives of the wrench on the wheel about its reference point, at the pose and motion given. What is
-        prescribed is held: with WheelPrescribed.VERTICAL_LOAD the height follows all other inputs, and the
-        column of z is zero; otherwise that of the load.
-
-    Members:
-      wrench: rows force x, y, z [N], moment x, y, z [N m], track axes; columns WrenchInput
-      z: of Wrench.z; columns the same
-    """
-
-    _c_name_ = 'wrc_wrench_derivatives'
-    __slots__ = ()
-    wrench: np.ndarray = s.Array('wrench', 0, (6, 19), c.c_double)  # type: ignore[assignment]
-    z: np.ndarray = s.Array('z', 912, (19,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ()
-    _fields_ = [
-        ('_wrench', (c.c_double * 19) * 6),
-        ('_z', c.c_double * 19),
-    ]
-assert c.sizeof(WrenchSensitivities) == 1064
+assert c.sizeof(Coefficients) == 88
 
 
 class StressPeak(s.Struct):
@@ -2287,15 +2269,17 @@ class StressPeak(s.Struct):
     x: float
     y: float
     depth: float
+    reserved: np.ndarray = s.Array('reserved', 32, (2,), c.c_double)  # type: ignore[assignment]
     _units_ = {'stress': 'Pa', 'x': 'm', 'y': 'm', 'depth': 'm'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('stress', c.c_double),
         ('x', c.c_double),
         ('y', c.c_double),
         ('depth', c.c_double),
+        ('_reserved', c.c_double * 2),
     ]
-assert c.sizeof(StressPeak) == 32
+assert c.sizeof(StressPeak) == 48
 
 
 class StressPeaks(s.Struct):
@@ -2305,6 +2289,7 @@ class StressPeaks(s.Struct):
       von_mises: sqrt(3 J2)
       shear: (s1 - s3) / 2: half of Tresca's stress
       tension: s1, the most tensile principal stress; below 0 where all is pressed together
+      reserved: room for one more of these
     """
 
     _c_name_ = 'wrc_stress_peaks'
@@ -2312,14 +2297,16 @@ class StressPeaks(s.Struct):
     von_mises: StressPeak
     shear: StressPeak
     tension: StressPeak
+    reserved: StressPeak
     _units_ = {}
     _hidden_ = ()
     _fields_ = [
         ('von_mises', StressPeak),
         ('shear', StressPeak),
         ('tension', StressPeak),
+        ('reserved', StressPeak),
     ]
-assert c.sizeof(StressPeaks) == 96
+assert c.sizeof(StressPeaks) == 192
 
 
 class Stresses(s.Struct):
@@ -2348,7 +2335,7 @@ class Stresses(s.Struct):
         ('surface', StressPeaks),
         ('below', StressPeaks),
     ]
-assert c.sizeof(Stresses) == 296
+assert c.sizeof(Stresses) == 584
 
 
 class Temperature(s.Struct):
@@ -2368,7 +2355,7 @@ class Temperature(s.Struct):
     _c_name_ = 'wrc_temperature'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    reserved0: int
     at_entry: float
     rise: float
     x: float
@@ -2378,10 +2365,10 @@ class Temperature(s.Struct):
     wheel_heat: float
     rail_heat: float
     _units_ = {'at_entry': 'degC', 'rise': 'K', 'x': 'm', 'y': 'm', 'largest': 'degC', 'mean_rise': 'K', 'wheel_heat': 'W', 'rail_heat': 'W'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('at_entry', c.c_double),
         ('rise', c.c_double),
         ('x', c.c_double),
@@ -2398,28 +2385,30 @@ class DamageBin(s.Struct):
     """One bin: all zero, nothing was added. Bits are the same whatever the order of additions and merges.
 
     Members:
-      sum: by DamageQuantity: low and high half of a whole number of 128 bits, two's complement;
-          wrc_damage_values() makes numbers of it
+      sum: by DamageQuantity: low and high half of an integer of 128 bits, two's complement.
+          wrc_damage_values() converts it
       largest_pressure [Pa]:
       largest_traction [Pa]:
-      overflow: bit i: a contribution to sum i, or the sum, passed its range; what it holds is worthless
+      overflow: bit i: sum i, or a contribution to it, passed its range and is worthless
     """
 
     _c_name_ = 'wrc_damage_bin'
     __slots__ = ()
-    sum: np.ndarray = s.Array('sum', 0, (8, 2), c.c_uint64)  # type: ignore[assignment]
+    sum: np.ndarray = s.Array('sum', 0, (16, 2), c.c_uint64)  # type: ignore[assignment]
     largest_pressure: float
     largest_traction: float
     overflow: int
+    reserved: np.ndarray = s.Array('reserved', 280, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
-        ('_sum', (c.c_uint64 * 2) * 8),
+        ('_sum', (c.c_uint64 * 2) * 16),
         ('largest_pressure', c.c_double),
         ('largest_traction', c.c_double),
         ('overflow', c.c_uint64),
+        ('_reserved', c.c_double * 4),
     ]
-assert c.sizeof(DamageBin) == 152
+assert c.sizeof(DamageBin) == 312
 
 
 class DamageBins(s.Struct):
@@ -2430,11 +2419,12 @@ class DamageBins(s.Struct):
       count: bins of a row (1 .. 1000000; default 0)
       first [m]: arc length at which the first begins (-1 .. 1; default 0)
       width [m]: of a bin (1e-5 .. 1; default 1e-3)
-      rows: along the track; rows * count 100000000 at most (1 .. 1000000; default 1)
+      row_count: rows along the track; row_count * count 100000000 at most (1 .. 1000000; default 1)
+      bin_size: sizeof(DamageBin) (1 .. 4096; default 0)
       row_first [m]: distance at which the first row begins (-1e9 .. 1e9; default 0)
       row_length [m]: of a row; 0: one row takes all, whatever the distance (0 or 1e-3 .. 1e9; default 0)
-      bin: rows * count + 1 of the caller, row by row; the last has what lies beside all others. Zeroed before
-          the first use, copied and saved as bytes
+      bins: row_count * count + 1 of the caller, row by row, zeroed before the first use. The last has what
+          lies beside all others. They may be copied and saved as bytes
     """
 
     _c_name_ = 'wrc_damage_bins'
@@ -2443,23 +2433,23 @@ class DamageBins(s.Struct):
     count: int
     first: float
     width: float
-    rows: int
-    reserved: int
+    row_count: int
+    bin_size: int
     row_first: float
     row_length: float
-    bin: Optional[DamageBin] = s.Reference('bin')  # type: ignore[assignment]
+    bins: Optional[DamageBin] = s.Reference('bins')  # type: ignore[assignment]
     _units_ = {'first': 'm', 'width': 'm', 'row_first': 'm', 'row_length': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size',)
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('count', c.c_uint32),
         ('first', c.c_double),
         ('width', c.c_double),
-        ('rows', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('row_count', c.c_uint32),
+        ('bin_size', c.c_uint32),
         ('row_first', c.c_double),
         ('row_length', c.c_double),
-        ('_bin', c.POINTER(DamageBin)),
+        ('_bins', c.POINTER(DamageBin)),
     ]
 assert c.sizeof(DamageBins) == 56
 
@@ -2481,16 +2471,16 @@ class FatigueLaws(s.Struct):
     _c_name_ = 'wrc_fatigue_laws'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    reserved0: int
     whole_life_start: float
     whole_life_peak_at: float
     whole_life_end: float
     whole_life_peak: float
     _units_ = {'whole_life_start': 'N', 'whole_life_peak_at': 'N', 'whole_life_end': 'N'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('whole_life_start', c.c_double),
         ('whole_life_peak_at', c.c_double),
         ('whole_life_end', c.c_double),
@@ -2503,7 +2493,6 @@ class Accumulation(s.Struct):
     """What wrc_contact_accumulate() adds.
 
     Members:
-      source: DamageSource (default DamageSource.WRENCH)
       duration [s]: for which the results hold (0 .. 1e6; default 0)
       distance [m]: along the track where that begins; read where a row of bins has a length (-1e9 .. 1e9;
           default 0)
@@ -2514,16 +2503,16 @@ class Accumulation(s.Struct):
     _c_name_ = 'wrc_accumulation'
     __slots__ = ()
     struct_size: int
-    source: DamageSource = s.Chosen('source', DamageSource)  # type: ignore[assignment]
+    reserved0: int
     duration: float
     distance: float
     wear: Optional[WearLaws] = s.Reference('wear')  # type: ignore[assignment]
     fatigue: Optional[FatigueLaws] = s.Reference('fatigue')  # type: ignore[assignment]
     _units_ = {'duration': 's', 'distance': 'm'}
-    _hidden_ = ('struct_size',)
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('_source', c.c_int32),
+        ('reserved0', c.c_uint32),
         ('duration', c.c_double),
         ('distance', c.c_double),
         ('_wear', c.POINTER(WearLaws)),
@@ -2543,17 +2532,19 @@ class DamageTotals(s.Struct):
 
     _c_name_ = 'wrc_damage_totals'
     __slots__ = ()
-    sum: np.ndarray = s.Array('sum', 0, (8,), c.c_double)  # type: ignore[assignment]
+    sum: np.ndarray = s.Array('sum', 0, (16,), c.c_double)  # type: ignore[assignment]
     largest_pressure: float
     largest_traction: float
+    reserved: np.ndarray = s.Array('reserved', 144, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
-        ('_sum', c.c_double * 8),
+        ('_sum', c.c_double * 16),
         ('largest_pressure', c.c_double),
         ('largest_traction', c.c_double),
+        ('_reserved', c.c_double * 4),
     ]
-assert c.sizeof(DamageTotals) == 80
+assert c.sizeof(DamageTotals) == 176
 
 
 class Grid(s.Struct):
@@ -2576,8 +2567,9 @@ class Grid(s.Struct):
     dy: float
     x0: float
     y0: float
+    reserved: np.ndarray = s.Array('reserved', 40, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'dx': 'm', 'dy': 'm', 'x0': 'm', 'y0': 'm'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('nx', c.c_uint32),
         ('ny', c.c_uint32),
@@ -2585,47 +2577,22 @@ class Grid(s.Struct):
         ('dy', c.c_double),
         ('x0', c.c_double),
         ('y0', c.c_double),
+        ('_reserved', c.c_double * 4),
     ]
-assert c.sizeof(Grid) == 40
-
-
-class Materials(s.Struct):
-    """The two bodies.
-
-    Members:
-      shear_modulus_1 [Pa]: G of the wheel (1e8 .. 1e12; default 80e9)
-      poisson_1: nu of the wheel (0 .. 0.5; default 0.25)
-      shear_modulus_2 [Pa]: G of the rail (1e8 .. 1e12; default 80e9)
-      poisson_2: nu of the rail (0 .. 0.5; default 0.25)
-    """
-
-    _c_name_ = 'wrc_materials'
-    __slots__ = ()
-    shear_modulus_1: float
-    poisson_1: float
-    shear_modulus_2: float
-    poisson_2: float
-    _units_ = {'shear_modulus_1': 'Pa', 'shear_modulus_2': 'Pa'}
-    _hidden_ = ()
-    _fields_ = [
-        ('shear_modulus_1', c.c_double),
-        ('poisson_1', c.c_double),
-        ('shear_modulus_2', c.c_double),
-        ('poisson_2', c.c_double),
-    ]
-assert c.sizeof(Materials) == 32
+assert c.sizeof(Grid) == 72
 
 
 class ExactNormalProblem(s.Struct):
     """The normal problem: an undeformed gap and what presses the bodies together.
 
     Members:
-      prescribed: Prescribed (default Prescribed.LOAD)
+      prescribed: Prescribed: Prescribed.NORMAL_FORCE or _APPROACH (default Prescribed.NORMAL_FORCE)
       max_iterations: (1 .. 100000; default 1000)
-      normal_force [N]: must be set (1e-3 .. 1e7; default 0)
-      approach [m]: beyond the zero of the gap (-1 .. 0.01; default 0)
+      normal_force [N]: with Prescribed.NORMAL_FORCE; must be set (1e-3 .. 1e7; default 0)
+      approach [m]: beyond the zero of the gap with Prescribed.APPROACH (-1 .. 0.01; default 0)
       tolerance: of overlap and separation, relative to the largest displacement (1e-14 .. 0.1; default 1e-6)
-      materials: of the two bodies
+      wheel_material: elastic, of the wheel
+      rail_material: elastic, of the rail
       grid: cells of gap and pressure
       gap [m]: nx * ny (-1 .. 1; required)
       progress: None: none (default None)
@@ -2637,32 +2604,34 @@ class ExactNormalProblem(s.Struct):
     struct_size: int
     prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
     max_iterations: int
-    reserved: int
+    reserved0: int
     normal_force: float
     approach: float
     tolerance: float
-    materials: Materials
+    wheel_material: Material
+    rail_material: Material
     grid: Grid
     gap: Optional[np.ndarray] = s.Pointer('gap')  # type: ignore[assignment]
     progress: Any
     user: Any
     _units_ = {'normal_force': 'N', 'approach': 'm', 'gap': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_prescribed', c.c_int32),
         ('max_iterations', c.c_int32),
-        ('reserved', c.c_int32),
+        ('reserved0', c.c_uint32),
         ('normal_force', c.c_double),
         ('approach', c.c_double),
         ('tolerance', c.c_double),
-        ('materials', Materials),
+        ('wheel_material', Material),
+        ('rail_material', Material),
         ('grid', Grid),
         ('_gap', c.POINTER(c.c_double)),
         ('progress', s.Progress),
         ('user', c.c_void_p),
     ]
-assert c.sizeof(ExactNormalProblem) == 136
+assert c.sizeof(ExactNormalProblem) == 264
 
 
 class ExactNormalSolution(s.Struct):
@@ -2670,6 +2639,7 @@ class ExactNormalSolution(s.Struct):
 
     Members:
       iterations: of the conjugate gradients
+      flags: bit 1 << flag for each WRC_FLAG_... met
       approach [m]: beyond the zero of the gap
       normal_force [N]:
       peak_pressure [Pa]:
@@ -2682,6 +2652,8 @@ class ExactNormalSolution(s.Struct):
     __slots__ = ()
     struct_size: int
     iterations: int
+    flags: int
+    reserved0: int
     approach: float
     normal_force: float
     peak_pressure: float
@@ -2689,10 +2661,12 @@ class ExactNormalSolution(s.Struct):
     residual: float
     pressure: Optional[np.ndarray] = s.Pointer('pressure')  # type: ignore[assignment]
     _units_ = {'approach': 'm', 'normal_force': 'N', 'peak_pressure': 'Pa', 'area': 'm^2', 'pressure': 'Pa'}
-    _hidden_ = ('struct_size',)
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('iterations', c.c_int32),
+        ('flags', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('approach', c.c_double),
         ('normal_force', c.c_double),
         ('peak_pressure', c.c_double),
@@ -2700,7 +2674,7 @@ class ExactNormalSolution(s.Struct):
         ('residual', c.c_double),
         ('_pressure', c.POINTER(c.c_double)),
     ]
-assert c.sizeof(ExactNormalSolution) == 56
+assert c.sizeof(ExactNormalSolution) == 64
 
 
 class ExactRollingProblem(s.Struct):
@@ -2711,11 +2685,12 @@ class ExactRollingProblem(s.Struct):
       collocation: Collocation (default Collocation.QUARTER_POINT)
       max_iterations: of Newton's method (1 .. 1000; default 60)
       tolerance: of the traction law (1e-12 .. 0.1; default 1e-4)
-      materials: of the two bodies
+      wheel_material: elastic, of the wheel
+      rail_material: elastic, of the rail
       grid: cells of pressure, friction and tractions
       pressure [Pa]: nx * ny; cells above zero are the contact, all others are not (-1e11 .. 1e11; required)
       friction: nx * ny; None: coefficient everywhere (1e-4 .. 2; default None)
-      coefficient: Coulomb (1e-4 .. 2; default 0.3)
+      coefficient: Coulomb with Adhesion.COULOMB and friction None (1e-4 .. 2; default 0.3)
       creepage: about the origin of the contact frame
       progress: called between grids and iterations; None: none (default None)
       user: handed to progress (default None)
@@ -2728,7 +2703,8 @@ class ExactRollingProblem(s.Struct):
     collocation: Collocation = s.Chosen('collocation', Collocation)  # type: ignore[assignment]
     max_iterations: int
     tolerance: float
-    materials: Materials
+    wheel_material: Material
+    rail_material: Material
     grid: Grid
     pressure: Optional[np.ndarray] = s.Pointer('pressure')  # type: ignore[assignment]
     friction: Optional[np.ndarray] = s.Pointer('friction')  # type: ignore[assignment]
@@ -2744,7 +2720,8 @@ class ExactRollingProblem(s.Struct):
         ('_collocation', c.c_int32),
         ('max_iterations', c.c_int32),
         ('tolerance', c.c_double),
-        ('materials', Materials),
+        ('wheel_material', Material),
+        ('rail_material', Material),
         ('grid', Grid),
         ('_pressure', c.POINTER(c.c_double)),
         ('_friction', c.POINTER(c.c_double)),
@@ -2753,7 +2730,7 @@ class ExactRollingProblem(s.Struct):
         ('progress', s.Progress),
         ('user', c.c_void_p),
     ]
-assert c.sizeof(ExactRollingProblem) == 184
+assert c.sizeof(ExactRollingProblem) == 344
 
 
 class ExactRollingSolution(s.Struct):
@@ -2761,6 +2738,7 @@ class ExactRollingSolution(s.Struct):
 
     Members:
       iterations: of Newton's method on the given grid
+      flags: bit 1 << flag for each WRC_FLAG_... met
       fx [N]:
       fy [N]: see fx
       mz [N m]: about the origin of the contact frame
@@ -2778,6 +2756,8 @@ class ExactRollingSolution(s.Struct):
     __slots__ = ()
     struct_size: int
     iterations: int
+    flags: int
+    reserved0: int
     fx: float
     fy: float
     mz: float
@@ -2790,10 +2770,12 @@ class ExactRollingSolution(s.Struct):
     slip_x: Optional[np.ndarray] = s.Pointer('slip_x')  # type: ignore[assignment]
     slip_y: Optional[np.ndarray] = s.Pointer('slip_y')  # type: ignore[assignment]
     _units_ = {'fx': 'N', 'fy': 'N', 'mz': 'N m', 'power': 'W', 'power_by_balance': 'W', 'traction_x': 'Pa', 'traction_y': 'Pa'}
-    _hidden_ = ('struct_size',)
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('iterations', c.c_int32),
+        ('flags', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('fx', c.c_double),
         ('fy', c.c_double),
         ('mz', c.c_double),
@@ -2806,7 +2788,7 @@ class ExactRollingSolution(s.Struct):
         ('_slip_x', c.POINTER(c.c_double)),
         ('_slip_y', c.POINTER(c.c_double)),
     ]
-assert c.sizeof(ExactRollingSolution) == 96
+assert c.sizeof(ExactRollingSolution) == 104
 
 
 class ExactLoads(s.Struct):
@@ -2814,7 +2796,7 @@ class ExactLoads(s.Struct):
 
     Members:
       body: Body: in which the stresses are wanted (default Body.RAIL)
-      poisson: nu of that body (0 .. 0.5; default 0.25)
+      poisson: nu of that body (0 .. 0.5; default 0.28)
       grid: cells of pressure and tractions
       pressure [Pa]: nx * ny (-1e11 .. 1e11; required)
       traction_x [Pa]: nx * ny, on the wheel as solutions have it, whichever the body; None: none (-1e11 ..
@@ -2842,7 +2824,7 @@ class ExactLoads(s.Struct):
         ('_traction_x', c.POINTER(c.c_double)),
         ('_traction_y', c.POINTER(c.c_double)),
     ]
-assert c.sizeof(ExactLoads) == 80
+assert c.sizeof(ExactLoads) == 112
 
 
 class ExactWrenchOptions(s.Struct):
@@ -2862,18 +2844,18 @@ class ExactWrenchOptions(s.Struct):
     struct_size: int
     collocation: Collocation = s.Chosen('collocation', Collocation)  # type: ignore[assignment]
     influence: SurfaceInfluence = s.Chosen('influence', SurfaceInfluence)  # type: ignore[assignment]
-    reserved: int
+    reserved0: int
     cell_x: float
     cell_s: float
     progress: Any
     user: Any
     _units_ = {'cell_x': 'm', 'cell_s': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_collocation', c.c_int32),
         ('_influence', c.c_int32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('cell_x', c.c_double),
         ('cell_s', c.c_double),
         ('progress', s.Progress),
@@ -2882,10 +2864,42 @@ class ExactWrenchOptions(s.Struct):
 assert c.sizeof(ExactWrenchOptions) == 48
 
 
+class ExactCheckOptions(s.Struct):
+    """How finely a contact is checked.
+
+    Members:
+      nx: cells along x (8 .. 512; default 64)
+      ny: cells along y (8 .. 512; default 64)
+      progress: None: none (default None)
+      user: handed to progress (default None)
+    """
+
+    _c_name_ = 'wrc_exact_check_options'
+    __slots__ = ()
+    struct_size: int
+    nx: int
+    ny: int
+    reserved0: int
+    progress: Any
+    user: Any
+    _units_ = {}
+    _hidden_ = ('struct_size', 'reserved0')
+    _fields_ = [
+        ('struct_size', c.c_uint32),
+        ('nx', c.c_uint32),
+        ('ny', c.c_uint32),
+        ('reserved0', c.c_uint32),
+        ('progress', s.Progress),
+        ('user', c.c_void_p),
+    ]
+assert c.sizeof(ExactCheckOptions) == 32
+
+
 class ExactCheckResult(s.Struct):
     """A real-time result against the exact one.
 
     Members:
+      flags: bit 1 << flag for each WRC_FLAG_... met
       fx [N]: exact, on the contact's own pressure and creepages
       fy [N]: see fx
       mz [N m]: the same
@@ -2898,7 +2912,7 @@ class ExactCheckResult(s.Struct):
     _c_name_ = 'wrc_exact_check_result'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    flags: int
     fx: float
     fy: float
     mz: float
@@ -2907,10 +2921,10 @@ class ExactCheckResult(s.Struct):
     force_error: float
     power_error: float
     _units_ = {'fx': 'N', 'fy': 'N', 'mz': 'N m', 'power': 'W'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size',)
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('flags', c.c_uint32),
         ('fx', c.c_double),
         ('fy', c.c_double),
         ('mz', c.c_double),
@@ -2922,7 +2936,7 @@ class ExactCheckResult(s.Struct):
 assert c.sizeof(ExactCheckResult) == 64
 
 
-class ContactFunctionsProblem(s.Struct):
+class WheelsetGeometryProblem(s.Struct):
     """Where contact functions are asked for.
 
     Members:
@@ -2948,10 +2962,10 @@ class ContactFunctionsProblem(s.Struct):
         ('_lateral', c.POINTER(c.c_double)),
         ('wheel_load', c.c_double),
     ]
-assert c.sizeof(ContactFunctionsProblem) == 24
+assert c.sizeof(WheelsetGeometryProblem) == 24
 
 
-class ContactFunctions(s.Struct):
+class WheelsetGeometry(s.Struct):
     """Contact functions over the lateral displacement: arrays of the caller, count elements each; None: not
         wanted; set before the call. Coordinates of profiles are those of Profile, right and left alike.
 
@@ -2973,7 +2987,7 @@ class ContactFunctions(s.Struct):
     _c_name_ = 'wrc_wheelset_geometry'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    reserved0: int
     vertical: Optional[np.ndarray] = s.Pointer('vertical')  # type: ignore[assignment]
     roll: Optional[np.ndarray] = s.Pointer('roll')  # type: ignore[assignment]
     radius_difference: Optional[np.ndarray] = s.Pointer('radius_difference')  # type: ignore[assignment]
@@ -2986,10 +3000,10 @@ class ContactFunctions(s.Struct):
     y_rail_right: Optional[np.ndarray] = s.Pointer('y_rail_right')  # type: ignore[assignment]
     y_rail_left: Optional[np.ndarray] = s.Pointer('y_rail_left')  # type: ignore[assignment]
     _units_ = {'vertical': 'm', 'roll': 'rad', 'radius_difference': 'm', 'radius_right': 'm', 'radius_left': 'm', 'angle_right': 'rad', 'angle_left': 'rad', 'y_wheel_right': 'm', 'y_wheel_left': 'm', 'y_rail_right': 'm', 'y_rail_left': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('_vertical', c.POINTER(c.c_double)),
         ('_roll', c.POINTER(c.c_double)),
         ('_radius_difference', c.POINTER(c.c_double)),
@@ -3002,7 +3016,7 @@ class ContactFunctions(s.Struct):
         ('_y_rail_right', c.POINTER(c.c_double)),
         ('_y_rail_left', c.POINTER(c.c_double)),
     ]
-assert c.sizeof(ContactFunctions) == 96
+assert c.sizeof(WheelsetGeometry) == 96
 
 
 class ConicityProblem(s.Struct):
@@ -3012,10 +3026,10 @@ class ConicityProblem(s.Struct):
     Members:
       method: ConicityMethod (default ConicityMethod.WAVELENGTH)
       count: points (3 .. 100000; default 0)
-      amplitudes: (1 .. 100000; default 0)
+      amplitude_count: (1 .. 100000; default 0)
       lateral [m]: of the wheelset, increasing, count of them (-0.1 .. 0.1; required)
       radius_difference [m]: right less left, count of them (-0.2 .. 0.2; required)
-      amplitude [m]: half the way from one side to the other, amplitudes of them (1e-6 .. 0.1; required)
+      amplitudes [m]: half the way from one side to the other, amplitude_count of them (1e-6 .. 0.1; required)
       contact_distance [m]: e: between the contact points of both wheels (0.3 .. 3; default 1.5)
       radius [m]: r0: nominal, of the wheels (0.05 .. 3; default 0.46)
     """
@@ -3025,22 +3039,22 @@ class ConicityProblem(s.Struct):
     struct_size: int
     method: ConicityMethod = s.Chosen('method', ConicityMethod)  # type: ignore[assignment]
     count: int = s.Count('count')  # type: ignore[assignment]
-    amplitudes: int = s.Count('amplitudes')  # type: ignore[assignment]
+    amplitude_count: int = s.Count('amplitude_count')  # type: ignore[assignment]
     lateral: Optional[np.ndarray] = s.Pointer('lateral', count='count', group=('lateral', 'radius_difference'))  # type: ignore[assignment]
     radius_difference: Optional[np.ndarray] = s.Pointer('radius_difference', count='count', group=('lateral', 'radius_difference'))  # type: ignore[assignment]
-    amplitude: Optional[np.ndarray] = s.Pointer('amplitude', count='amplitudes', group=('amplitude',))  # type: ignore[assignment]
+    amplitudes: Optional[np.ndarray] = s.Pointer('amplitudes', count='amplitude_count', group=('amplitudes',))  # type: ignore[assignment]
     contact_distance: float
     radius: float
-    _units_ = {'lateral': 'm', 'radius_difference': 'm', 'amplitude': 'm', 'contact_distance': 'm', 'radius': 'm'}
+    _units_ = {'lateral': 'm', 'radius_difference': 'm', 'amplitudes': 'm', 'contact_distance': 'm', 'radius': 'm'}
     _hidden_ = ('struct_size',)
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('_method', c.c_int32),
         ('_count', c.c_uint32),
-        ('_amplitudes', c.c_uint32),
+        ('_amplitude_count', c.c_uint32),
         ('_lateral', c.POINTER(c.c_double)),
         ('_radius_difference', c.POINTER(c.c_double)),
-        ('_amplitude', c.POINTER(c.c_double)),
+        ('_amplitudes', c.POINTER(c.c_double)),
         ('contact_distance', c.c_double),
         ('radius', c.c_double),
     ]
@@ -3048,8 +3062,8 @@ assert c.sizeof(ConicityProblem) == 56
 
 
 class Conicity(s.Struct):
-    """Equivalent conicity over the amplitude: arrays of the caller, amplitudes elements each; None: not wanted;
-        set before the call.
+    """Equivalent conicity over the amplitude: arrays of the caller, amplitude_count elements each; None: not
+        wanted; set before the call.
 
     Members:
       conicity: tan gamma_e; 0 where a wheelset left to itself does not swing with this amplitude
@@ -3061,15 +3075,15 @@ class Conicity(s.Struct):
     _c_name_ = 'wrc_conicity'
     __slots__ = ()
     struct_size: int
-    reserved: int
+    reserved0: int
     conicity: Optional[np.ndarray] = s.Pointer('conicity')  # type: ignore[assignment]
     wavelength: Optional[np.ndarray] = s.Pointer('wavelength')  # type: ignore[assignment]
     centre: Optional[np.ndarray] = s.Pointer('centre')  # type: ignore[assignment]
     _units_ = {'wavelength': 'm', 'centre': 'm'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('_conicity', c.POINTER(c.c_double)),
         ('_wavelength', c.POINTER(c.c_double)),
         ('_centre', c.POINTER(c.c_double)),
@@ -3083,10 +3097,10 @@ class ProfileWear(s.Struct):
     Members:
       body: Body: which side of the curve is steel (default Body.WHEEL)
       count: points (4 .. 20000; default 0)
-      bins: of the depth (1 .. 1000000; default 0)
+      bin_count: bins of the depth (1 .. 1000000; default 0)
       y [m]: points as in Profile, count of them (-1 .. 1; required)
       z [m]: see y (-1 .. 1; required)
-      depth [m]: along the normal, of each bin for one passage, bins of them (0 .. 0.1; required)
+      depth [m]: along the normal, of each bin for one passage, bin_count of them (0 .. 0.1; required)
       first [m]: arc length at which the first bin begins, 0 at y = 0 (-1 .. 1; default 0)
       width [m]: of a bin (1e-5 .. 1; default 1e-3)
       passages: wanted (0 .. 1e12; default 1)
@@ -3101,10 +3115,10 @@ class ProfileWear(s.Struct):
     struct_size: int
     body: Body = s.Chosen('body', Body)  # type: ignore[assignment]
     count: int = s.Count('count')  # type: ignore[assignment]
-    bins: int = s.Count('bins')  # type: ignore[assignment]
+    bin_count: int = s.Count('bin_count')  # type: ignore[assignment]
     y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'z'))  # type: ignore[assignment]
     z: Optional[np.ndarray] = s.Pointer('z', count='count', group=('y', 'z'))  # type: ignore[assignment]
-    depth: Optional[np.ndarray] = s.Pointer('depth', count='bins', group=('depth',))  # type: ignore[assignment]
+    depth: Optional[np.ndarray] = s.Pointer('depth', count='bin_count', group=('depth',))  # type: ignore[assignment]
     first: float
     width: float
     passages: float
@@ -3117,7 +3131,7 @@ class ProfileWear(s.Struct):
         ('struct_size', c.c_uint32),
         ('_body', c.c_int32),
         ('_count', c.c_uint32),
-        ('_bins', c.c_uint32),
+        ('_bin_count', c.c_uint32),
         ('_y', c.POINTER(c.c_double)),
         ('_z', c.POINTER(c.c_double)),
         ('_depth', c.POINTER(c.c_double)),
@@ -3149,19 +3163,19 @@ class WornProfile(s.Struct):
     struct_size: int
     capacity: int
     count: int
-    reserved: int
+    reserved0: int
     y: Optional[np.ndarray] = s.Pointer('y')  # type: ignore[assignment]
     z: Optional[np.ndarray] = s.Pointer('z')  # type: ignore[assignment]
     passages: float
     depth: float
     area: float
     _units_ = {'y': 'm', 'z': 'm', 'depth': 'm', 'area': 'm^2'}
-    _hidden_ = ('struct_size', 'reserved')
+    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
         ('struct_size', c.c_uint32),
         ('capacity', c.c_uint32),
         ('count', c.c_uint32),
-        ('reserved', c.c_uint32),
+        ('reserved0', c.c_uint32),
         ('_y', c.POINTER(c.c_double)),
         ('_z', c.POINTER(c.c_double)),
         ('passages', c.c_double),
@@ -3185,14 +3199,16 @@ class Flange(s.Struct):
     height: float
     thickness: float
     slope: float
+    reserved: np.ndarray = s.Array('reserved', 24, (3,), c.c_double)  # type: ignore[assignment]
     _units_ = {'height': 'm', 'thickness': 'm', 'slope': 'm'}
-    _hidden_ = ()
+    _hidden_ = ('reserved',)
     _fields_ = [
         ('height', c.c_double),
         ('thickness', c.c_double),
         ('slope', c.c_double),
+        ('_reserved', c.c_double * 3),
     ]
-assert c.sizeof(Flange) == 24
+assert c.sizeof(Flange) == 48
 
 
 # The C functions, as ctypes calls them: without the GIL.
@@ -3203,33 +3219,20 @@ _wrc_version_text = _l.function(FUNCTIONS, 'wrc_version_text', c.c_char_p, [c.c_
 _wrc_build_info = _l.function(FUNCTIONS, 'wrc_build_info', c.c_char_p, [])
 _wrc_status_name = _l.function(FUNCTIONS, 'wrc_status_name', c.c_char_p, [c.c_int32])
 _wrc_status_text = _l.function(FUNCTIONS, 'wrc_status_text', c.c_char_p, [c.c_int32])
-_wrc_profile_init = _l.function(FUNCTIONS, 'wrc_profile_init', c.c_int32, [c.POINTER(Profile)])
 _wrc_config_init = _l.function(FUNCTIONS, 'wrc_config_init', c.c_int32, [c.POINTER(Config)])
-_wrc_heat_properties_init = _l.function(FUNCTIONS, 'wrc_heat_properties_init', c.c_int32, [c.POINTER(HeatProperties)])
-_wrc_pose_init = _l.function(FUNCTIONS, 'wrc_planar_pose_init', c.c_int32, [c.POINTER(Pose)])
-_wrc_gap_init = _l.function(FUNCTIONS, 'wrc_planar_gap_init', c.c_int32, [c.POINTER(Gap)])
-_wrc_load_init = _l.function(FUNCTIONS, 'wrc_planar_load_init', c.c_int32, [c.POINTER(Load)])
-_wrc_creepage_init = _l.function(FUNCTIONS, 'wrc_creepage_init', c.c_int32, [c.POINTER(Creepage)])
-_wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
+_wrc_material_init = _l.function(FUNCTIONS, 'wrc_material_init', c.c_int32, [c.POINTER(Material)])
 _wrc_friction_init = _l.function(FUNCTIONS, 'wrc_friction_init', c.c_int32, [c.POINTER(Friction)])
-_wrc_ellipse_init = _l.function(FUNCTIONS, 'wrc_ellipse_init', c.c_int32, [c.POINTER(Ellipse)])
-_wrc_strips_init = _l.function(FUNCTIONS, 'wrc_planar_strips_init', c.c_int32, [c.POINTER(Strips)])
-_wrc_motion_init = _l.function(FUNCTIONS, 'wrc_planar_motion_init', c.c_int32, [c.POINTER(Motion)])
-_wrc_wear_laws_init = _l.function(FUNCTIONS, 'wrc_wear_laws_init', c.c_int32, [c.POINTER(WearLaws)])
-_wrc_allocator_init = _l.function(FUNCTIONS, 'wrc_allocator_init', c.c_int32, [c.POINTER(Allocator)])
-_wrc_input_init = _l.function(FUNCTIONS, 'wrc_planar_input_init', c.c_int32, [c.POINTER(Input)])
-_wrc_output_init = _l.function(FUNCTIONS, 'wrc_planar_output_init', c.c_int32, [c.POINTER(Output)])
-_wrc_patch_init = _l.function(FUNCTIONS, 'wrc_patch_init', c.c_int32, [c.POINTER(Patch)])
+_wrc_wheel_input_init = _l.function(FUNCTIONS, 'wrc_wheel_input_init', c.c_int32, [c.POINTER(WheelInput)])
 _wrc_config_use = _l.function(FUNCTIONS, 'wrc_config_use', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_char_p, c.c_uint64])
 _wrc_config_check = _l.function(FUNCTIONS, 'wrc_config_check', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_uint64])
 _wrc_model_size = _l.function(FUNCTIONS, 'wrc_model_size', c.c_int32, [c.POINTER(Config), s.Numbers(c.c_uint64), s.Numbers(c.c_uint64)])
-_wrc_model_init = _l.function(FUNCTIONS, 'wrc_model_init', c.c_int32, [c.POINTER(Config), c.c_void_p, c.c_uint64, c.c_void_p])
-_wrc_model_create = _l.function(FUNCTIONS, 'wrc_model_create', c.c_int32, [c.POINTER(Config), c.POINTER(Allocator), c.c_void_p])
+_wrc_model_init = _l.function(FUNCTIONS, 'wrc_model_init', c.c_int32, [c.POINTER(Config), c.c_void_p, c.c_uint64, c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_model_create = _l.function(FUNCTIONS, 'wrc_model_create', c.c_int32, [c.POINTER(Config), c.POINTER(Allocator), c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_model_profile = _l.function(FUNCTIONS, 'wrc_model_profile', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, c.POINTER(View), c.POINTER(View), s.Numbers(c.c_double)])
 _wrc_model_destroy = _l.function(FUNCTIONS, 'wrc_model_destroy', None, [c.c_void_p])
 _wrc_contact_size = _l.function(FUNCTIONS, 'wrc_contact_size', c.c_int32, [c.c_void_p, s.Numbers(c.c_uint64), s.Numbers(c.c_uint64)])
-_wrc_contact_init = _l.function(FUNCTIONS, 'wrc_contact_init', c.c_int32, [c.c_void_p, c.c_int32, c.c_void_p, c.c_uint64, c.c_void_p])
-_wrc_contact_create = _l.function(FUNCTIONS, 'wrc_contact_create', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Allocator), c.c_void_p])
+_wrc_contact_init = _l.function(FUNCTIONS, 'wrc_contact_init', c.c_int32, [c.c_void_p, c.c_int32, c.c_void_p, c.c_uint64, c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_contact_create = _l.function(FUNCTIONS, 'wrc_contact_create', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Allocator), c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_contact_destroy = _l.function(FUNCTIONS, 'wrc_contact_destroy', None, [c.c_void_p])
 _wrc_contact_state_size = _l.function(FUNCTIONS, 'wrc_contact_state_size', c.c_int32, [c.c_void_p, s.Numbers(c.c_uint64)])
 _wrc_contact_save = _l.function(FUNCTIONS, 'wrc_contact_save', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
@@ -3238,81 +3241,61 @@ _wrc_contact_portable_size = _l.function(FUNCTIONS, 'wrc_contact_portable_size',
 _wrc_contact_save_portable = _l.function(FUNCTIONS, 'wrc_contact_save_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_restore_portable = _l.function(FUNCTIONS, 'wrc_contact_restore_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_last_error = _l.function(FUNCTIONS, 'wrc_contact_last_error', c.c_int32, [c.c_void_p, c.c_char_p, c.c_uint64])
-_wrc_contact_geometry = _l.function(FUNCTIONS, 'wrc_planar_geometry', c.c_int32, [c.c_void_p, c.POINTER(Pose), c.POINTER(ContactPoint)])
-_wrc_contact_creepages = _l.function(FUNCTIONS, 'wrc_planar_creepages', c.c_int32, [c.c_void_p, c.POINTER(Motion), c.POINTER(Creepage)])
-_wrc_contact_normal = _l.function(FUNCTIONS, 'wrc_planar_normal', c.c_int32, [c.c_void_p, c.POINTER(Gap), c.POINTER(Load), c.POINTER(NormalSolution)])
-_wrc_contact_regularise = _l.function(FUNCTIONS, 'wrc_planar_regularise', c.c_int32, [c.c_void_p, c.POINTER(Strips), c.POINTER(NormalSolution)])
-_wrc_contact_roll = _l.function(FUNCTIONS, 'wrc_planar_roll', c.c_int32, [c.c_void_p, c.c_double])
-_wrc_contact_tangential = _l.function(FUNCTIONS, 'wrc_planar_tangential', c.c_int32, [c.c_void_p, c.POINTER(Ellipse), c.POINTER(Creepage), c.POINTER(Friction), c.POINTER(Forces)])
-_wrc_contact_damage = _l.function(FUNCTIONS, 'wrc_contact_damage', c.c_int32, [c.c_void_p, c.POINTER(Damage)])
-_wrc_contact_wear = _l.function(FUNCTIONS, 'wrc_contact_wear', c.c_int32, [c.c_void_p, c.POINTER(WearLaws), c.POINTER(Wear)])
-_wrc_contact_sensitivities = _l.function(FUNCTIONS, 'wrc_planar_tangential_derivatives', c.c_int32, [c.c_void_p, c.POINTER(Sensitivity)])
-_wrc_contact_step_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_step_sensitivities', c.c_int32, [c.c_void_p, c.POINTER(StepSensitivity)])
-_wrc_contact_step = _l.function(FUNCTIONS, 'wrc_planar_step', c.c_int32, [c.c_void_p, c.POINTER(Input), c.POINTER(Output)])
-_wrc_contact_step_batch = _l.function(FUNCTIONS, 'wrc_contact_step_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(Input), c.c_uint64, c.POINTER(Output), c.c_uint64, s.Numbers(c.c_int32)])
-_wrc_contact_step_flat = _l.function(FUNCTIONS, 'wrc_contact_step_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
-_wrc_contact_patch = _l.function(FUNCTIONS, 'wrc_contact_patch', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Patch)])
-_wrc_contact_field = _l.function(FUNCTIONS, 'wrc_contact_field', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, c.POINTER(View)])
-_wrc_linear_coefficients = _l.function(FUNCTIONS, 'wrc_linear_coefficients', c.c_int32, [c.c_double, c.c_double, c.c_double, c.POINTER(Coefficients)])
-_wrc_shakedown_limit = _l.function(FUNCTIONS, 'wrc_shakedown_limit', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
-_wrc_shakedown_limit_point = _l.function(FUNCTIONS, 'wrc_shakedown_limit_point', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
-_wrc_wheel_state_init = _l.function(FUNCTIONS, 'wrc_wheel_state_init', c.c_int32, [c.POINTER(WheelState)])
-_wrc_rail_state_init = _l.function(FUNCTIONS, 'wrc_rail_state_init', c.c_int32, [c.POINTER(RailState)])
-_wrc_frame_motion_init = _l.function(FUNCTIONS, 'wrc_frame_motion_init', c.c_int32, [c.POINTER(FrameMotion)])
-_wrc_wheel_input_init = _l.function(FUNCTIONS, 'wrc_wheel_input_init', c.c_int32, [c.POINTER(WheelInput)])
-_wrc_wrench_init = _l.function(FUNCTIONS, 'wrc_wrench_init', c.c_int32, [c.POINTER(Wrench)])
-_wrc_region_init = _l.function(FUNCTIONS, 'wrc_region_init', c.c_int32, [c.POINTER(Region)])
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
-_wrc_contact_wrench_sensitivities = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchSensitivities)])
-_wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
-_wrc_contact_region_ellipse = _l.function(FUNCTIONS, 'wrc_contact_region_ellipse', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Ellipse)])
-_wrc_contact_region_damage = _l.function(FUNCTIONS, 'wrc_contact_region_damage', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Damage)])
-_wrc_contact_region_field = _l.function(FUNCTIONS, 'wrc_contact_region_field', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, s.Numbers(c.c_double), c.c_uint64])
+_wrc_contact_wrench_derivatives = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchDerivatives)])
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
-_wrc_contact_wrench_flat = _l.function(FUNCTIONS, 'wrc_contact_wrench_flat', c.c_int32, [c.c_void_p, s.Numbers(c.c_double), s.Numbers(c.c_double)])
-_wrc_stresses_init = _l.function(FUNCTIONS, 'wrc_stresses_init', c.c_int32, [c.POINTER(Stresses)])
-_wrc_temperature_init = _l.function(FUNCTIONS, 'wrc_temperature_init', c.c_int32, [c.POINTER(Temperature)])
+_wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
+_wrc_contact_field = _l.function(FUNCTIONS, 'wrc_contact_field', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, s.Numbers(c.c_double), c.c_uint64, s.Numbers(c.c_uint64)])
+_wrc_contact_damage = _l.function(FUNCTIONS, 'wrc_contact_damage', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Damage)])
+_wrc_get_api = _l.function(FUNCTIONS, 'wrc_get_api', c.c_void_p, [c.c_uint32])
+_wrc_get_experimental_api = _l.function(FUNCTIONS, 'wrc_get_experimental_api', c.c_void_p, [c.c_uint32])
+_wrc_planar_load_init = _l.function(FUNCTIONS, 'wrc_planar_load_init', c.c_int32, [c.POINTER(PlanarLoad)])
+_wrc_creepage_init = _l.function(FUNCTIONS, 'wrc_creepage_init', c.c_int32, [c.POINTER(Creepage)])
+_wrc_planar_input_init = _l.function(FUNCTIONS, 'wrc_planar_input_init', c.c_int32, [c.POINTER(PlanarInput)])
+_wrc_planar_step = _l.function(FUNCTIONS, 'wrc_planar_step', c.c_int32, [c.c_void_p, c.POINTER(PlanarInput), c.POINTER(PlanarOutput)])
+_wrc_planar_geometry = _l.function(FUNCTIONS, 'wrc_planar_geometry', c.c_int32, [c.c_void_p, c.POINTER(PlanarPose), c.POINTER(PlanarPoint)])
+_wrc_planar_creepages = _l.function(FUNCTIONS, 'wrc_planar_creepages', c.c_int32, [c.c_void_p, c.POINTER(PlanarMotion), c.POINTER(Creepage)])
+_wrc_planar_normal = _l.function(FUNCTIONS, 'wrc_planar_normal', c.c_int32, [c.c_void_p, c.POINTER(PlanarGap), c.POINTER(PlanarLoad), c.POINTER(PlanarNormalSolution)])
+_wrc_planar_regularise = _l.function(FUNCTIONS, 'wrc_planar_regularise', c.c_int32, [c.c_void_p, c.POINTER(PlanarStrips), c.POINTER(PlanarNormalSolution)])
+_wrc_planar_roll = _l.function(FUNCTIONS, 'wrc_planar_roll', c.c_int32, [c.c_void_p, c.c_double])
+_wrc_planar_tangential = _l.function(FUNCTIONS, 'wrc_planar_tangential', c.c_int32, [c.c_void_p, c.POINTER(Ellipse), c.POINTER(Creepage), c.POINTER(Friction), c.POINTER(PlanarForces)])
+_wrc_planar_tangential_derivatives = _l.function(FUNCTIONS, 'wrc_planar_tangential_derivatives', c.c_int32, [c.c_void_p, c.POINTER(PlanarDerivatives)])
+_wrc_bulk_temperatures_init = _l.function(FUNCTIONS, 'wrc_bulk_temperatures_init', c.c_int32, [c.POINTER(BulkTemperatures)])
+_wrc_wear_laws_init = _l.function(FUNCTIONS, 'wrc_wear_laws_init', c.c_int32, [c.POINTER(WearLaws)])
 _wrc_damage_bins_init = _l.function(FUNCTIONS, 'wrc_damage_bins_init', c.c_int32, [c.POINTER(DamageBins)])
 _wrc_fatigue_laws_init = _l.function(FUNCTIONS, 'wrc_fatigue_laws_init', c.c_int32, [c.POINTER(FatigueLaws)])
-_wrc_accumulation_init = _l.function(FUNCTIONS, 'wrc_accumulation_init', c.c_int32, [c.POINTER(Accumulation)])
-_wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
-_wrc_contact_region_temperature = _l.function(FUNCTIONS, 'wrc_contact_region_temperature', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
-_wrc_contact_stresses = _l.function(FUNCTIONS, 'wrc_contact_stresses', c.c_int32, [c.c_void_p, c.c_int32, s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses)])
+_wrc_contact_wear = _l.function(FUNCTIONS, 'wrc_contact_wear', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(WearLaws), c.POINTER(Wear)])
+_wrc_contact_temperature = _l.function(FUNCTIONS, 'wrc_contact_temperature', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(BulkTemperatures), c.POINTER(Temperature)])
+_wrc_contact_stresses = _l.function(FUNCTIONS, 'wrc_contact_stresses', c.c_int32, [c.c_void_p, c.c_int32, c.c_int32, s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses)])
 _wrc_flash_temperature = _l.function(FUNCTIONS, 'wrc_flash_temperature', c.c_int32, [c.c_uint32, c.c_double, s.Numbers(c.c_double), c.c_double, c.POINTER(HeatProperties), c.POINTER(HeatProperties), s.Numbers(c.c_double)])
 _wrc_contact_accumulate = _l.function(FUNCTIONS, 'wrc_contact_accumulate', c.c_int32, [c.c_void_p, c.POINTER(Accumulation), c.POINTER(DamageBins), c.POINTER(DamageBins), c.POINTER(DamageTotals)])
 _wrc_damage_merge = _l.function(FUNCTIONS, 'wrc_damage_merge', c.c_int32, [c.POINTER(DamageBins), c.POINTER(DamageBins)])
 _wrc_damage_values = _l.function(FUNCTIONS, 'wrc_damage_values', c.c_int32, [c.POINTER(DamageBins), c.c_int32, s.Numbers(c.c_double)])
 _wrc_whole_life_damage = _l.function(FUNCTIONS, 'wrc_whole_life_damage', c.c_int32, [c.POINTER(FatigueLaws), c.c_double, s.Numbers(c.c_double)])
 _wrc_model_arc_places = _l.function(FUNCTIONS, 'wrc_model_arc_places', c.c_int32, [c.c_void_p, c.c_int32, c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), s.Numbers(c.c_double)])
-_wrc_get_api = _l.function(FUNCTIONS, 'wrc_get_api', c.c_void_p, [c.c_uint32])
-_wrc_grid_init = _l.function(FUNCTIONS, 'wrc_grid_init', c.c_int32, [c.POINTER(Grid)])
-_wrc_materials_init = _l.function(FUNCTIONS, 'wrc_materials_init', c.c_int32, [c.POINTER(Materials)])
+_wrc_linear_coefficients = _l.function(FUNCTIONS, 'wrc_linear_coefficients', c.c_int32, [c.c_double, c.c_double, c.c_double, c.POINTER(Coefficients)])
+_wrc_shakedown_limit = _l.function(FUNCTIONS, 'wrc_shakedown_limit', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
+_wrc_shakedown_limit_point = _l.function(FUNCTIONS, 'wrc_shakedown_limit_point', c.c_int32, [c.c_double, s.Numbers(c.c_double)])
 _wrc_exact_normal_problem_init = _l.function(FUNCTIONS, 'wrc_exact_normal_problem_init', c.c_int32, [c.POINTER(ExactNormalProblem)])
-_wrc_exact_normal_solution_init = _l.function(FUNCTIONS, 'wrc_exact_normal_solution_init', c.c_int32, [c.POINTER(ExactNormalSolution)])
 _wrc_exact_rolling_problem_init = _l.function(FUNCTIONS, 'wrc_exact_rolling_problem_init', c.c_int32, [c.POINTER(ExactRollingProblem)])
-_wrc_exact_rolling_solution_init = _l.function(FUNCTIONS, 'wrc_exact_rolling_solution_init', c.c_int32, [c.POINTER(ExactRollingSolution)])
 _wrc_exact_loads_init = _l.function(FUNCTIONS, 'wrc_exact_loads_init', c.c_int32, [c.POINTER(ExactLoads)])
+_wrc_exact_check_options_init = _l.function(FUNCTIONS, 'wrc_exact_check_options_init', c.c_int32, [c.POINTER(ExactCheckOptions)])
 _wrc_exact_wrench_options_init = _l.function(FUNCTIONS, 'wrc_exact_wrench_options_init', c.c_int32, [c.POINTER(ExactWrenchOptions)])
-_wrc_exact_check_result_init = _l.function(FUNCTIONS, 'wrc_exact_check_result_init', c.c_int32, [c.POINTER(ExactCheckResult)])
 _wrc_exact_gap = _l.function(FUNCTIONS, 'wrc_exact_gap', c.c_int32, [c.c_void_p, c.POINTER(Grid), s.Numbers(c.c_double)])
 _wrc_exact_normal = _l.function(FUNCTIONS, 'wrc_exact_normal', c.c_int32, [c.POINTER(ExactNormalProblem), c.POINTER(ExactNormalSolution), c.c_char_p, c.c_uint64])
 _wrc_exact_rolling = _l.function(FUNCTIONS, 'wrc_exact_rolling', c.c_int32, [c.POINTER(ExactRollingProblem), c.POINTER(ExactRollingSolution), c.c_char_p, c.c_uint64])
 _wrc_exact_stress = _l.function(FUNCTIONS, 'wrc_exact_stress', c.c_int32, [c.POINTER(ExactLoads), s.Numbers(c.c_double), c.c_uint32, s.Numbers(c.c_double), c.c_char_p, c.c_uint64])
 _wrc_exact_largest_stresses = _l.function(FUNCTIONS, 'wrc_exact_largest_stresses', c.c_int32, [c.POINTER(ExactLoads), s.Numbers(c.c_double), c.c_uint32, c.POINTER(StressPeaks), c.POINTER(Stresses), s.Progress, c.c_void_p, c.c_char_p, c.c_uint64])
-_wrc_exact_transient_create = _l.function(FUNCTIONS, 'wrc_exact_transient_create', c.c_int32, [c.POINTER(Grid), c.POINTER(Materials), c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_exact_transient_create = _l.function(FUNCTIONS, 'wrc_exact_transient_create', c.c_int32, [c.POINTER(Grid), c.POINTER(Material), c.POINTER(Material), c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_exact_transient_step = _l.function(FUNCTIONS, 'wrc_exact_transient_step', c.c_int32, [c.c_void_p, c.POINTER(ExactRollingProblem), c.POINTER(ExactRollingSolution), c.c_char_p, c.c_uint64])
 _wrc_exact_transient_destroy = _l.function(FUNCTIONS, 'wrc_exact_transient_destroy', None, [c.c_void_p])
-_wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_void_p, c.c_uint32, c.c_uint32, s.Progress, c.c_void_p, c.POINTER(ExactCheckResult)])
+_wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_void_p, c.POINTER(ExactCheckOptions), c.POINTER(ExactCheckResult)])
 _wrc_exact_wrench = _l.function(FUNCTIONS, 'wrc_exact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(ExactWrenchOptions), c.POINTER(Wrench)])
-_wrc_contact_functions_problem_init = _l.function(FUNCTIONS, 'wrc_wheelset_geometry_problem_init', c.c_int32, [c.POINTER(ContactFunctionsProblem)])
-_wrc_contact_functions_init = _l.function(FUNCTIONS, 'wrc_wheelset_geometry_init', c.c_int32, [c.POINTER(ContactFunctions)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
-_wrc_conicity_init = _l.function(FUNCTIONS, 'wrc_conicity_init', c.c_int32, [c.POINTER(Conicity)])
 _wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
-_wrc_worn_profile_init = _l.function(FUNCTIONS, 'wrc_worn_profile_init', c.c_int32, [c.POINTER(WornProfile)])
-_wrc_profile_contact_functions = _l.function(FUNCTIONS, 'wrc_profile_wheelset_geometry', c.c_int32, [c.c_void_p, c.POINTER(ContactFunctionsProblem), c.POINTER(ContactFunctions), c.c_char_p, c.c_uint64])
+_wrc_profile_wheelset_geometry = _l.function(FUNCTIONS, 'wrc_profile_wheelset_geometry', c.c_int32, [c.c_void_p, c.POINTER(WheelsetGeometryProblem), c.POINTER(WheelsetGeometry), c.c_char_p, c.c_uint64])
 _wrc_equivalent_conicity = _l.function(FUNCTIONS, 'wrc_equivalent_conicity', c.c_int32, [c.POINTER(ConicityProblem), c.POINTER(Conicity), c.c_char_p, c.c_uint64])
-_wrc_profile_take_off = _l.function(FUNCTIONS, 'wrc_profile_remove_wear', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
+_wrc_profile_remove_wear = _l.function(FUNCTIONS, 'wrc_profile_remove_wear', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
 _wrc_flange_dimensions = _l.function(FUNCTIONS, 'wrc_flange_dimensions', c.c_int32, [c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), c.c_double, c.POINTER(Flange), c.c_char_p, c.c_uint64])
 
 
@@ -3327,295 +3310,23 @@ class ContactCalls(_l.Handle):
 
     __slots__ = ()
 
-    def geometry(self, pose: Pose, *, out: Optional[ContactPoint] = None) -> ContactPoint:
-        """Finds the initial contact point of a pose and samples the gap around it into the contact: one contact
-            point, the lowest; the rows reach up to 30 mm to either side. Theory manual, section 7.
-
-        pose: of the wheelset, track frame
-        out: where the bodies touch first; None: a new one
-
-        C status: Status.OK; Status.FLAG_ITERATION_CAP; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (model
-            without profiles), _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose).
-        """
-        if out is None:
-            out = ContactPoint._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_geometry(self._handle, pose, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, pose=(pose, Pose), out=(out, ContactPoint)) from None
-        return out
-
-    def creepages(self, motion: Motion, *, out: Optional[Creepage] = None) -> Creepage:
-        """Creepages at the origin of the contact frame of the last Contact.geometry, from the rigid motion of
-            the wheelset: the velocity of the wheel's material point there over the amount of the rolling
-            speed V, the mean of the speeds at which wheel and rail material pass through the contact (a
-            locked wheel: half its speed and creepage 2; one that spins at standstill: -2). What it gives
-            Contact.tangential takes, as it stands: - Below |V| = 0.1 m/s, where creepages would grow without
-            end, velocities are divided by 0.1 m/s (3 + 6 u^2 - u^4) / 8, u = |V| / 0.1 m/s, instead: 0.0375
-            m/s at V = 0. speed has the amount of that divisor, so that it scales power right, and the sign of
-            V; reverse_share goes from 0 to 0.5 at V = 0. Forces are so twice differentiable in the motion through
-            V = 0, as far as the tangential method is, and a wheel that slides at rest is braked by friction x
-            load. - Where a creepage would pass its range (sliding far faster than rolling), all are divided
-            by more; speed grows by it. - |speed| ends at 200 m/s. Theory manual, section 7.
-
-        motion: of the wheelset, track frame
-        out: the creepages with speed, approach_velocity and reverse_share, ready to be passed on; None: a new one
-
-        C status: Status.OK; Status.FLAG_CREEPAGES_LIMITED (any of these three); Status.ERROR_NULL,
-            _STRUCT_SIZE, _SEQUENCE (no Contact.geometry before), _NOT_FINITE, _RANGE.
-        """
-        if out is None:
-            out = Creepage._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_creepages(self._handle, motion, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, motion=(motion, Motion), out=(out, Creepage)) from None
-        return out
-
-    def normal(self, load: Load, gap: Optional[Gap] = None, *, out: Optional[NormalSolution] = None) -> NormalSolution:
-        """Solves the normal problem and regularises the patch (Contact.regularise). Strips stay in the contact.
-            Pressures are those of two bodies of equal material; theory manual, sections 2 and 3.
-
-        gap: contact frame; copied; None: the gap already in the contact, of Contact.geometry or of an earlier
-            call
-        load: along the contact normal
-        out: the solution; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force),
-            _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_LEAPS
-            (HERTZ to STRIPES: between two loads the method has no solution; the approach is that of the
-            larger, and prescribed gives that one), _BEYOND_GAP (load or approach is more than the gap
-            carries, at most config.grid.gap_limit of a pose's: load and pressures go on in a straight line
-            with the last stiffness, the patch stays); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (gap is None
-            and the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED.
-        """
-        if out is None:
-            out = NormalSolution._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_normal(self._handle, gap, load, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, gap=(gap, Gap), load=(load, Load), out=(out, NormalSolution)) from None
-        return out
-
-    def regularise(self, strips: Optional[Strips] = None, *, out: Optional[NormalSolution] = None) -> NormalSolution:
-        """Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double
-            ellipse. Theory manual, section 3; paper section 2.
-
-        strips: contact frame, whose origin must be the initial contact point; copied; None: the strips in the
-            contact
-        out: what the strips add up to, with their double ellipse; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95);
-            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (strips is None and the contact has none), _RANGE,
-            _NOT_FINITE.
-        """
-        if out is None:
-            out = NormalSolution._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_regularise(self._handle, strips, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, strips=(strips, Strips), out=(out, NormalSolution)) from None
-        return out
-
-    def tangential(self, creepage: Creepage, friction: Friction, ellipse: Optional[Ellipse] = None, *, out: Optional[Forces] = None) -> Forces:
-        """Solves the tangential problem of rolling, steady but for config.non_steady. Theory manual, sections 4
-            and 5; paper eq. 5 to 9.
-
-        ellipse: exact double ellipse with its joint at the origin of the contact frame, which replaces the
-            contact's patches; None: the patches in the contact
-        creepage: at the origin of the contact frame
-        friction: between the bodies
-        out: on the wheel, contact frame; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP (COARSE_HALFSPACE, at high
-            adhesion often: forces are usable), _CREEPAGES_LIMITED (creepage.reverse_share is not 0);
-            Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch, or friction zones over a profile without a
-            Contact.geometry), _RANGE, _NOT_FINITE, _UNSUPPORTED.
-        """
-        if out is None:
-            out = Forces._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_tangential(self._handle, ellipse, creepage, friction, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, ellipse=(ellipse, Ellipse), creepage=(creepage, Creepage), friction=(friction, Friction), out=(out, Forces)) from None
-        return out
-
-    def damage(self, *, out: Optional[Damage] = None) -> Damage:
-        """Wear and fatigue numbers of the last Contact.tangential, and the fields POWER_DENSITY, FATIGUE_INDEX,
-            STRIP_POWER. Theory manual, section 6; paper eq. 10 to 12.
-
-        out: the numbers; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE.
-        """
-        if out is None:
-            out = Damage._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_damage(self._handle, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, Damage)) from None
-        return out
-
-    def wear(self, laws: Optional[WearLaws] = None, *, out: Optional[Wear] = None) -> Wear:
-        """Wear of the last Contact.tangential by three laws, and the field STRIP_WEAR. May be called again with
-            other laws. Theory manual, section 6.
-
-        laws: parameters; None: the published ones
-        out: the numbers; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
-            Contact.tangential before), _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone:
-            no tractions to wear by).
-        """
-        if out is None:
-            out = Wear._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_wear(self._handle, laws, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, laws=(laws, WearLaws), out=(out, Wear)) from None
-        return out
-
-    def sensitivities(self, *, out: Optional[Sensitivity] = None) -> Sensitivity:
-        """Derivatives of the forces of the last Contact.tangential or Contact.step by creepages, load and
-            friction, for implicit integrators and linearisation: those of the discrete model itself, carried
-            along with the forces (forward mode), two to three times the cost of the forces. The creep force
-            has kinks where a cell changes between stick and slip; there it is the derivative from one side.
-            Where strips stick a second time, which takes large spin, it jumps there by up to 0.5 % of
-            friction x load of one strip. So it is for FASTSIM with separate flexibilities and strip FASTSIM,
-            where neither friction nor the slope (modified FASTSIM) falls; all else has central differences
-            instead, with steps of a thousandth, for eight times the cost of the forces. Nothing in the
-            contact changes, fields included.
-
-        out: the derivatives; None: a new one
-
-        C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as
-            Contact.tangential()); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.tangential).
-        """
-        if out is None:
-            out = Sensitivity._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_sensitivities(self._handle, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, Sensitivity)) from None
-        return out
-
-    def step_sensitivities(self, *, out: Optional[StepSensitivity] = None) -> StepSensitivity:
-        """Derivatives of the whole last step, patch included, with respect to the load (or approach) and, after
-            a pose, to the lateral shift of the wheelset: central differences of four steps, with a hundredth
-            of the load or approach and with 0.1 mm: wide enough for the strips' being cut anew in every patch
-            not to show. Creepages and friction are held. Nothing in the contact changes, fields included.
-
-        out: the derivatives; None: a new one
-
-        C status: Status.OK; the flags of Contact.step(); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
-            Contact.tangential, or on strips or a patch of the caller), and those of Contact.step() where a
-            neighbouring step fails.
-        """
-        if out is None:
-            out = StepSensitivity._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_step_sensitivities(self._handle, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, StepSensitivity)) from None
-        return out
-
-    def step(self, input: Input, *, out: Optional[Output] = None) -> Output:
-        """All stages at once: geometry (without input->gap) or the given gap, normal, regularise, tangential,
-            damage.
-
-        input: what to solve
-        out: the results; None: a new one
-
-        C status: Status.OK or the first flag of the stages; the failure of the first stage that fails, which
-            ends the step with all outputs zeroed.
-        """
-        if out is None:
-            out = Output._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_step(self._handle, input, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, input=(input, Input), out=(out, Output)) from None
-        return out
-
-    def patch(self, index: int, *, out: Optional[Patch] = None) -> Patch:
-        """One of the contact's patches with its forces.
-
-        index: 0 .. NormalSolution.patches - 1, by increasing y
-        out: the patch; None: a new one
-
-        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no patch yet), _RANGE (no such
-            patch).
-        """
-        if out is None:
-            out = Patch._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_patch(self._handle, index, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, Patch)) from None
-        return out
-
     def wrench(self, input: WheelInput, *, out: Optional[Wrench] = None) -> Wrench:
-        """The wrench between a wheel and a rail at this pose and motion, steady rolling. Does not touch the
-            results of the stages of wrc.h in the same contact, nor they its. Any methods will do. The
-            defaults, NormalMethod.STRIP_HALFSPACE and TangentialMethod.STRIP_FASTSIM, know no patch and are
-            what the accuracy and the smoothness of this call are stated for. The other normal methods are
-            applied patch by patch to the surface unrolled, patches that grow together being joined smoothly;
-            their forces act along the strips' own normals. FASTSIM and FaStrip roll strip by strip, each with
-            its own slip and coefficients, with PatchModel.PATCH_SDEC, Flexibility.SEPARATE and a bound other
-            than TractionBound.ELLIPSOIDAL, and without friction.slope_fall; in every other form, as the
-            coarse half-space and the force table, they roll patch by patch with the means of the strips'
-            slips over the load, on the ellipse or double ellipse with the moments of that load
-            (config.tangential.regularisation is not used). Theory manual, section 9. Friction over
-            temperature (FrictionKind.TEMPERATURE) is found strip by strip as by the stages, in six solutions
-            of the tractions at each height; the call takes twice as long.
+        """The wrench between a wheel and a rail at this pose and motion, steady rolling. Tread, gauge corner and
+            flange are one problem: no contact point is chosen, each strip of the rail's surface has its own
+            normal, overlap and slip. The wrench is a continuous function of all inputs, but where a flag says
+            otherwise. Theory manual, section 9.
 
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT (apart: all zero; so is a flange 4 mm and more inside the
-            side of a rail, and its back, which the sentence says), _ITERATION_CAP, _CLIMBING (above),
-            _BEYOND_GAP (deeper than 2 mm: where the height is given, continued with the stiffness and the
-            directions there), _PATCH_AT_EDGE (contact reaches the end of a profile; what lies beyond carries
-            nothing), _BEYOND_SECTIONS, _CREEPAGES_LIMITED (with friction, slower than 0.1 m/s: as
-            Contact.creepages()), _MORE_PATCHES (more regions than can be told apart: the last takes the rest,
-            the wrench is whole; or, says the sentence, more strips overlap than there is room for: those on
-            the field side carry nothing); Status.FLAG_TABLE_RANGE (of methods that know patches);
-            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a model without profiles,
-            friction zones in a contact frame, or friction over temperature of a method without tractions),
-            _LOAD (the load cannot be carried at this pose).
+        C status: Status.OK; Status.FLAG_NO_CONTACT (apart; also a flange 4 mm and more inside the side of a
+            rail, which the sentence says), _ITERATION_CAP, _PATCH_AT_EDGE (contact reaches the end of a
+            profile), _MORE_PATCHES (more regions or strips than there is room for), _TABLE_RANGE,
+            _CREEPAGES_LIMITED (slower than 0.1 m/s, as Contact.planar_creepages()), _BEYOND_GAP (deeper than
+            2 mm: continued with the stiffness there), _CLIMBING, _BEYOND_SECTIONS, _FORCE_JUMPS (a planar
+            method on a patch of several lowest points), _ROTATION_TRANSPOSED; Status.ERROR_NULL,
+            _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (model without profiles; zones in a contact frame;
+            friction over temperature of a method without tractions), _LOAD (no height carries the load).
         """
         if out is None:
             out = Wrench._new()
@@ -3628,42 +3339,41 @@ class ContactCalls(_l.Handle):
             raise _l.misfit(_why, input=(input, WheelInput), out=(out, Wrench)) from None
         return out
 
-    def wrench_sensitivities(self, input: WheelInput, *, wrench: Optional[Wrench] = None, sensitivities: Optional[WrenchSensitivities] = None) -> Tuple[Wrench, WrenchSensitivities]:
-        """Contact.wrench() with the derivatives of its wrench: of the discrete model, strip by strip through the
-            equations of its solution, not by differences; but with FrictionKind.TEMPERATURE the tractions'
-            part by a difference of their solution for each of ten numbers. For implicit integrators; it takes
-            two to three times as long as the wrench alone, over temperature four to five times. Theory
-            manual, section 9.
+    def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
+        """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
+            equations, not differences. Over temperature the part of the tractions is a difference. Two to
+            three times the time of the wrench, over temperature four to five times. Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
-        sensitivities: the derivatives; None: a new one
+        derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
-        C status: as Contact.wrench(). Derivatives are zero without contact; with Status.FLAG_BEYOND_GAP they
-            are those where the overlap is 2 mm deep; zero and Status.FLAG_MORE_PATCHES with more than 160
-            strips in contact.
+        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 160 strips
+            in contact.
         """
         if wrench is None:
             wrench = Wrench._new()
-        if sensitivities is None:
-            sensitivities = WrenchSensitivities._new()
+        if derivatives is None:
+            derivatives = WrenchDerivatives._new()
         try:
             with self._lock:
-                status = self._status = _wrc_contact_wrench_sensitivities(self._handle, input, wrench, sensitivities)
+                status = self._status = _wrc_contact_wrench_derivatives(self._handle, input, wrench, derivatives)
                 if status < 0:
                     raise self._error(status)
         except c.ArgumentError as _why:
-            raise _l.misfit(_why, input=(input, WheelInput), wrench=(wrench, Wrench), sensitivities=(sensitivities, WrenchSensitivities)) from None
-        return wrench, sensitivities
+            raise _l.misfit(_why, input=(input, WheelInput), wrench=(wrench, Wrench), derivatives=(derivatives, WrenchDerivatives)) from None
+        return wrench, derivatives
 
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
-        """One region of the last Contact.wrench().
+        """One region of the contact's last solution: of the last Contact.wrench() or of the last stages of
+            wrc_planar.h, whichever came later. The results stay as they are, here and in the calls below.
 
-        index: 0 .. Wrench.regions - 1, from the gauge side to the field side
+        index: 0 .. number of regions - 1, from the gauge side to the field side of a rail, on a contact plane
+            by increasing y
         out: the region; None: a new one
 
-        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.wrench), _RANGE (no such
-            region).
+        C status: Status.OK; Status.FLAG_TABLE_RANGE (|psi| cut to 0.95); Status.ERROR_NULL, _STRUCT_SIZE,
+            _SEQUENCE (no solution), _RANGE (no such region).
         """
         if out is None:
             out = Region._new()
@@ -3676,112 +3386,251 @@ class ContactCalls(_l.Handle):
             raise _l.misfit(_why, out=(out, Region)) from None
         return out
 
-    def region_ellipse(self, index: int, *, out: Optional[Ellipse] = None) -> Ellipse:
-        """The equivalent double ellipse of a region of the last Contact.wrench(), its strips laid flat along the
-            rail's arc: as Contact.regularise() with the strips' extent, the joint where they are longest. The
-            results stay as they are. Theory manual, section 3.
+    def damage(self, index: int, *, out: Optional[Damage] = None) -> Damage:
+        """Wear and fatigue numbers of one region of the contact's last solution. Theory manual, section 6; paper
+            eq. 10 to 12.
 
-        index: as for Contact.region()
-        out: with the arc length of its joint as y (RegionField.STRIP_S) and the sum of the strips' loads as
-            normal_force; None: a new one
-
-        C status: Status.OK; Status.FLAG_TABLE_RANGE (|psi| cut to 0.95); Status.ERROR_NULL, _SEQUENCE (no
-            Contact.wrench), _RANGE (no such region).
-        """
-        if out is None:
-            out = Ellipse._new()
-        try:
-            with self._lock:
-                status = self._status = _wrc_contact_region_ellipse(self._handle, index, out)
-                if status < 0:
-                    raise self._error(status)
-        except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, Ellipse)) from None
-        return out
-
-    def region_damage(self, index: int, *, out: Optional[Damage] = None) -> Damage:
-        """Wear and fatigue numbers of a region of the last Contact.wrench(), as Contact.damage() gives them of a
-            patch. Forces are the sums of the strips' own along x and s, the load that of the strips' loads,
-            creepages the region's means; near standstill what is made of cells is of the way the wheel rolls.
-            The results stay as they are.
-
-        index: as for Contact.region()
+        index: as for Contact.region(); WRC_ALL_REGIONS: all patches of a contact plane together
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.ERROR_NULL, _SEQUENCE (no Contact.wrench), _RANGE (no such region).
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _SEQUENCE (no solution), _RANGE (no
+            such region), _UNSUPPORTED (WRC_ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Damage._new()
         try:
             with self._lock:
-                status = self._status = _wrc_contact_region_damage(self._handle, index, out)
+                status = self._status = _wrc_contact_damage(self._handle, index, out)
                 if status < 0:
                     raise self._error(status)
         except c.ArgumentError as _why:
             raise _l.misfit(_why, out=(out, Damage)) from None
         return out
 
-    def temperature(self, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
-        """Temperatures in the contact from the frictional power of the last Contact.tangential or Contact.step,
-            and the field TEMPERATURE_RISE: flash temperatures of points that pass through the contact (Ertz
-            and Knothe, Wear 253 (2002) 498), T(s) = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 /
-            ((beta_w + beta_r) sqrt(pi V)) Int_0^s q / sqrt(s - s') ds', s from the leading edge along each
-            strip, q the power density, beta = sqrt(conductivity density specific_heat) of config.wheel_heat
-            and config.rail_heat. Heat flows into the depth alone, which holds from some 0.1 m/s on (Peclet
-            number V a density specific_heat / (2 conductivity) > 10); below, temperatures are too high and go
-            to zero with the speed. Near standstill (creepage.reverse_share) it is of the way of creepage.speed.
-            Cost grows with strips * cells^2. May be called again with other bulk temperatures. Theory manual,
-            section 6.
+    def planar_step(self, input: PlanarInput, *, out: Optional[PlanarOutput] = None) -> PlanarOutput:
+        """All stages at once: geometry (without input->gap) or the given gap, normal, regularise, tangential,
+            damage.
 
-        bulk: temperatures of the bodies; None: the defaults
+        input: what to solve
+        out: the results; None: a new one
+
+        C status: Status.OK or the gravest flag of the stages; the failure of the first stage that fails,
+            which ends the step.
+        """
+        if out is None:
+            out = PlanarOutput._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_step(self._handle, input, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, input=(input, PlanarInput), out=(out, PlanarOutput)) from None
+        return out
+
+    def planar_geometry(self, pose: PlanarPose, *, out: Optional[PlanarPoint] = None) -> PlanarPoint:
+        """Finds the initial contact point of a pose, the lowest one, and samples the gap around it. Rows reach
+            up to 30 mm to either side. Theory manual, section 7.
+
+        pose: of the wheelset, track frame
+        out: where the bodies touch first; None: a new one
+
+        C status: Status.OK; Status.FLAG_ITERATION_CAP; Status.ERROR_NULL, _SEQUENCE (model without profiles),
+            _NOT_FINITE, _RANGE, _GAP (no rail below the wheel at this pose).
+        """
+        if out is None:
+            out = PlanarPoint._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_geometry(self._handle, pose, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, pose=(pose, PlanarPose), out=(out, PlanarPoint)) from None
+        return out
+
+    def planar_creepages(self, motion: PlanarMotion, *, out: Optional[Creepage] = None) -> Creepage:
+        """Creepages at the origin of the contact frame of the last Contact.planar_geometry(), from the rigid
+            motion of the wheelset. The velocity of the wheel's point is divided by the amount of the rolling
+            speed V: the mean of the speeds of wheel and rail material through the contact. A locked wheel has
+            half its speed and creepage 2. - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 - u^4) / 8,
+            u = |V| / 0.1 m/s. speed has its amount and the sign of V. reverse_share goes to 0.5 at V = 0.
+            Forces are twice differentiable in the motion through V = 0. - Where a creepage would pass its
+            range, all are divided by more, and speed grows by it. - |speed| ends at 200 m/s. Theory manual,
+            section 7.
+
+        motion: of the wheelset, track frame
+        out: for Contact.planar_tangential(), as it stands; None: a new one
+
+        C status: Status.OK; Status.FLAG_CREEPAGES_LIMITED (any of these three); Status.ERROR_NULL, _SEQUENCE
+            (no Contact.planar_geometry before), _NOT_FINITE, _RANGE.
+        """
+        if out is None:
+            out = Creepage._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_creepages(self._handle, motion, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, motion=(motion, PlanarMotion), out=(out, Creepage)) from None
+        return out
+
+    def planar_normal(self, load: PlanarLoad, gap: Optional[PlanarGap] = None, *, out: Optional[PlanarNormalSolution] = None) -> PlanarNormalSolution:
+        """Solves the normal problem and regularises the patch. Strips stay in the contact. Theory manual,
+            sections 2 and 3.
+
+        gap: contact frame; copied; None: the gap already in the contact, of Contact.planar_geometry() or of
+            an earlier call
+        load: along the contact normal
+        out: the solution; None: a new one
+
+        C status: Status.OK; Status.FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force),
+            _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_JUMPS
+            (HERTZ to STRIPES: no approach carries the load; the one of the next larger load is returned),
+            _BEYOND_GAP (deeper than config.planar.gap_limit: continued with the last stiffness, the patch
+            stays); Status.ERROR_NULL, _SEQUENCE (gap is None and the contact has none), _GAP, _LOAD,
+            _NOT_FINITE, _RANGE, _UNSUPPORTED.
+        """
+        if out is None:
+            out = PlanarNormalSolution._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_normal(self._handle, gap, load, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, gap=(gap, PlanarGap), load=(load, PlanarLoad), out=(out, PlanarNormalSolution)) from None
+        return out
+
+    def planar_regularise(self, strips: Optional[PlanarStrips] = None, *, out: Optional[PlanarNormalSolution] = None) -> PlanarNormalSolution:
+        """Takes a pressure distribution of the caller as the contact's patch and finds its equivalent double
+            ellipse. Theory manual, section 3; paper section 2.
+
+        strips: contact frame, whose origin must be the initial contact point; copied; None: the strips in the
+            contact
+        out: sums over the strips, with their double ellipse; None: a new one
+
+        C status: Status.OK; Status.FLAG_NO_CONTACT (no pressure), _TABLE_RANGE (|psi| cut to 0.95);
+            Status.ERROR_NULL, _SEQUENCE (strips is None and the contact has none), _RANGE, _NOT_FINITE.
+        """
+        if out is None:
+            out = PlanarNormalSolution._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_regularise(self._handle, strips, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, strips=(strips, PlanarStrips), out=(out, PlanarNormalSolution)) from None
+        return out
+
+    def planar_tangential(self, creepage: Creepage, friction: Friction, ellipse: Optional[Ellipse] = None, *, out: Optional[PlanarForces] = None) -> PlanarForces:
+        """Solves the tangential problem of rolling, steady but for config.planar.non_steady. Theory manual,
+            sections 4 and 5; paper eq. 5 to 9.
+
+        ellipse: exact double ellipse with its joint at the origin, which replaces the contact's patches; its
+            pressure is semi-elliptic, p0 = 1.5 N / (pi a b); None: the patches in the contact
+        creepage: at the origin of the contact frame
+        friction: between the bodies
+        out: on the wheel, contact frame; None: a new one
+
+        C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED
+            (creepage.reverse_share is not 0); Status.ERROR_NULL, _SEQUENCE (no patch, or friction zones over
+            a profile without a Contact.planar_geometry()), _RANGE, _NOT_FINITE, _UNSUPPORTED.
+        """
+        if out is None:
+            out = PlanarForces._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_tangential(self._handle, ellipse, creepage, friction, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, ellipse=(ellipse, Ellipse), creepage=(creepage, Creepage), friction=(friction, Friction), out=(out, PlanarForces)) from None
+        return out
+
+    def planar_tangential_derivatives(self, *, out: Optional[PlanarDerivatives] = None) -> PlanarDerivatives:
+        """Derivatives of the forces of the last Contact.planar_tangential() or Contact.planar_step() by
+            creepages, load and friction. FASTSIM with separate flexibilities and strip FASTSIM have those of
+            the discrete equations, for two to three times the cost of the forces. Methods of which friction
+            or slope falls, and all others, have central differences with steps of a thousandth, for eight
+            times the cost. The creep force has kinks where a cell changes between stick and slip: there it is
+            one side's. The contact stays as it is.
+
+        out: of the forces; None: a new one
+
+        C status: Status.OK; Status.FLAG_NO_CONTACT, _TABLE_RANGE, _ITERATION_CAP, _CREEPAGES_LIMITED (as
+            Contact.planar_tangential()); Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
+            Contact.planar_tangential()).
+        """
+        if out is None:
+            out = PlanarDerivatives._new()
+        try:
+            with self._lock:
+                status = self._status = _wrc_planar_tangential_derivatives(self._handle, out)
+                if status < 0:
+                    raise self._error(status)
+        except c.ArgumentError as _why:
+            raise _l.misfit(_why, out=(out, PlanarDerivatives)) from None
+        return out
+
+    def wear(self, index: int, laws: Optional[WearLaws] = None, *, out: Optional[Wear] = None) -> Wear:
+        """Wear of one region of the contact's last solution, by all four laws. Theory manual, section 6.
+
+        index: as for Contact.damage()
+        laws: parameters; None: the published ones
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no
-            Contact.tangential before), _NOT_FINITE, _RANGE, _UNSUPPORTED (a method that gives forces alone:
-            there is no power over the patch).
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
+            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; WRC_ALL_REGIONS of a wheel).
         """
         if out is None:
-            out = Temperature._new()
+            out = Wear._new()
         try:
             with self._lock:
-                status = self._status = _wrc_contact_temperature(self._handle, bulk, out)
+                status = self._status = _wrc_contact_wear(self._handle, index, laws, out)
                 if status < 0:
                     raise self._error(status)
         except c.ArgumentError as _why:
-            raise _l.misfit(_why, bulk=(bulk, BulkTemperatures), out=(out, Temperature)) from None
+            raise _l.misfit(_why, laws=(laws, WearLaws), out=(out, Wear)) from None
         return out
 
-    def region_temperature(self, index: int, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
-        """Contact.temperature() of a region of the last Contact.wrench(), and of its field
-            RegionField.TEMPERATURE_RISE, which is there without this call. The results stay as they are.
+    def temperature(self, index: int, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
+        """Temperatures in one region of the contact's last solution, from its frictional power: flash
+            temperatures of points that pass through the contact (Ertz and Knothe, Wear 253 (2002) 498), T(s)
+            = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 / ((beta_w + beta_r) sqrt(pi V)) Int_0^s q /
+            sqrt(s - s') ds', s from the leading edge along each strip, q the power density, beta =
+            sqrt(conductivity density specific_heat). Heat flows into the depth alone, which holds from some
+            0.1 m/s on. Below, temperatures are too high and go to zero with the speed. Near standstill they
+            are those of the way that the wheel rolls. Cost grows with strips * cells^2. Theory manual,
+            section 6.
 
-        index: as for Contact.region()
+        index: as for Contact.damage()
         bulk: temperatures of the bodies; None: the defaults
-        out: the numbers: x as Region.point[0], y the arc length (RegionField.STRIP_S); heat is that of the
-            cells' power density; None: a new one
+        out: the numbers: x as Field.X, y as Field.STRIP_Y; None: a new one
 
-        C status: Status.OK; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no Contact.wrench), _RANGE (no such
-            region, or bulk), _NOT_FINITE, _UNSUPPORTED (a method that rolled whole patches).
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
+            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; WRC_ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Temperature._new()
         try:
             with self._lock:
-                status = self._status = _wrc_contact_region_temperature(self._handle, index, bulk, out)
+                status = self._status = _wrc_contact_temperature(self._handle, index, bulk, out)
                 if status < 0:
                     raise self._error(status)
         except c.ArgumentError as _why:
             raise _l.misfit(_why, bulk=(bulk, BulkTemperatures), out=(out, Temperature)) from None
         return out
 
-    def exact_check(self, nx: int, ny: int, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
+    def exact_check(self, options: Optional[ExactCheckOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
         """Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages
             and friction) exactly on nx x ny cells over its patches, friction.slope_reduction included, and
             reports the errors of the real-time method. The contact is not changed.
 
-        nx: cells along x, 8..512
-        ny: cells along y, 8..512
-        progress: None: none
+        options: None: the defaults
+        progress: called with the fraction done; give something true to stop; None: none
         out: exact forces and the errors; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
@@ -3791,14 +3640,17 @@ class ContactCalls(_l.Handle):
         if out is None:
             out = ExactCheckResult._new()
         _watch = s.Watch(progress)
+        if progress:
+            options = options.copy() if options else ExactCheckOptions()
+            options.progress = _watch.c
         try:
             with self._lock:
-                status = self._status = _wrc_exact_check(self._handle, nx, ny, _watch.c, None, out)
+                status = self._status = _wrc_exact_check(self._handle, options, out)
                 _watch.end()
                 if status < 0:
                     raise self._error(status, _watch)
         except c.ArgumentError as _why:
-            raise _l.misfit(_why, out=(out, ExactCheckResult)) from None
+            raise _l.misfit(_why, options=(options, ExactCheckOptions), out=(out, ExactCheckResult)) from None
         return out
 
     def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
@@ -3818,7 +3670,7 @@ class ContactCalls(_l.Handle):
             added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
             rail that is level along the track. Each row of cells has one patch along the track.
 
-        input: as for Contact.wrench(); without FrictionKind.TEMPERATURE: there are no temperatures
+        input: as for Contact.wrench(); without WRC_FRICTION_TEMPERATURE: there are no temperatures
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
@@ -3895,47 +3747,46 @@ def shakedown_limit_point(utilisation: float) -> float:
 
 STRUCTS = {
     'wrc_profile': Profile,
-    'wrc_config_material': ConfigMaterial,
+    'wrc_material': Material,
     'wrc_heat_properties': HeatProperties,
     'wrc_config_wheelset': ConfigWheelset,
     'wrc_config_track': ConfigTrack,
     'wrc_rail_section': RailSection,
     'wrc_config_roundness': ConfigRoundness,
-    'wrc_config_grid': ConfigGrid,
+    'wrc_config_check_rail': ConfigCheckRail,
     'wrc_config_normal': ConfigNormal,
     'wrc_config_tangential': ConfigTangential,
-    'wrc_config_check_rail': ConfigCheckRail,
+    'wrc_config_surface': ConfigSurface,
+    'wrc_config_planar': ConfigPlanar,
     'wrc_config': Config,
-    'wrc_planar_pose': Pose,
-    'wrc_planar_point': ContactPoint,
-    'wrc_planar_gap': Gap,
-    'wrc_planar_load': Load,
-    'wrc_creepage': Creepage,
+    'wrc_allocator': Allocator,
+    'wrc_view': View,
     'wrc_bulk_temperatures': BulkTemperatures,
     'wrc_friction': Friction,
-    'wrc_ellipse': Ellipse,
-    'wrc_planar_normal_solution': NormalSolution,
-    'wrc_planar_strips': Strips,
-    'wrc_planar_forces': Forces,
-    'wrc_patch': Patch,
-    'wrc_planar_motion': Motion,
-    'wrc_damage': Damage,
-    'wrc_wear_laws': WearLaws,
-    'wrc_wear': Wear,
-    'wrc_coefficients': Coefficients,
-    'wrc_planar_derivatives': Sensitivity,
-    'wrc_step_sensitivity': StepSensitivity,
-    'wrc_planar_input': Input,
-    'wrc_planar_output': Output,
-    'wrc_view': View,
-    'wrc_allocator': Allocator,
     'wrc_wheel_state': WheelState,
     'wrc_rail_state': RailState,
     'wrc_frame_motion': FrameMotion,
     'wrc_wheel_input': WheelInput,
     'wrc_wrench': Wrench,
+    'wrc_wrench_derivatives': WrenchDerivatives,
+    'wrc_creepage': Creepage,
+    'wrc_ellipse': Ellipse,
     'wrc_region': Region,
-    'wrc_wrench_derivatives': WrenchSensitivities,
+    'wrc_damage': Damage,
+    'wrc_planar_pose': PlanarPose,
+    'wrc_planar_motion': PlanarMotion,
+    'wrc_planar_point': PlanarPoint,
+    'wrc_planar_gap': PlanarGap,
+    'wrc_planar_load': PlanarLoad,
+    'wrc_planar_strips': PlanarStrips,
+    'wrc_planar_normal_solution': PlanarNormalSolution,
+    'wrc_planar_forces': PlanarForces,
+    'wrc_planar_derivatives': PlanarDerivatives,
+    'wrc_planar_input': PlanarInput,
+    'wrc_planar_output': PlanarOutput,
+    'wrc_wear_laws': WearLaws,
+    'wrc_wear': Wear,
+    'wrc_coefficients': Coefficients,
     'wrc_stress_peak': StressPeak,
     'wrc_stress_peaks': StressPeaks,
     'wrc_stresses': Stresses,
@@ -3946,16 +3797,16 @@ STRUCTS = {
     'wrc_accumulation': Accumulation,
     'wrc_damage_totals': DamageTotals,
     'wrc_grid': Grid,
-    'wrc_materials': Materials,
     'wrc_exact_normal_problem': ExactNormalProblem,
     'wrc_exact_normal_solution': ExactNormalSolution,
     'wrc_exact_rolling_problem': ExactRollingProblem,
     'wrc_exact_rolling_solution': ExactRollingSolution,
     'wrc_exact_loads': ExactLoads,
     'wrc_exact_wrench_options': ExactWrenchOptions,
+    'wrc_exact_check_options': ExactCheckOptions,
     'wrc_exact_check_result': ExactCheckResult,
-    'wrc_wheelset_geometry_problem': ContactFunctionsProblem,
-    'wrc_wheelset_geometry': ContactFunctions,
+    'wrc_wheelset_geometry_problem': WheelsetGeometryProblem,
+    'wrc_wheelset_geometry': WheelsetGeometry,
     'wrc_conicity_problem': ConicityProblem,
     'wrc_conicity': Conicity,
     'wrc_profile_wear': ProfileWear,
@@ -3967,73 +3818,71 @@ __all__ = [
     'NormalMethod',
     'TangentialMethod',
     'PatchModel',
-    'Side',
-    'ProfileKind',
-    'Body',
     'Regularisation',
     'TractionBound',
     'Flexibility',
-    'FrictionKind',
-    'ZoneFrame',
+    'Side',
+    'Body',
+    'ProfileKind',
     'ProfilePlacement',
     'InstructionSet',
-    'Prescribed',
-    'Available',
-    'FieldId',
+    'FrictionSpeedLaw',
+    'FrictionTemperatureLaw',
+    'ZoneFrame',
     'WheelReference',
+    'Orientation',
     'Axes',
-    'WheelPrescribed',
-    'WheelStart',
-    'RegionField',
+    'Prescribed',
+    'Start',
+    'Available',
+    'Field',
     'WrenchInput',
     'DamageQuantity',
-    'DamageSource',
     'Adhesion',
     'Collocation',
     'SurfaceInfluence',
     'ConicityMethod',
     'Profile',
-    'ConfigMaterial',
+    'Material',
     'HeatProperties',
     'ConfigWheelset',
     'ConfigTrack',
     'RailSection',
     'ConfigRoundness',
-    'ConfigGrid',
+    'ConfigCheckRail',
     'ConfigNormal',
     'ConfigTangential',
-    'ConfigCheckRail',
+    'ConfigSurface',
+    'ConfigPlanar',
     'Config',
-    'Pose',
-    'ContactPoint',
-    'Gap',
-    'Load',
-    'Creepage',
+    'Allocator',
+    'View',
     'BulkTemperatures',
     'Friction',
-    'Ellipse',
-    'NormalSolution',
-    'Strips',
-    'Forces',
-    'Patch',
-    'Motion',
-    'Damage',
-    'WearLaws',
-    'Wear',
-    'Coefficients',
-    'Sensitivity',
-    'StepSensitivity',
-    'Input',
-    'Output',
-    'View',
-    'Allocator',
     'WheelState',
     'RailState',
     'FrameMotion',
     'WheelInput',
     'Wrench',
+    'WrenchDerivatives',
+    'Creepage',
+    'Ellipse',
     'Region',
-    'WrenchSensitivities',
+    'Damage',
+    'PlanarPose',
+    'PlanarMotion',
+    'PlanarPoint',
+    'PlanarGap',
+    'PlanarLoad',
+    'PlanarStrips',
+    'PlanarNormalSolution',
+    'PlanarForces',
+    'PlanarDerivatives',
+    'PlanarInput',
+    'PlanarOutput',
+    'WearLaws',
+    'Wear',
+    'Coefficients',
     'StressPeak',
     'StressPeaks',
     'Stresses',
@@ -4044,16 +3893,16 @@ __all__ = [
     'Accumulation',
     'DamageTotals',
     'Grid',
-    'Materials',
     'ExactNormalProblem',
     'ExactNormalSolution',
     'ExactRollingProblem',
     'ExactRollingSolution',
     'ExactLoads',
     'ExactWrenchOptions',
+    'ExactCheckOptions',
     'ExactCheckResult',
-    'ContactFunctionsProblem',
-    'ContactFunctions',
+    'WheelsetGeometryProblem',
+    'WheelsetGeometry',
     'ConicityProblem',
     'Conicity',
     'ProfileWear',

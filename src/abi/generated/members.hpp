@@ -4,8 +4,8 @@
 
 // clang-format off
 #include "abi/member.hpp"
-#include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 namespace wrc::abi {
 
@@ -27,11 +27,10 @@ inline constexpr Enumerator wrc_tangential_method_values[] = {
     {"WRC_TANGENTIAL_FASTSIM", WRC_TANGENTIAL_FASTSIM},
     {"WRC_TANGENTIAL_FASTRIP", WRC_TANGENTIAL_FASTRIP},
     {"WRC_TANGENTIAL_STRIP_FASTSIM", WRC_TANGENTIAL_STRIP_FASTSIM},
-    {"WRC_TANGENTIAL_COARSE_HALFSPACE", WRC_TANGENTIAL_COARSE_HALFSPACE},
     {"WRC_TANGENTIAL_FORCE_TABLE", WRC_TANGENTIAL_FORCE_TABLE},
 };
-inline constexpr Enumeration wrc_tangential_method{wrc_tangential_method_values, 5,
-    "see enum wrc_tangential_method: WRC_TANGENTIAL_FASTSIM (0), _FASTRIP (1), _STRIP_FASTSIM (2), _COARSE_HALFSPACE (3), _FORCE_TABLE (4)"};
+inline constexpr Enumeration wrc_tangential_method{wrc_tangential_method_values, 4,
+    "see enum wrc_tangential_method: WRC_TANGENTIAL_FASTSIM (0), _FASTRIP (1), _STRIP_FASTSIM (2), _FORCE_TABLE (3)"};
 
 inline constexpr Enumerator wrc_patch_model_values[] = {
     {"WRC_PATCH_MODEL_PATCH_SDEC", WRC_PATCH_MODEL_PATCH_SDEC},
@@ -41,30 +40,6 @@ inline constexpr Enumerator wrc_patch_model_values[] = {
 };
 inline constexpr Enumeration wrc_patch_model{wrc_patch_model_values, 4,
     "see enum wrc_patch_model: WRC_PATCH_MODEL_PATCH_SDEC (0), _PATCH_ELLIPSE (1), _ELLIPSE_AT_MIDDLE (2), _ELLIPSE_AT_POINT (3)"};
-
-inline constexpr Enumerator wrc_side_values[] = {
-    {"WRC_SIDE_RIGHT", WRC_SIDE_RIGHT},
-    {"WRC_SIDE_LEFT", WRC_SIDE_LEFT},
-};
-inline constexpr Enumeration wrc_side{wrc_side_values, 2,
-    "see enum wrc_side: WRC_SIDE_RIGHT (0), _LEFT (1)"};
-
-inline constexpr Enumerator wrc_profile_kind_values[] = {
-    {"WRC_PROFILE_NONE", WRC_PROFILE_NONE},
-    {"WRC_PROFILE_POINTS", WRC_PROFILE_POINTS},
-    {"WRC_PROFILE_S1002", WRC_PROFILE_S1002},
-    {"WRC_PROFILE_60E1", WRC_PROFILE_60E1},
-    {"WRC_PROFILE_UIC60_BENCHMARK", WRC_PROFILE_UIC60_BENCHMARK},
-};
-inline constexpr Enumeration wrc_profile_kind{wrc_profile_kind_values, 5,
-    "see enum wrc_profile_kind: WRC_PROFILE_NONE (0), _POINTS (1), _S1002 (2), _60E1 (3), _UIC60_BENCHMARK (4)"};
-
-inline constexpr Enumerator wrc_body_values[] = {
-    {"WRC_BODY_WHEEL", WRC_BODY_WHEEL},
-    {"WRC_BODY_RAIL", WRC_BODY_RAIL},
-};
-inline constexpr Enumeration wrc_body{wrc_body_values, 2,
-    "see enum wrc_body: WRC_BODY_WHEEL (0), _RAIL (1)"};
 
 inline constexpr Enumerator wrc_regularisation_values[] = {
     {"WRC_REGULARISE_KEEP_WIDTH", WRC_REGULARISE_KEEP_WIDTH},
@@ -89,22 +64,29 @@ inline constexpr Enumerator wrc_flexibility_values[] = {
 inline constexpr Enumeration wrc_flexibility{wrc_flexibility_values, 3,
     "see enum wrc_flexibility: WRC_FLEXIBILITY_SEPARATE (0), _SINGLE (1), _BLENDED (2)"};
 
-inline constexpr Enumerator wrc_friction_kind_values[] = {
-    {"WRC_FRICTION_CONSTANT", WRC_FRICTION_CONSTANT},
-    {"WRC_FRICTION_FALLING", WRC_FRICTION_FALLING},
-    {"WRC_FRICTION_STATIC_KINETIC", WRC_FRICTION_STATIC_KINETIC},
-    {"WRC_FRICTION_TEMPERATURE", WRC_FRICTION_TEMPERATURE},
+inline constexpr Enumerator wrc_side_values[] = {
+    {"WRC_SIDE_RIGHT", WRC_SIDE_RIGHT},
+    {"WRC_SIDE_LEFT", WRC_SIDE_LEFT},
 };
-inline constexpr Enumeration wrc_friction_kind{wrc_friction_kind_values, 4,
-    "see enum wrc_friction_kind: WRC_FRICTION_CONSTANT (0), _FALLING (1), _STATIC_KINETIC (2), _TEMPERATURE (3)"};
+inline constexpr Enumeration wrc_side{wrc_side_values, 2,
+    "see enum wrc_side: WRC_SIDE_RIGHT (0), _LEFT (1)"};
 
-inline constexpr Enumerator wrc_zone_frame_values[] = {
-    {"WRC_ZONES_CONTACT_FRAME", WRC_ZONES_CONTACT_FRAME},
-    {"WRC_ZONES_RAIL_PROFILE", WRC_ZONES_RAIL_PROFILE},
-    {"WRC_ZONES_WHEEL_PROFILE", WRC_ZONES_WHEEL_PROFILE},
+inline constexpr Enumerator wrc_body_values[] = {
+    {"WRC_BODY_WHEEL", WRC_BODY_WHEEL},
+    {"WRC_BODY_RAIL", WRC_BODY_RAIL},
 };
-inline constexpr Enumeration wrc_zone_frame{wrc_zone_frame_values, 3,
-    "see enum wrc_zone_frame: WRC_ZONES_CONTACT_FRAME (0), _RAIL_PROFILE (1), _WHEEL_PROFILE (2)"};
+inline constexpr Enumeration wrc_body{wrc_body_values, 2,
+    "see enum wrc_body: WRC_BODY_WHEEL (0), _RAIL (1)"};
+
+inline constexpr Enumerator wrc_profile_kind_values[] = {
+    {"WRC_PROFILE_NONE", WRC_PROFILE_NONE},
+    {"WRC_PROFILE_POINTS", WRC_PROFILE_POINTS},
+    {"WRC_PROFILE_S1002", WRC_PROFILE_S1002},
+    {"WRC_PROFILE_60E1", WRC_PROFILE_60E1},
+    {"WRC_PROFILE_UIC60_BENCHMARK", WRC_PROFILE_UIC60_BENCHMARK},
+};
+inline constexpr Enumeration wrc_profile_kind{wrc_profile_kind_values, 5,
+    "see enum wrc_profile_kind: WRC_PROFILE_NONE (0), _POINTS (1), _S1002 (2), _60E1 (3), _UIC60_BENCHMARK (4)"};
 
 inline constexpr Enumerator wrc_profile_placement_values[] = {
     {"WRC_PLACEMENT_GAUGE", WRC_PLACEMENT_GAUGE},
@@ -122,45 +104,28 @@ inline constexpr Enumerator wrc_instruction_set_values[] = {
 inline constexpr Enumeration wrc_instruction_set{wrc_instruction_set_values, 4,
     "see enum wrc_instruction_set: WRC_INSTRUCTIONS_BEST (0), _BASELINE (1), _AVX2 (2), _AVX512 (3)"};
 
-inline constexpr Enumerator wrc_prescribed_values[] = {
-    {"WRC_PRESCRIBE_NORMAL_FORCE", WRC_PRESCRIBE_NORMAL_FORCE},
-    {"WRC_PRESCRIBE_APPROACH", WRC_PRESCRIBE_APPROACH},
+inline constexpr Enumerator wrc_friction_speed_law_values[] = {
+    {"WRC_SPEED_LAW_NONE", WRC_SPEED_LAW_NONE},
+    {"WRC_SPEED_LAW_EXPONENTIAL", WRC_SPEED_LAW_EXPONENTIAL},
+    {"WRC_SPEED_LAW_HYPERBOLIC", WRC_SPEED_LAW_HYPERBOLIC},
 };
-inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 2,
-    "see enum wrc_prescribed: WRC_PRESCRIBE_NORMAL_FORCE (0), _APPROACH (1)"};
+inline constexpr Enumeration wrc_friction_speed_law{wrc_friction_speed_law_values, 3,
+    "see enum wrc_friction_speed_law: WRC_SPEED_LAW_NONE (0), _EXPONENTIAL (1), _HYPERBOLIC (2)"};
 
-inline constexpr Enumerator wrc_available_values[] = {
-    {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
-    {"WRC_AVAILABLE_PLACE", WRC_AVAILABLE_PLACE},
+inline constexpr Enumerator wrc_friction_temperature_law_values[] = {
+    {"WRC_TEMPERATURE_LAW_NONE", WRC_TEMPERATURE_LAW_NONE},
+    {"WRC_TEMPERATURE_LAW_LINEAR", WRC_TEMPERATURE_LAW_LINEAR},
 };
-inline constexpr Enumeration wrc_available{wrc_available_values, 2,
-    "see enum wrc_available: WRC_AVAILABLE_TRACTIONS (1), _PLACE (2)"};
+inline constexpr Enumeration wrc_friction_temperature_law{wrc_friction_temperature_law_values, 2,
+    "see enum wrc_friction_temperature_law: WRC_TEMPERATURE_LAW_NONE (0), _LINEAR (1)"};
 
-inline constexpr Enumerator wrc_field_id_values[] = {
-    {"WRC_FIELD_X", WRC_FIELD_X},
-    {"WRC_FIELD_PRESSURE", WRC_FIELD_PRESSURE},
-    {"WRC_FIELD_TRACTION_X", WRC_FIELD_TRACTION_X},
-    {"WRC_FIELD_TRACTION_Y", WRC_FIELD_TRACTION_Y},
-    {"WRC_FIELD_SLIP_X", WRC_FIELD_SLIP_X},
-    {"WRC_FIELD_SLIP_Y", WRC_FIELD_SLIP_Y},
-    {"WRC_FIELD_POWER_DENSITY", WRC_FIELD_POWER_DENSITY},
-    {"WRC_FIELD_FATIGUE_INDEX", WRC_FIELD_FATIGUE_INDEX},
-    {"WRC_FIELD_STRIP_Y", WRC_FIELD_STRIP_Y},
-    {"WRC_FIELD_STRIP_WIDTH", WRC_FIELD_STRIP_WIDTH},
-    {"WRC_FIELD_STRIP_CENTRE", WRC_FIELD_STRIP_CENTRE},
-    {"WRC_FIELD_STRIP_HALF", WRC_FIELD_STRIP_HALF},
-    {"WRC_FIELD_STRIP_PEAK", WRC_FIELD_STRIP_PEAK},
-    {"WRC_FIELD_STRIP_POWER", WRC_FIELD_STRIP_POWER},
-    {"WRC_FIELD_GAP_Y", WRC_FIELD_GAP_Y},
-    {"WRC_FIELD_GAP_HEIGHT", WRC_FIELD_GAP_HEIGHT},
-    {"WRC_FIELD_GAP_CENTRE", WRC_FIELD_GAP_CENTRE},
-    {"WRC_FIELD_GAP_CURVATURE", WRC_FIELD_GAP_CURVATURE},
-    {"WRC_FIELD_STRIP_WEAR", WRC_FIELD_STRIP_WEAR},
-    {"WRC_FIELD_STRIP_FRICTION", WRC_FIELD_STRIP_FRICTION},
-    {"WRC_FIELD_TEMPERATURE_RISE", WRC_FIELD_TEMPERATURE_RISE},
+inline constexpr Enumerator wrc_zone_frame_values[] = {
+    {"WRC_ZONES_CONTACT_FRAME", WRC_ZONES_CONTACT_FRAME},
+    {"WRC_ZONES_RAIL_PROFILE", WRC_ZONES_RAIL_PROFILE},
+    {"WRC_ZONES_WHEEL_PROFILE", WRC_ZONES_WHEEL_PROFILE},
 };
-inline constexpr Enumeration wrc_field_id{wrc_field_id_values, 21,
-    "see enum wrc_field_id: WRC_FIELD_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_Y (3), _SLIP_X (4), _SLIP_Y (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_Y (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _GAP_Y (14), _GAP_HEIGHT (15), _GAP_CENTRE (16), _GAP_CURVATURE (17), _STRIP_WEAR (18), _STRIP_FRICTION (19), _TEMPERATURE_RISE (20)"};
+inline constexpr Enumeration wrc_zone_frame{wrc_zone_frame_values, 3,
+    "see enum wrc_zone_frame: WRC_ZONES_CONTACT_FRAME (0), _RAIL_PROFILE (1), _WHEEL_PROFILE (2)"};
 
 inline constexpr Enumerator wrc_wheel_reference_values[] = {
     {"WRC_REFERENCE_WHEELSET", WRC_REFERENCE_WHEELSET},
@@ -169,50 +134,73 @@ inline constexpr Enumerator wrc_wheel_reference_values[] = {
 inline constexpr Enumeration wrc_wheel_reference{wrc_wheel_reference_values, 2,
     "see enum wrc_wheel_reference: WRC_REFERENCE_WHEELSET (0), _WHEEL (1)"};
 
+inline constexpr Enumerator wrc_orientation_values[] = {
+    {"WRC_ORIENTATION_ANGLES", WRC_ORIENTATION_ANGLES},
+    {"WRC_ORIENTATION_ROWS", WRC_ORIENTATION_ROWS},
+    {"WRC_ORIENTATION_COLUMNS", WRC_ORIENTATION_COLUMNS},
+};
+inline constexpr Enumeration wrc_orientation{wrc_orientation_values, 3,
+    "see enum wrc_orientation: WRC_ORIENTATION_ANGLES (0), _ROWS (1), _COLUMNS (2)"};
+
 inline constexpr Enumerator wrc_axes_values[] = {
+    {"WRC_AXES_NONE", WRC_AXES_NONE},
     {"WRC_AXES_TRACK", WRC_AXES_TRACK},
     {"WRC_AXES_BODY", WRC_AXES_BODY},
 };
-inline constexpr Enumeration wrc_axes{wrc_axes_values, 2,
-    "see enum wrc_axes: WRC_AXES_TRACK (0), _BODY (1)"};
+inline constexpr Enumeration wrc_axes{wrc_axes_values, 3,
+    "see enum wrc_axes: WRC_AXES_NONE (0), _TRACK (1), _BODY (2)"};
 
-inline constexpr Enumerator wrc_wheel_prescribed_values[] = {
+inline constexpr Enumerator wrc_prescribed_values[] = {
     {"WRC_PRESCRIBE_HEIGHT", WRC_PRESCRIBE_HEIGHT},
     {"WRC_PRESCRIBE_VERTICAL_LOAD", WRC_PRESCRIBE_VERTICAL_LOAD},
+    {"WRC_PRESCRIBE_NORMAL_FORCE", WRC_PRESCRIBE_NORMAL_FORCE},
+    {"WRC_PRESCRIBE_APPROACH", WRC_PRESCRIBE_APPROACH},
 };
-inline constexpr Enumeration wrc_prescribed{wrc_wheel_prescribed_values, 2,
-    "see enum wrc_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1)"};
+inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 4,
+    "see enum wrc_prescribed: WRC_PRESCRIBE_HEIGHT (0), _VERTICAL_LOAD (1), _NORMAL_FORCE (2), _APPROACH (3)"};
 
-inline constexpr Enumerator wrc_wheel_start_values[] = {
+inline constexpr Enumerator wrc_start_values[] = {
     {"WRC_START_COLD", WRC_START_COLD},
     {"WRC_START_WARM", WRC_START_WARM},
 };
-inline constexpr Enumeration wrc_start{wrc_wheel_start_values, 2,
-    "see enum wrc_start: WRC_START_COLD (0), _FROM_LAST (1)"};
+inline constexpr Enumeration wrc_start{wrc_start_values, 2,
+    "see enum wrc_start: WRC_START_COLD (0), _WARM (1)"};
 
-inline constexpr Enumerator wrc_region_field_values[] = {
-    {"WRC_REGION_X", WRC_REGION_X},
-    {"WRC_REGION_PRESSURE", WRC_REGION_PRESSURE},
-    {"WRC_REGION_TRACTION_X", WRC_REGION_TRACTION_X},
-    {"WRC_REGION_TRACTION_S", WRC_REGION_TRACTION_S},
-    {"WRC_REGION_SLIP_X", WRC_REGION_SLIP_X},
-    {"WRC_REGION_SLIP_S", WRC_REGION_SLIP_S},
-    {"WRC_REGION_POWER_DENSITY", WRC_REGION_POWER_DENSITY},
-    {"WRC_REGION_FATIGUE_INDEX", WRC_REGION_FATIGUE_INDEX},
-    {"WRC_REGION_STRIP_S", WRC_REGION_STRIP_S},
-    {"WRC_REGION_STRIP_WIDTH", WRC_REGION_STRIP_WIDTH},
-    {"WRC_REGION_STRIP_CENTRE", WRC_REGION_STRIP_CENTRE},
-    {"WRC_REGION_STRIP_HALF", WRC_REGION_STRIP_HALF},
-    {"WRC_REGION_STRIP_PEAK", WRC_REGION_STRIP_PEAK},
-    {"WRC_REGION_STRIP_POWER", WRC_REGION_STRIP_POWER},
-    {"WRC_REGION_STRIP_FRICTION", WRC_REGION_STRIP_FRICTION},
-    {"WRC_REGION_STRIP_Y", WRC_REGION_STRIP_Y},
-    {"WRC_REGION_STRIP_Z", WRC_REGION_STRIP_Z},
-    {"WRC_REGION_STRIP_ANGLE", WRC_REGION_STRIP_ANGLE},
-    {"WRC_REGION_TEMPERATURE_RISE", WRC_REGION_TEMPERATURE_RISE},
+inline constexpr Enumerator wrc_available_values[] = {
+    {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
+    {"WRC_AVAILABLE_PLACE", WRC_AVAILABLE_PLACE},
 };
-inline constexpr Enumeration wrc_region_field{wrc_region_field_values, 19,
-    "see enum wrc_region_field: WRC_REGION_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_S (3), _SLIP_X (4), _SLIP_S (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _STRIP_S (8), _STRIP_WIDTH (9), _STRIP_CENTRE (10), _STRIP_HALF (11), _STRIP_PEAK (12), _STRIP_POWER (13), _STRIP_FRICTION (14), _STRIP_Y (15), _STRIP_Z (16), _STRIP_ANGLE (17), _TEMPERATURE_RISE (18)"};
+inline constexpr Enumeration wrc_available{wrc_available_values, 2,
+    "see enum wrc_available: WRC_AVAILABLE_TRACTIONS (1), _PLACE (2)"};
+
+inline constexpr Enumerator wrc_field_values[] = {
+    {"WRC_FIELD_X", WRC_FIELD_X},
+    {"WRC_FIELD_PRESSURE", WRC_FIELD_PRESSURE},
+    {"WRC_FIELD_TRACTION_X", WRC_FIELD_TRACTION_X},
+    {"WRC_FIELD_TRACTION_Y", WRC_FIELD_TRACTION_Y},
+    {"WRC_FIELD_SLIP_X", WRC_FIELD_SLIP_X},
+    {"WRC_FIELD_SLIP_Y", WRC_FIELD_SLIP_Y},
+    {"WRC_FIELD_POWER_DENSITY", WRC_FIELD_POWER_DENSITY},
+    {"WRC_FIELD_FATIGUE_INDEX", WRC_FIELD_FATIGUE_INDEX},
+    {"WRC_FIELD_TEMPERATURE_RISE", WRC_FIELD_TEMPERATURE_RISE},
+    {"WRC_FIELD_STRIP_Y", WRC_FIELD_STRIP_Y},
+    {"WRC_FIELD_STRIP_WIDTH", WRC_FIELD_STRIP_WIDTH},
+    {"WRC_FIELD_STRIP_CENTRE", WRC_FIELD_STRIP_CENTRE},
+    {"WRC_FIELD_STRIP_HALF_LENGTH", WRC_FIELD_STRIP_HALF_LENGTH},
+    {"WRC_FIELD_STRIP_PEAK", WRC_FIELD_STRIP_PEAK},
+    {"WRC_FIELD_STRIP_POWER", WRC_FIELD_STRIP_POWER},
+    {"WRC_FIELD_STRIP_FRICTION", WRC_FIELD_STRIP_FRICTION},
+    {"WRC_FIELD_STRIP_WEAR", WRC_FIELD_STRIP_WEAR},
+    {"WRC_FIELD_STRIP_PROFILE_Y", WRC_FIELD_STRIP_PROFILE_Y},
+    {"WRC_FIELD_STRIP_PROFILE_Z", WRC_FIELD_STRIP_PROFILE_Z},
+    {"WRC_FIELD_STRIP_ANGLE", WRC_FIELD_STRIP_ANGLE},
+    {"WRC_FIELD_GAP_Y", WRC_FIELD_GAP_Y},
+    {"WRC_FIELD_GAP_HEIGHT", WRC_FIELD_GAP_HEIGHT},
+    {"WRC_FIELD_GAP_CENTRE", WRC_FIELD_GAP_CENTRE},
+    {"WRC_FIELD_GAP_CURVATURE", WRC_FIELD_GAP_CURVATURE},
+};
+inline constexpr Enumeration wrc_field{wrc_field_values, 24,
+    "see enum wrc_field: WRC_FIELD_X (0), _PRESSURE (1), _TRACTION_X (2), _TRACTION_Y (3), _SLIP_X (4), _SLIP_Y (5), _POWER_DENSITY (6), _FATIGUE_INDEX (7), _TEMPERATURE_RISE (8), _STRIP_Y (9), _STRIP_WIDTH (10), _STRIP_CENTRE (11), _STRIP_HALF_LENGTH (12), _STRIP_PEAK (13), _STRIP_POWER (14), _STRIP_FRICTION (15), _STRIP_WEAR (16), _STRIP_PROFILE_Y (17), _STRIP_PROFILE_Z (18), _STRIP_ANGLE (19), _GAP_Y (20), _GAP_HEIGHT (21), _GAP_CENTRE (22), _GAP_CURVATURE (23)"};
 
 inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_Y", WRC_BY_Y},
@@ -230,13 +218,13 @@ inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_RAIL_ROLL", WRC_BY_RAIL_ROLL},
     {"WRC_BY_RAIL_Y_VELOCITY", WRC_BY_RAIL_Y_VELOCITY},
     {"WRC_BY_RAIL_Z_VELOCITY", WRC_BY_RAIL_Z_VELOCITY},
-    {"WRC_BY_RAIL_ROLL_VELOCITY", WRC_BY_RAIL_ROLL_VELOCITY},
+    {"WRC_BY_RAIL_ROLL_RATE", WRC_BY_RAIL_ROLL_RATE},
     {"WRC_BY_VERTICAL_LOAD", WRC_BY_VERTICAL_LOAD},
     {"WRC_BY_DISTANCE", WRC_BY_DISTANCE},
     {"WRC_BY_ANGLE", WRC_BY_ANGLE},
 };
 inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 19,
-    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_VELOCITY (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18)"};
+    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_RATE (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18)"};
 
 inline constexpr Enumerator wrc_damage_quantity_values[] = {
     {"WRC_DAMAGE_WORK", WRC_DAMAGE_WORK},
@@ -251,14 +239,7 @@ inline constexpr Enumerator wrc_damage_quantity_values[] = {
     {"WRC_DAMAGE_LARGEST_TRACTION", WRC_DAMAGE_LARGEST_TRACTION},
 };
 inline constexpr Enumeration wrc_damage_quantity{wrc_damage_quantity_values, 10,
-    "see enum wrc_damage_quantity: WRC_DAMAGE_WORK (0), _WEAR_T_GAMMA (1), _WEAR_SHEFFIELD (2), _WEAR_ARCHARD (3), _WEAR_POWER (4), _WHOLE_LIFE (5), _SURFACE_FATIGUE (6), _TIME (7), _LARGEST_PRESSURE (8), _LARGEST_TRACTION (9)"};
-
-inline constexpr Enumerator wrc_damage_source_values[] = {
-    {"WRC_DAMAGE_OF_WRENCH", WRC_DAMAGE_OF_WRENCH},
-    {"WRC_DAMAGE_OF_STAGES", WRC_DAMAGE_OF_STAGES},
-};
-inline constexpr Enumeration wrc_damage_source{wrc_damage_source_values, 2,
-    "see enum wrc_damage_source: WRC_DAMAGE_OF_WRENCH (0), _STAGES (1)"};
+    "see enum wrc_damage_quantity: WRC_DAMAGE_WORK (0), _WEAR_T_GAMMA (1), _WEAR_SHEFFIELD (2), _WEAR_ARCHARD (3), _WEAR_POWER (4), _WHOLE_LIFE (5), _SURFACE_FATIGUE (6), _TIME (7), _LARGEST_PRESSURE (1000), _LARGEST_TRACTION (1001)"};
 
 inline constexpr Enumerator wrc_adhesion_values[] = {
     {"WRC_ADHESION_COULOMB", WRC_ADHESION_COULOMB},
@@ -294,7 +275,7 @@ template <>
 struct Description<wrc_profile> {
   static constexpr const char* name = "wrc_profile";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = 80;
   static constexpr wrc_profile defaults = [] {
     wrc_profile value{};
     return value;
@@ -305,37 +286,37 @@ struct Description<wrc_profile> {
       {.name = "y", .offset = offsetof(wrc_profile, y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
       {.name = "z", .offset = offsetof(wrc_profile, z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_profile, kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_profile, count)},
       {.name = "smoothing", .offset = offsetof(wrc_profile, smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "reserved", .offset = offsetof(wrc_profile, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_profile) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_profile) == 80, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_config_material> {
-  static constexpr const char* name = "wrc_config_material";
+struct Description<wrc_material> {
+  static constexpr const char* name = "wrc_material";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 40;
-  static constexpr wrc_config_material defaults = [] {
-    wrc_config_material value{};
-    value.shear_modulus = 80e9;
-    value.poisson = 0.25;
+  static constexpr std::size_t first = 64;
+  static constexpr wrc_material defaults = [] {
+    wrc_material value{};
+    value.shear_modulus = 82e9;
+    value.poisson = 0.28;
     value.shear_yield = 250e6;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "shear_modulus", .offset = offsetof(wrc_config_material, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
-      {.name = "poisson", .offset = offsetof(wrc_config_material, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "shear_yield", .offset = offsetof(wrc_config_material, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
-      {.name = "rail_shear_modulus", .offset = offsetof(wrc_config_material, rail_shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .or_zero = true, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
-      {.name = "rail_poisson", .offset = offsetof(wrc_config_material, rail_poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "shear_modulus", .offset = offsetof(wrc_material, shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "poisson", .offset = offsetof(wrc_material, poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "shear_yield", .offset = offsetof(wrc_material, shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "reserved", .offset = offsetof(wrc_material, reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_material) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_material) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_heat_properties> {
   static constexpr const char* name = "wrc_heat_properties";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_heat_properties defaults = [] {
     wrc_heat_properties value{};
     value.conductivity = 50;
@@ -347,33 +328,35 @@ struct Description<wrc_heat_properties> {
       {.name = "conductivity", .offset = offsetof(wrc_heat_properties, conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
       {.name = "density", .offset = offsetof(wrc_heat_properties, density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
       {.name = "specific_heat", .offset = offsetof(wrc_heat_properties, specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
+      {.name = "reserved", .offset = offsetof(wrc_heat_properties, reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_heat_properties) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_heat_properties) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_wheelset> {
   static constexpr const char* name = "wrc_config_wheelset";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 16;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_config_wheelset defaults = [] {
     wrc_config_wheelset value{};
     value.wheel_radius = 0.46;
-    value.flange_back_distance = 1.360;
+    value.tape_circle_distance = 1.5;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "wheel_radius", .offset = offsetof(wrc_config_wheelset, wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "flange_back_distance", .offset = offsetof(wrc_config_wheelset, flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "tape_circle_distance", .offset = offsetof(wrc_config_wheelset, tape_circle_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 3, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "reserved", .offset = offsetof(wrc_config_wheelset, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_wheelset) == 16, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config_wheelset) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_track> {
   static constexpr const char* name = "wrc_config_track";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = 88;
   static constexpr wrc_config_track defaults = [] {
     wrc_config_track value{};
     value.gauge = 1.435;
@@ -382,20 +365,21 @@ struct Description<wrc_config_track> {
   }();
   static constexpr Member members[] = {
       {.name = "placement", .offset = offsetof(wrc_config_track, placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
-      {.name = "reserved", .offset = offsetof(wrc_config_track, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_config_track, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "gauge", .offset = offsetof(wrc_config_track, gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "gauge_depth", .offset = offsetof(wrc_config_track, gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "rail_inclination", .offset = offsetof(wrc_config_track, rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
       {.name = "rail_origin", .offset = offsetof(wrc_config_track, rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config_track, placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
+      {.name = "reserved", .offset = offsetof(wrc_config_track, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_track) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config_track) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_rail_section> {
   static constexpr const char* name = "wrc_rail_section";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 72;
+  static constexpr std::size_t first = 168;
   static constexpr wrc_rail_section defaults = [] {
     wrc_rail_section value{};
     value.profile = Description<wrc_profile>::defaults;
@@ -405,111 +389,45 @@ struct Description<wrc_rail_section> {
       {.name = "distance", .offset = offsetof(wrc_rail_section, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "y", .offset = offsetof(wrc_rail_section, y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "z", .offset = offsetof(wrc_rail_section, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "face", .offset = offsetof(wrc_rail_section, face), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 3},
-      {.name = "marks", .offset = offsetof(wrc_rail_section, marks), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "mark", .offset = offsetof(wrc_rail_section, mark), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_rail_section, marks), .state = State::not_zero, .counted_by = offsetof(wrc_rail_section, marks)},
+      {.name = "surface", .offset = offsetof(wrc_rail_section, surface), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 3},
+      {.name = "mark_count", .offset = offsetof(wrc_rail_section, mark_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "marks", .offset = offsetof(wrc_rail_section, marks), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_rail_section, mark_count), .state = State::not_zero, .counted_by = offsetof(wrc_rail_section, mark_count)},
       {.name = "profile.kind", .offset = offsetof(wrc_rail_section, profile.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
       {.name = "profile.count", .offset = offsetof(wrc_rail_section, profile.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS},
       {.name = "profile.y", .offset = offsetof(wrc_rail_section, profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_rail_section, profile.count)},
       {.name = "profile.z", .offset = offsetof(wrc_rail_section, profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_rail_section, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_rail_section, profile.count)},
       {.name = "profile.smoothing", .offset = offsetof(wrc_rail_section, profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "profile.reserved", .offset = offsetof(wrc_rail_section, profile.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_rail_section, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_rail_section) == 72, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_rail_section) == 168, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_roundness> {
   static constexpr const char* name = "wrc_config_roundness";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = 80;
   static constexpr wrc_config_roundness defaults = [] {
     wrc_config_roundness value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "angles", .offset = offsetof(wrc_config_roundness, angles), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
-      {.name = "rows", .offset = offsetof(wrc_config_roundness, rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angles needs it, and its default is 0", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .otherwise = "it is read with angles only: leave it 0"},
-      {.name = "angle", .offset = offsetof(wrc_config_roundness, angle), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .counted_by = offsetof(wrc_config_roundness, angles)},
-      {.name = "y", .offset = offsetof(wrc_config_roundness, y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config_roundness, rows)},
-      {.name = "deviation", .offset = offsetof(wrc_config_roundness, deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config_roundness, angles), .state = State::not_zero, .by_caller = true},
+      {.name = "angle_count", .offset = offsetof(wrc_config_roundness, angle_count), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
+      {.name = "row_count", .offset = offsetof(wrc_config_roundness, row_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angle_count needs it, and its default is 0", .asked = offsetof(wrc_config_roundness, angle_count), .state = State::not_zero, .otherwise = "it is read with angle_count only: leave it 0"},
+      {.name = "angles", .offset = offsetof(wrc_config_roundness, angles), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config_roundness, angle_count), .state = State::not_zero, .counted_by = offsetof(wrc_config_roundness, angle_count)},
+      {.name = "y", .offset = offsetof(wrc_config_roundness, y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config_roundness, row_count)},
+      {.name = "deviations", .offset = offsetof(wrc_config_roundness, deviations), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config_roundness, angle_count), .state = State::not_zero, .by_caller = true},
+      {.name = "reserved", .offset = offsetof(wrc_config_roundness, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_roundness) == 32, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_config_grid> {
-  static constexpr const char* name = "wrc_config_grid";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
-  static constexpr wrc_config_grid defaults = [] {
-    wrc_config_grid value{};
-    value.strips = 60;
-    value.cells = 32;
-    value.gap_rows = 256;
-    value.max_patches = 4;
-    value.gap_limit = 1e-3;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "strips", .offset = offsetof(wrc_config_grid, strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
-      {.name = "cells", .offset = offsetof(wrc_config_grid, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
-      {.name = "gap_rows", .offset = offsetof(wrc_config_grid, gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
-      {.name = "max_patches", .offset = offsetof(wrc_config_grid, max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
-      {.name = "gap_limit", .offset = offsetof(wrc_config_grid, gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
-  };
-};
-static_assert(sizeof(wrc_config_grid) == 24, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_config_normal> {
-  static constexpr const char* name = "wrc_config_normal";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
-  static constexpr wrc_config_normal defaults = [] {
-    wrc_config_normal value{};
-    value.method = WRC_NORMAL_STRIP_HALFSPACE;
-    value.max_iterations = 60;
-    value.max_sweeps = 16;
-    value.load_tolerance = 1e-10;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "method", .offset = offsetof(wrc_config_normal, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
-      {.name = "max_iterations", .offset = offsetof(wrc_config_normal, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
-      {.name = "max_sweeps", .offset = offsetof(wrc_config_normal, max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
-      {.name = "warm_start", .offset = offsetof(wrc_config_normal, warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "load_tolerance", .offset = offsetof(wrc_config_normal, load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
-  };
-};
-static_assert(sizeof(wrc_config_normal) == 24, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_config_tangential> {
-  static constexpr const char* name = "wrc_config_tangential";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
-  static constexpr wrc_config_tangential defaults = [] {
-    wrc_config_tangential value{};
-    value.method = WRC_TANGENTIAL_STRIP_FASTSIM;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "method", .offset = offsetof(wrc_config_tangential, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
-      {.name = "patch_model", .offset = offsetof(wrc_config_tangential, patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
-      {.name = "bound", .offset = offsetof(wrc_config_tangential, bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
-      {.name = "flexibility", .offset = offsetof(wrc_config_tangential, flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
-      {.name = "regularisation", .offset = offsetof(wrc_config_tangential, regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
-      {.name = "reserved", .offset = offsetof(wrc_config_tangential, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "force_table", .offset = offsetof(wrc_config_tangential, force_table), .type = Type::pointer, .rule = Rule::none},
-  };
-};
-static_assert(sizeof(wrc_config_tangential) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config_roundness) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_check_rail> {
   static constexpr const char* name = "wrc_config_check_rail";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = 144;
   static constexpr wrc_config_check_rail defaults = [] {
     wrc_config_check_rail value{};
     value.profile = Description<wrc_profile>::defaults;
@@ -523,28 +441,122 @@ struct Description<wrc_config_check_rail> {
       {.name = "profile.y", .offset = offsetof(wrc_config_check_rail, profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config_check_rail, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config_check_rail, profile.count)},
       {.name = "profile.z", .offset = offsetof(wrc_config_check_rail, profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config_check_rail, profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config_check_rail, profile.count)},
       {.name = "profile.smoothing", .offset = offsetof(wrc_config_check_rail, profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "profile.reserved", .offset = offsetof(wrc_config_check_rail, profile.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_config_check_rail, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_check_rail) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config_check_rail) == 144, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_normal> {
+  static constexpr const char* name = "wrc_config_normal";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 64;
+  static constexpr wrc_config_normal defaults = [] {
+    wrc_config_normal value{};
+    value.method = WRC_NORMAL_STRIP_HALFSPACE;
+    value.max_iterations = 60;
+    value.load_tolerance = 1e-10;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "method", .offset = offsetof(wrc_config_normal, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
+      {.name = "max_iterations", .offset = offsetof(wrc_config_normal, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "load_tolerance", .offset = offsetof(wrc_config_normal, load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
+      {.name = "reserved", .offset = offsetof(wrc_config_normal, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_config_normal) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_tangential> {
+  static constexpr const char* name = "wrc_config_tangential";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_config_tangential defaults = [] {
+    wrc_config_tangential value{};
+    value.method = WRC_TANGENTIAL_STRIP_FASTSIM;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "method", .offset = offsetof(wrc_config_tangential, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
+      {.name = "patch_model", .offset = offsetof(wrc_config_tangential, patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
+      {.name = "bound", .offset = offsetof(wrc_config_tangential, bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
+      {.name = "flexibility", .offset = offsetof(wrc_config_tangential, flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
+      {.name = "force_table", .offset = offsetof(wrc_config_tangential, force_table), .type = Type::pointer, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_config_tangential, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_config_tangential) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_surface> {
+  static constexpr const char* name = "wrc_config_surface";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 120;
+  static constexpr wrc_config_surface defaults = [] {
+    wrc_config_surface value{};
+    value.cells = 32;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "cells", .offset = offsetof(wrc_config_surface, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
+      {.name = "reserved0", .offset = offsetof(wrc_config_surface, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_config_surface) == 120, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_config_planar> {
+  static constexpr const char* name = "wrc_config_planar";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 104;
+  static constexpr wrc_config_planar defaults = [] {
+    wrc_config_planar value{};
+    value.strips = 60;
+    value.cells = 32;
+    value.gap_rows = 256;
+    value.max_patches = 4;
+    value.max_sweeps = 16;
+    value.gap_limit = 1e-3;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "strips", .offset = offsetof(wrc_config_planar, strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
+      {.name = "cells", .offset = offsetof(wrc_config_planar, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
+      {.name = "gap_rows", .offset = offsetof(wrc_config_planar, gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
+      {.name = "max_patches", .offset = offsetof(wrc_config_planar, max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
+      {.name = "max_sweeps", .offset = offsetof(wrc_config_planar, max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "start", .offset = offsetof(wrc_config_planar, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_start},
+      {.name = "regularisation", .offset = offsetof(wrc_config_planar, regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
+      {.name = "non_steady", .offset = offsetof(wrc_config_planar, non_steady), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "gap_limit", .offset = offsetof(wrc_config_planar, gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "reserved", .offset = offsetof(wrc_config_planar, reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_config_planar) == 104, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config> {
   static constexpr const char* name = "wrc_config";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 280;
+  static constexpr std::size_t first = 1184;
   static constexpr wrc_config defaults = [] {
     wrc_config value{};
     value.struct_size = sizeof value;
     value.wheel = Description<wrc_profile>::defaults;
     value.rail = Description<wrc_profile>::defaults;
-    value.material = Description<wrc_config_material>::defaults;
+    value.wheel_material = Description<wrc_material>::defaults;
+    value.rail_material = Description<wrc_material>::defaults;
     value.wheel_heat = Description<wrc_heat_properties>::defaults;
     value.rail_heat = Description<wrc_heat_properties>::defaults;
     value.wheelset = Description<wrc_config_wheelset>::defaults;
     value.track = Description<wrc_config_track>::defaults;
-    value.grid = Description<wrc_config_grid>::defaults;
     value.normal = Description<wrc_config_normal>::defaults;
     value.tangential = Description<wrc_config_tangential>::defaults;
+    value.surface = Description<wrc_config_surface>::defaults;
+    value.planar = Description<wrc_config_planar>::defaults;
     value.roundness = Description<wrc_config_roundness>::defaults;
     value.check_rail = Description<wrc_config_check_rail>::defaults;
     return value;
@@ -557,55 +569,68 @@ struct Description<wrc_config> {
       {.name = "wheel.y", .offset = offsetof(wrc_config, wheel.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, wheel.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, wheel.count)},
       {.name = "wheel.z", .offset = offsetof(wrc_config, wheel.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, wheel.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, wheel.count)},
       {.name = "wheel.smoothing", .offset = offsetof(wrc_config, wheel.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "wheel.reserved", .offset = offsetof(wrc_config, wheel.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "rail.kind", .offset = offsetof(wrc_config, rail.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},
       {.name = "rail.count", .offset = offsetof(wrc_config, rail.count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? WRC_PROFILE_POINTS needs it, and its default is 0", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS},
       {.name = "rail.y", .offset = offsetof(wrc_config, rail.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, rail.count)},
       {.name = "rail.z", .offset = offsetof(wrc_config, rail.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, rail.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, rail.count)},
       {.name = "rail.smoothing", .offset = offsetof(wrc_config, rail.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "material.shear_modulus", .offset = offsetof(wrc_config, material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
-      {.name = "material.poisson", .offset = offsetof(wrc_config, material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "material.shear_yield", .offset = offsetof(wrc_config, material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
-      {.name = "material.rail_shear_modulus", .offset = offsetof(wrc_config, material.rail_shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .or_zero = true, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 80e9"},
-      {.name = "material.rail_poisson", .offset = offsetof(wrc_config, material.rail_poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "rail.reserved", .offset = offsetof(wrc_config, rail.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "wheel_material.shear_modulus", .offset = offsetof(wrc_config, wheel_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "wheel_material.poisson", .offset = offsetof(wrc_config, wheel_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "wheel_material.shear_yield", .offset = offsetof(wrc_config, wheel_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheel_material.reserved", .offset = offsetof(wrc_config, wheel_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
+      {.name = "rail_material.shear_modulus", .offset = offsetof(wrc_config, rail_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "rail_material.poisson", .offset = offsetof(wrc_config, rail_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "rail_material.shear_yield", .offset = offsetof(wrc_config, rail_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "rail_material.reserved", .offset = offsetof(wrc_config, rail_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
       {.name = "wheel_heat.conductivity", .offset = offsetof(wrc_config, wheel_heat.conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
       {.name = "wheel_heat.density", .offset = offsetof(wrc_config, wheel_heat.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
       {.name = "wheel_heat.specific_heat", .offset = offsetof(wrc_config, wheel_heat.specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
+      {.name = "wheel_heat.reserved", .offset = offsetof(wrc_config, wheel_heat.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
       {.name = "rail_heat.conductivity", .offset = offsetof(wrc_config, rail_heat.conductivity), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1000, .unit = "W/(m K)", .too_small = "steel has 40 to 55", .too_large = "steel has 40 to 55"},
       {.name = "rail_heat.density", .offset = offsetof(wrc_config, rail_heat.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3", .too_small = "did you pass g/cm^3?"},
       {.name = "rail_heat.specific_heat", .offset = offsetof(wrc_config, rail_heat.specific_heat), .type = Type::real, .rule = Rule::range, .low = 10, .high = 1e5, .unit = "J/(kg K)", .too_small = "did you pass kJ?"},
+      {.name = "rail_heat.reserved", .offset = offsetof(wrc_config, rail_heat.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
       {.name = "wheelset.wheel_radius", .offset = offsetof(wrc_config, wheelset.wheel_radius), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 1.5, .unit = "m", .too_large = "did you pass mm?"},
-      {.name = "wheelset.flange_back_distance", .offset = offsetof(wrc_config, wheelset.flange_back_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "wheelset.tape_circle_distance", .offset = offsetof(wrc_config, wheelset.tape_circle_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 3, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "wheelset.reserved", .offset = offsetof(wrc_config, wheelset.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "track.placement", .offset = offsetof(wrc_config, track.placement), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_placement},
-      {.name = "track.reserved", .offset = offsetof(wrc_config, track.reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "track.reserved0", .offset = offsetof(wrc_config, track.reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "track.gauge", .offset = offsetof(wrc_config, track.gauge), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 2.5, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "track.gauge_depth", .offset = offsetof(wrc_config, track.gauge_depth), .type = Type::real, .rule = Rule::range, .low = 0.005, .high = 0.04, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "track.rail_inclination", .offset = offsetof(wrc_config, track.rail_inclination), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .too_small = "1:40 is 0.025", .too_large = "1:40 is 0.025"},
       {.name = "track.rail_origin", .offset = offsetof(wrc_config, track.rail_origin), .type = Type::real, .rule = Rule::range, .low = 0.2, .high = 1.5, .unit = "m", .too_large = "did you pass mm, or the distance from rail to rail?", .not_set = "was it set? WRC_PLACEMENT_ORIGIN needs it, and its default is 0", .asked = offsetof(wrc_config, track.placement), .asked_for = WRC_PLACEMENT_ORIGIN, .otherwise = "it is read with WRC_PLACEMENT_ORIGIN only: leave it 0"},
-      {.name = "grid.strips", .offset = offsetof(wrc_config, grid.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
-      {.name = "grid.cells", .offset = offsetof(wrc_config, grid.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
-      {.name = "grid.gap_rows", .offset = offsetof(wrc_config, grid.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
-      {.name = "grid.max_patches", .offset = offsetof(wrc_config, grid.max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
-      {.name = "grid.gap_limit", .offset = offsetof(wrc_config, grid.gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "track.reserved", .offset = offsetof(wrc_config, track.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "normal.method", .offset = offsetof(wrc_config, normal.method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_normal_method},
       {.name = "normal.max_iterations", .offset = offsetof(wrc_config, normal.max_iterations), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
-      {.name = "normal.max_sweeps", .offset = offsetof(wrc_config, normal.max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
-      {.name = "normal.warm_start", .offset = offsetof(wrc_config, normal.warm_start), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "normal.load_tolerance", .offset = offsetof(wrc_config, normal.load_tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 1e-2},
+      {.name = "normal.reserved", .offset = offsetof(wrc_config, normal.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "tangential.method", .offset = offsetof(wrc_config, tangential.method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_tangential_method},
       {.name = "tangential.patch_model", .offset = offsetof(wrc_config, tangential.patch_model), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_patch_model},
       {.name = "tangential.bound", .offset = offsetof(wrc_config, tangential.bound), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_traction_bound},
       {.name = "tangential.flexibility", .offset = offsetof(wrc_config, tangential.flexibility), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_flexibility},
-      {.name = "tangential.regularisation", .offset = offsetof(wrc_config, tangential.regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
-      {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::uint32, .rule = Rule::zero},
       {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
-      {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "non_steady", .offset = offsetof(wrc_config, non_steady), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "rail_section", .offset = offsetof(wrc_config, rail_section), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_sections), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_sections)},
-      {.name = "roundness.angles", .offset = offsetof(wrc_config, roundness.angles), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
-      {.name = "roundness.rows", .offset = offsetof(wrc_config, roundness.rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angles needs it, and its default is 0", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .otherwise = "it is read with angles only: leave it 0"},
-      {.name = "roundness.angle", .offset = offsetof(wrc_config, roundness.angle), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .counted_by = offsetof(wrc_config, roundness.angles)},
-      {.name = "roundness.y", .offset = offsetof(wrc_config, roundness.y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config, roundness.rows)},
-      {.name = "roundness.deviation", .offset = offsetof(wrc_config, roundness.deviation), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angles), .state = State::not_zero, .by_caller = true},
+      {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "surface.cells", .offset = offsetof(wrc_config, surface.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
+      {.name = "surface.reserved0", .offset = offsetof(wrc_config, surface.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+      {.name = "planar.strips", .offset = offsetof(wrc_config, planar.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
+      {.name = "planar.cells", .offset = offsetof(wrc_config, planar.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
+      {.name = "planar.gap_rows", .offset = offsetof(wrc_config, planar.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
+      {.name = "planar.max_patches", .offset = offsetof(wrc_config, planar.max_patches), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 16, .too_small = "a wheel touches its rail in one to three places", .too_large = "a wheel touches its rail in one to three places"},
+      {.name = "planar.max_sweeps", .offset = offsetof(wrc_config, planar.max_sweeps), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 1000},
+      {.name = "planar.start", .offset = offsetof(wrc_config, planar.start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_start},
+      {.name = "planar.regularisation", .offset = offsetof(wrc_config, planar.regularisation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_regularisation},
+      {.name = "planar.non_steady", .offset = offsetof(wrc_config, planar.non_steady), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "planar.gap_limit", .offset = offsetof(wrc_config, planar.gap_limit), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 0.02, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "planar.reserved", .offset = offsetof(wrc_config, planar.reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
+      {.name = "roundness.angle_count", .offset = offsetof(wrc_config, roundness.angle_count), .type = Type::uint32, .rule = Rule::range, .low = 9, .high = 20000, .or_zero = true},
+      {.name = "roundness.row_count", .offset = offsetof(wrc_config, roundness.row_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 16, .not_set = "was it set? angle_count needs it, and its default is 0", .asked = offsetof(wrc_config, roundness.angle_count), .state = State::not_zero, .otherwise = "it is read with angle_count only: leave it 0"},
+      {.name = "roundness.angles", .offset = offsetof(wrc_config, roundness.angles), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 6.2831854, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?", .asked = offsetof(wrc_config, roundness.angle_count), .state = State::not_zero, .counted_by = offsetof(wrc_config, roundness.angle_count)},
+      {.name = "roundness.y", .offset = offsetof(wrc_config, roundness.y), .type = Type::pointer, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .counted_by = offsetof(wrc_config, roundness.row_count)},
+      {.name = "roundness.deviations", .offset = offsetof(wrc_config, roundness.deviations), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.005, .high = 0.005, .unit = "m", .asked = offsetof(wrc_config, roundness.angle_count), .state = State::not_zero, .by_caller = true},
+      {.name = "roundness.reserved", .offset = offsetof(wrc_config, roundness.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "roller_curvature", .offset = offsetof(wrc_config, roller_curvature), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 10, .or_zero = true, .unit = "1/m", .too_large = "did you pass a radius? wrc_contact_wrench() alone reads it"},
       {.name = "check_rail.y", .offset = offsetof(wrc_config, check_rail.y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0, .unit = "m", .too_small = "did you pass mm, or count from the track's middle?", .too_large = "did you pass mm, or count from the track's middle?"},
       {.name = "check_rail.z", .offset = offsetof(wrc_config, check_rail.z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
@@ -614,118 +639,55 @@ struct Description<wrc_config> {
       {.name = "check_rail.profile.y", .offset = offsetof(wrc_config, check_rail.profile.y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, check_rail.profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, check_rail.profile.count)},
       {.name = "check_rail.profile.z", .offset = offsetof(wrc_config, check_rail.profile.z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .not_set = "WRC_PROFILE_POINTS needs it", .asked = offsetof(wrc_config, check_rail.profile.kind), .asked_for = WRC_PROFILE_POINTS, .counted_by = offsetof(wrc_config, check_rail.profile.count)},
       {.name = "check_rail.profile.smoothing", .offset = offsetof(wrc_config, check_rail.profile.smoothing), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "check_rail.profile.reserved", .offset = offsetof(wrc_config, check_rail.profile.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "check_rail.reserved", .offset = offsetof(wrc_config, check_rail.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "rail_section_count", .offset = offsetof(wrc_config, rail_section_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "rail_section_size", .offset = offsetof(wrc_config, rail_section_size), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 4096, .or_zero = true, .too_large = "say sizeof(wrc_rail_section)"},
+      {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_section_count), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_section_count)},
   };
 };
-static_assert(sizeof(wrc_config) == 400, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_config) == 1184, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_planar_pose> {
-  static constexpr const char* name = "wrc_planar_pose";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
-  static constexpr wrc_planar_pose defaults = [] {
-    wrc_planar_pose value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "lateral", .offset = offsetof(wrc_planar_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "roll", .offset = offsetof(wrc_planar_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "yaw", .offset = offsetof(wrc_planar_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-  };
-};
-static_assert(sizeof(wrc_planar_pose) == 24, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_point> {
-  static constexpr const char* name = "wrc_planar_point";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
-  static constexpr wrc_planar_point defaults = [] {
-    wrc_planar_point value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "x", .offset = offsetof(wrc_planar_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y", .offset = offsetof(wrc_planar_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "z", .offset = offsetof(wrc_planar_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_wheel", .offset = offsetof(wrc_planar_point, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_rail", .offset = offsetof(wrc_planar_point, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "angle", .offset = offsetof(wrc_planar_point, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-      {.name = "vertical_gap", .offset = offsetof(wrc_planar_point, vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "rolling_radius", .offset = offsetof(wrc_planar_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
-  };
-};
-static_assert(sizeof(wrc_planar_point) == 64, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_gap> {
-  static constexpr const char* name = "wrc_planar_gap";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
-  static constexpr wrc_planar_gap defaults = [] {
-    wrc_planar_gap value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "rows", .offset = offsetof(wrc_planar_gap, rows), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.grid.gap_rows", .not_set = "was it set? its default is 0"},
-      {.name = "columns", .offset = offsetof(wrc_planar_gap, columns), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
-      {.name = "y", .offset = offsetof(wrc_planar_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_gap, rows)},
-      {.name = "height", .offset = offsetof(wrc_planar_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
-      {.name = "centre", .offset = offsetof(wrc_planar_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
-      {.name = "curvature", .offset = offsetof(wrc_planar_gap, curvature), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 1e6, .unit = "1/m", .too_small = "rows must be convex; did you pass 1/mm, or a radius?", .too_large = "did you pass 1/um?", .asked = offsetof(wrc_planar_gap, columns), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, rows)},
-      {.name = "x", .offset = offsetof(wrc_planar_gap, x), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::not_zero, .counted_by = offsetof(wrc_planar_gap, columns)},
-      {.name = "h", .offset = offsetof(wrc_planar_gap, h), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, columns), .state = State::not_zero, .by_caller = true},
-      {.name = "row_stride", .offset = offsetof(wrc_planar_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
-  };
-};
-static_assert(sizeof(wrc_planar_gap) == 64, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_load> {
-  static constexpr const char* name = "wrc_planar_load";
+struct Description<wrc_allocator> {
+  static constexpr const char* name = "wrc_allocator";
   static constexpr bool versioned = false;
   static constexpr std::size_t first = 40;
-  static constexpr wrc_planar_load defaults = [] {
-    wrc_planar_load value{};
+  static constexpr wrc_allocator defaults = [] {
+    wrc_allocator value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "prescribed", .offset = offsetof(wrc_planar_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
-      {.name = "reserved", .offset = offsetof(wrc_planar_load, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "normal_force", .offset = offsetof(wrc_planar_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
-      {.name = "approach", .offset = offsetof(wrc_planar_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "approach_velocity", .offset = offsetof(wrc_planar_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "damping", .offset = offsetof(wrc_planar_load, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "user", .offset = offsetof(wrc_allocator, user), .type = Type::pointer, .rule = Rule::none},
+      {.name = "allocate", .offset = offsetof(wrc_allocator, allocate), .type = Type::pointer, .rule = Rule::none},
+      {.name = "release", .offset = offsetof(wrc_allocator, release), .type = Type::pointer, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_allocator, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_load) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_allocator) == 40, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_creepage> {
-  static constexpr const char* name = "wrc_creepage";
+struct Description<wrc_view> {
+  static constexpr const char* name = "wrc_view";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
-  static constexpr wrc_creepage defaults = [] {
-    wrc_creepage value{};
-    value.speed = 1;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_view defaults = [] {
+    wrc_view value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "longitudinal", .offset = offsetof(wrc_creepage, longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "lateral", .offset = offsetof(wrc_creepage, lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "spin", .offset = offsetof(wrc_creepage, spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
-      {.name = "speed", .offset = offsetof(wrc_creepage, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "approach_velocity", .offset = offsetof(wrc_creepage, approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
-      {.name = "reverse_share", .offset = offsetof(wrc_creepage, reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "data", .offset = offsetof(wrc_view, data), .type = Type::pointer, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_view, count), .type = Type::uint64, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_view, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_creepage) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_view) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_bulk_temperatures> {
   static constexpr const char* name = "wrc_bulk_temperatures";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 16;
+  static constexpr std::size_t first = 32;
   static constexpr wrc_bulk_temperatures defaults = [] {
     wrc_bulk_temperatures value{};
     value.wheel = 20;
@@ -735,15 +697,16 @@ struct Description<wrc_bulk_temperatures> {
   static constexpr Member members[] = {
       {.name = "wheel", .offset = offsetof(wrc_bulk_temperatures, wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
       {.name = "rail", .offset = offsetof(wrc_bulk_temperatures, rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "reserved", .offset = offsetof(wrc_bulk_temperatures, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_bulk_temperatures) == 16, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_bulk_temperatures) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_friction> {
   static constexpr const char* name = "wrc_friction";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 128;
+  static constexpr std::size_t first = 240;
   static constexpr wrc_friction defaults = [] {
     wrc_friction value{};
     value.coefficient = 0.3;
@@ -759,32 +722,261 @@ struct Description<wrc_friction> {
   }();
   static constexpr Member members[] = {
       {.name = "coefficient", .offset = offsetof(wrc_friction, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
-      {.name = "kind", .offset = offsetof(wrc_friction, kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
-      {.name = "zone_frame", .offset = offsetof(wrc_friction, zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "speed_law", .offset = offsetof(wrc_friction, speed_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_speed_law},
+      {.name = "temperature_law", .offset = offsetof(wrc_friction, temperature_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_temperature_law},
       {.name = "kinetic_ratio", .offset = offsetof(wrc_friction, kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
       {.name = "fall_rate", .offset = offsetof(wrc_friction, fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
-      {.name = "half_speed", .offset = offsetof(wrc_friction, half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
-      {.name = "hot_ratio", .offset = offsetof(wrc_friction, hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "cold_temperature", .offset = offsetof(wrc_friction, cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "hot_temperature", .offset = offsetof(wrc_friction, hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_friction, kind), .asked_for = WRC_FRICTION_TEMPERATURE},
+      {.name = "half_speed", .offset = offsetof(wrc_friction, half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s"},
+      {.name = "hot_ratio", .offset = offsetof(wrc_friction, hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces"},
+      {.name = "cold_temperature", .offset = offsetof(wrc_friction, cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC"},
+      {.name = "hot_temperature", .offset = offsetof(wrc_friction, hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC"},
       {.name = "bulk.wheel", .offset = offsetof(wrc_friction, bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
       {.name = "bulk.rail", .offset = offsetof(wrc_friction, bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "bulk.reserved", .offset = offsetof(wrc_friction, bulk.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "slope_reduction", .offset = offsetof(wrc_friction, slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "slope_limit", .offset = offsetof(wrc_friction, slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "slope_fall", .offset = offsetof(wrc_friction, slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "zone_y", .offset = offsetof(wrc_friction, zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
-      {.name = "zone_coefficient", .offset = offsetof(wrc_friction, zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_friction, zones), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zones)},
-      {.name = "zones", .offset = offsetof(wrc_friction, zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "zone_y", .offset = offsetof(wrc_friction, zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_friction, zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zone_count)},
+      {.name = "zone_coefficients", .offset = offsetof(wrc_friction, zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_friction, zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zone_count)},
+      {.name = "zone_count", .offset = offsetof(wrc_friction, zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "zone_frame", .offset = offsetof(wrc_friction, zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_friction) == 128, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wheel_state> {
+  static constexpr const char* name = "wrc_wheel_state";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 240;
+  static constexpr wrc_wheel_state defaults = [] {
+    wrc_wheel_state value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "reference", .offset = offsetof(wrc_wheel_state, reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
+      {.name = "orientation", .offset = offsetof(wrc_wheel_state, orientation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_orientation},
+      {.name = "angular_axes", .offset = offsetof(wrc_wheel_state, angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
+      {.name = "reserved0", .offset = offsetof(wrc_wheel_state, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_wheel_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "z", .offset = offsetof(wrc_wheel_state, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
+      {.name = "roll", .offset = offsetof(wrc_wheel_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "yaw", .offset = offsetof(wrc_wheel_state, yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "velocity[0]", .offset = offsetof(wrc_wheel_state, velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "velocity[1]", .offset = offsetof(wrc_wheel_state, velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "velocity[2]", .offset = offsetof(wrc_wheel_state, velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "roll_rate", .offset = offsetof(wrc_wheel_state, roll_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "pitch_rate", .offset = offsetof(wrc_wheel_state, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? rolling forwards it is -speed / wheel radius", .too_large = "did you pass rpm or degrees? rolling forwards it is -speed / wheel radius"},
+      {.name = "yaw_rate", .offset = offsetof(wrc_wheel_state, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "angular_velocity[0]", .offset = offsetof(wrc_wheel_state, angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "angular_velocity[1]", .offset = offsetof(wrc_wheel_state, angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "angular_velocity[2]", .offset = offsetof(wrc_wheel_state, angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "rotation", .offset = offsetof(wrc_wheel_state, rotation), .type = Type::real, .elements = 9, .rule = Rule::range, .low = -1.001, .high = 1.001, .too_small = "these are not cosines between axes", .too_large = "these are not cosines between axes"},
+      {.name = "reserved", .offset = offsetof(wrc_wheel_state, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_wheel_state) == 240, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_rail_state> {
+  static constexpr const char* name = "wrc_rail_state";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 112;
+  static constexpr wrc_rail_state defaults = [] {
+    wrc_rail_state value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "y", .offset = offsetof(wrc_rail_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "z", .offset = offsetof(wrc_rail_state, z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "roll", .offset = offsetof(wrc_rail_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "y_slope", .offset = offsetof(wrc_rail_state, y_slope), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .too_small = "did you pass mm per m? a slope is m per m", .too_large = "did you pass mm per m? a slope is m per m"},
+      {.name = "z_slope", .offset = offsetof(wrc_rail_state, z_slope), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .too_small = "did you pass mm per m? a slope is m per m", .too_large = "did you pass mm per m? a slope is m per m"},
+      {.name = "y_velocity", .offset = offsetof(wrc_rail_state, y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "z_velocity", .offset = offsetof(wrc_rail_state, z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "roll_rate", .offset = offsetof(wrc_rail_state, roll_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "reserved", .offset = offsetof(wrc_rail_state, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_rail_state) == 112, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_frame_motion> {
+  static constexpr const char* name = "wrc_frame_motion";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 64;
+  static constexpr wrc_frame_motion defaults = [] {
+    wrc_frame_motion value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "speed", .offset = offsetof(wrc_frame_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "curvature", .offset = offsetof(wrc_frame_motion, curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "vertical_curvature", .offset = offsetof(wrc_frame_motion, vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "twist", .offset = offsetof(wrc_frame_motion, twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
+      {.name = "reserved", .offset = offsetof(wrc_frame_motion, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_frame_motion) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wheel_input> {
+  static constexpr const char* name = "wrc_wheel_input";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 712;
+  static constexpr wrc_wheel_input defaults = [] {
+    wrc_wheel_input value{};
+    value.struct_size = sizeof value;
+    value.wheel = Description<wrc_wheel_state>::defaults;
+    value.rail = Description<wrc_rail_state>::defaults;
+    value.frame = Description<wrc_frame_motion>::defaults;
+    value.friction = Description<wrc_friction>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "start", .offset = offsetof(wrc_wheel_input, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_start},
+      {.name = "reserved0", .offset = offsetof(wrc_wheel_input, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "wheel.reference", .offset = offsetof(wrc_wheel_input, wheel.reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
+      {.name = "wheel.orientation", .offset = offsetof(wrc_wheel_input, wheel.orientation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_orientation},
+      {.name = "wheel.angular_axes", .offset = offsetof(wrc_wheel_input, wheel.angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
+      {.name = "wheel.reserved0", .offset = offsetof(wrc_wheel_input, wheel.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "wheel.y", .offset = offsetof(wrc_wheel_input, wheel.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "wheel.z", .offset = offsetof(wrc_wheel_input, wheel.z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
+      {.name = "wheel.roll", .offset = offsetof(wrc_wheel_input, wheel.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "wheel.yaw", .offset = offsetof(wrc_wheel_input, wheel.yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "wheel.velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
+      {.name = "wheel.roll_rate", .offset = offsetof(wrc_wheel_input, wheel.roll_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "wheel.pitch_rate", .offset = offsetof(wrc_wheel_input, wheel.pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? rolling forwards it is -speed / wheel radius", .too_large = "did you pass rpm or degrees? rolling forwards it is -speed / wheel radius"},
+      {.name = "wheel.yaw_rate", .offset = offsetof(wrc_wheel_input, wheel.yaw_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "wheel.angular_velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "wheel.angular_velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "wheel.angular_velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
+      {.name = "wheel.rotation", .offset = offsetof(wrc_wheel_input, wheel.rotation), .type = Type::real, .elements = 9, .rule = Rule::range, .low = -1.001, .high = 1.001, .too_small = "these are not cosines between axes", .too_large = "these are not cosines between axes"},
+      {.name = "wheel.reserved", .offset = offsetof(wrc_wheel_input, wheel.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "rail.y", .offset = offsetof(wrc_wheel_input, rail.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "rail.z", .offset = offsetof(wrc_wheel_input, rail.z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "rail.roll", .offset = offsetof(wrc_wheel_input, rail.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "rail.y_slope", .offset = offsetof(wrc_wheel_input, rail.y_slope), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .too_small = "did you pass mm per m? a slope is m per m", .too_large = "did you pass mm per m? a slope is m per m"},
+      {.name = "rail.z_slope", .offset = offsetof(wrc_wheel_input, rail.z_slope), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .too_small = "did you pass mm per m? a slope is m per m", .too_large = "did you pass mm per m? a slope is m per m"},
+      {.name = "rail.y_velocity", .offset = offsetof(wrc_wheel_input, rail.y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "rail.z_velocity", .offset = offsetof(wrc_wheel_input, rail.z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
+      {.name = "rail.roll_rate", .offset = offsetof(wrc_wheel_input, rail.roll_rate), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "rail.reserved", .offset = offsetof(wrc_wheel_input, rail.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "frame.speed", .offset = offsetof(wrc_wheel_input, frame.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "frame.curvature", .offset = offsetof(wrc_wheel_input, frame.curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "frame.vertical_curvature", .offset = offsetof(wrc_wheel_input, frame.vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
+      {.name = "frame.twist", .offset = offsetof(wrc_wheel_input, frame.twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
+      {.name = "frame.reserved", .offset = offsetof(wrc_wheel_input, frame.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_wheel_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.speed_law", .offset = offsetof(wrc_wheel_input, friction.speed_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_speed_law},
+      {.name = "friction.temperature_law", .offset = offsetof(wrc_wheel_input, friction.temperature_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_temperature_law},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_wheel_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_wheel_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_wheel_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s"},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_wheel_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces"},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_wheel_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC"},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_wheel_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC"},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_wheel_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_wheel_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.reserved", .offset = offsetof(wrc_wheel_input, friction.bulk.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_wheel_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_wheel_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_wheel_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_wheel_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_wheel_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zone_count)},
+      {.name = "friction.zone_coefficients", .offset = offsetof(wrc_wheel_input, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_wheel_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zone_count)},
+      {.name = "friction.zone_count", .offset = offsetof(wrc_wheel_input, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_wheel_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
+      {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "the height is prescribed; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
+      {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
+      {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "angle", .offset = offsetof(wrc_wheel_input, angle), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "roller_rate", .offset = offsetof(wrc_wheel_input, roller_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees?", .too_large = "did you pass rpm or degrees?"},
+  };
+};
+static_assert(sizeof(wrc_wheel_input) == 712, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wrench> {
+  static constexpr const char* name = "wrc_wrench";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 168;
+  static constexpr wrc_wrench defaults = [] {
+    wrc_wrench value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wrench, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_wrench, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "region_count", .offset = offsetof(wrc_wrench, region_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_wrench, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "force", .offset = offsetof(wrc_wrench, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "moment", .offset = offsetof(wrc_wrench, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "rail_force", .offset = offsetof(wrc_wrench, rail_force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "rail_moment", .offset = offsetof(wrc_wrench, rail_moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "z", .offset = offsetof(wrc_wrench, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "clearance", .offset = offsetof(wrc_wrench, clearance), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal_force", .offset = offsetof(wrc_wrench, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "area", .offset = offsetof(wrc_wrench, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_wrench, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "power", .offset = offsetof(wrc_wrench, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "steepest_angle", .offset = offsetof(wrc_wrench, steepest_angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+  };
+};
+static_assert(sizeof(wrc_wrench) == 168, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_wrench_derivatives> {
+  static constexpr const char* name = "wrc_wrench_derivatives";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 1800;
+  static constexpr wrc_wrench_derivatives defaults = [] {
+    wrc_wrench_derivatives value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_wrench_derivatives, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_wrench_derivatives, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "wrench", .offset = offsetof(wrc_wrench_derivatives, wrench), .type = Type::real, .elements = 192, .rule = Rule::none},
+      {.name = "z", .offset = offsetof(wrc_wrench_derivatives, z), .type = Type::real, .elements = 32, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_wrench_derivatives) == 1800, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_creepage> {
+  static constexpr const char* name = "wrc_creepage";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_creepage defaults = [] {
+    wrc_creepage value{};
+    value.speed = 1;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "longitudinal", .offset = offsetof(wrc_creepage, longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "lateral", .offset = offsetof(wrc_creepage, lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "spin", .offset = offsetof(wrc_creepage, spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "speed", .offset = offsetof(wrc_creepage, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "approach_velocity", .offset = offsetof(wrc_creepage, approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "reverse_share", .offset = offsetof(wrc_creepage, reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "reserved", .offset = offsetof(wrc_creepage, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_creepage) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_ellipse> {
   static constexpr const char* name = "wrc_ellipse";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_ellipse defaults = [] {
     wrc_ellipse value{};
     return value;
@@ -795,154 +987,74 @@ struct Description<wrc_ellipse> {
       {.name = "psi", .offset = offsetof(wrc_ellipse, psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
       {.name = "y", .offset = offsetof(wrc_ellipse, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "normal_force", .offset = offsetof(wrc_ellipse, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "reserved", .offset = offsetof(wrc_ellipse, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_ellipse) == 40, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_ellipse) == 64, "run tools/interface/describe.py");
 
 template <>
-struct Description<wrc_planar_normal_solution> {
-  static constexpr const char* name = "wrc_planar_normal_solution";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 136;
-  static constexpr wrc_planar_normal_solution defaults = [] {
-    wrc_planar_normal_solution value{};
-    value.ellipse = Description<wrc_ellipse>::defaults;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "patches", .offset = offsetof(wrc_planar_normal_solution, patches), .type = Type::int32, .rule = Rule::none},
-      {.name = "strips", .offset = offsetof(wrc_planar_normal_solution, strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "iterations", .offset = offsetof(wrc_planar_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_planar_normal_solution, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "ellipse.a", .offset = offsetof(wrc_planar_normal_solution, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.b", .offset = offsetof(wrc_planar_normal_solution, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.psi", .offset = offsetof(wrc_planar_normal_solution, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "ellipse.y", .offset = offsetof(wrc_planar_normal_solution, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "ellipse.normal_force", .offset = offsetof(wrc_planar_normal_solution, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "normal_force", .offset = offsetof(wrc_planar_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damping_force", .offset = offsetof(wrc_planar_normal_solution, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "approach", .offset = offsetof(wrc_planar_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "stiffness", .offset = offsetof(wrc_planar_normal_solution, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
-      {.name = "peak_pressure", .offset = offsetof(wrc_planar_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "area", .offset = offsetof(wrc_planar_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "length", .offset = offsetof(wrc_planar_normal_solution, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "width", .offset = offsetof(wrc_planar_normal_solution, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_min", .offset = offsetof(wrc_planar_normal_solution, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_max", .offset = offsetof(wrc_planar_normal_solution, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
-  };
-};
-static_assert(sizeof(wrc_planar_normal_solution) == 136, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_strips> {
-  static constexpr const char* name = "wrc_planar_strips";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
-  static constexpr wrc_planar_strips defaults = [] {
-    wrc_planar_strips value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "count", .offset = offsetof(wrc_planar_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.grid.strips", .not_set = "was it set? its default is 0"},
-      {.name = "reserved", .offset = offsetof(wrc_planar_strips, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "y", .offset = offsetof(wrc_planar_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
-      {.name = "width", .offset = offsetof(wrc_planar_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
-      {.name = "centre", .offset = offsetof(wrc_planar_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
-      {.name = "half_length", .offset = offsetof(wrc_planar_strips, half_length), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without length", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
-      {.name = "peak", .offset = offsetof(wrc_planar_strips, peak), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .counted_by = offsetof(wrc_planar_strips, count)},
-  };
-};
-static_assert(sizeof(wrc_planar_strips) == 48, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_forces> {
-  static constexpr const char* name = "wrc_planar_forces";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 56;
-  static constexpr wrc_planar_forces defaults = [] {
-    wrc_planar_forces value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "fx", .offset = offsetof(wrc_planar_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "fy", .offset = offsetof(wrc_planar_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "fn", .offset = offsetof(wrc_planar_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "mz", .offset = offsetof(wrc_planar_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
-      {.name = "power", .offset = offsetof(wrc_planar_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "adhesion_fraction", .offset = offsetof(wrc_planar_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
-      {.name = "available", .offset = offsetof(wrc_planar_forces, available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_planar_forces, reserved), .type = Type::uint32, .rule = Rule::zero},
-  };
-};
-static_assert(sizeof(wrc_planar_forces) == 56, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_patch> {
-  static constexpr const char* name = "wrc_patch";
+struct Description<wrc_region> {
+  static constexpr const char* name = "wrc_region";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 208;
-  static constexpr wrc_patch defaults = [] {
-    wrc_patch value{};
+  static constexpr std::size_t first = 408;
+  static constexpr wrc_region defaults = [] {
+    wrc_region value{};
     value.struct_size = sizeof value;
+    value.creepage = Description<wrc_creepage>::defaults;
     value.ellipse = Description<wrc_ellipse>::defaults;
-    value.forces = Description<wrc_planar_forces>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_patch, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "available", .offset = offsetof(wrc_patch, available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "strips", .offset = offsetof(wrc_patch, strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_patch, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "ellipse.a", .offset = offsetof(wrc_patch, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.b", .offset = offsetof(wrc_patch, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "ellipse.psi", .offset = offsetof(wrc_patch, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "ellipse.y", .offset = offsetof(wrc_patch, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "ellipse.normal_force", .offset = offsetof(wrc_patch, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "forces.fx", .offset = offsetof(wrc_patch, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fy", .offset = offsetof(wrc_patch, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fn", .offset = offsetof(wrc_patch, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.mz", .offset = offsetof(wrc_patch, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
-      {.name = "forces.power", .offset = offsetof(wrc_patch, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_patch, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
-      {.name = "forces.available", .offset = offsetof(wrc_patch, forces.available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "forces.reserved", .offset = offsetof(wrc_patch, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "peak_pressure", .offset = offsetof(wrc_patch, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "area", .offset = offsetof(wrc_patch, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "length", .offset = offsetof(wrc_patch, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "width", .offset = offsetof(wrc_patch, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_min", .offset = offsetof(wrc_patch, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_max", .offset = offsetof(wrc_patch, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point", .offset = offsetof(wrc_patch, point), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "m"},
-      {.name = "normal", .offset = offsetof(wrc_patch, normal), .type = Type::real, .elements = 3, .rule = Rule::none},
+      {.name = "struct_size", .offset = offsetof(wrc_region, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_region, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "strip_count", .offset = offsetof(wrc_region, strip_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "cell_count", .offset = offsetof(wrc_region, cell_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "surface", .offset = offsetof(wrc_region, surface), .type = Type::int32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_region, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "point", .offset = offsetof(wrc_region, point), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "m"},
+      {.name = "normal", .offset = offsetof(wrc_region, normal), .type = Type::real, .elements = 3, .rule = Rule::none},
+      {.name = "y_wheel", .offset = offsetof(wrc_region, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z_wheel", .offset = offsetof(wrc_region, z_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail", .offset = offsetof(wrc_region, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z_rail", .offset = offsetof(wrc_region, z_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "angle", .offset = offsetof(wrc_region, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "rolling_radius", .offset = offsetof(wrc_region, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "force", .offset = offsetof(wrc_region, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
+      {.name = "moment", .offset = offsetof(wrc_region, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
+      {.name = "normal_force", .offset = offsetof(wrc_region, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "longitudinal_force", .offset = offsetof(wrc_region, longitudinal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "lateral_force", .offset = offsetof(wrc_region, lateral_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "spin_moment", .offset = offsetof(wrc_region, spin_moment), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "creepage.longitudinal", .offset = offsetof(wrc_region, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.lateral", .offset = offsetof(wrc_region, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.spin", .offset = offsetof(wrc_region, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "creepage.speed", .offset = offsetof(wrc_region, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_region, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "creepage.reverse_share", .offset = offsetof(wrc_region, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "creepage.reserved", .offset = offsetof(wrc_region, creepage.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "ellipse.a", .offset = offsetof(wrc_region, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_region, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_region, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_region, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_region, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.reserved", .offset = offsetof(wrc_region, ellipse.reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+      {.name = "area", .offset = offsetof(wrc_region, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_region, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_region, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_region, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_region, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_region, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "power", .offset = offsetof(wrc_region, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_region, adhesion_fraction), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_patch) == 208, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_motion> {
-  static constexpr const char* name = "wrc_planar_motion";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
-  static constexpr wrc_planar_motion defaults = [] {
-    wrc_planar_motion value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "speed", .offset = offsetof(wrc_planar_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "lateral_velocity", .offset = offsetof(wrc_planar_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
-      {.name = "vertical_velocity", .offset = offsetof(wrc_planar_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
-      {.name = "roll_rate", .offset = offsetof(wrc_planar_motion, roll_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
-      {.name = "yaw_rate", .offset = offsetof(wrc_planar_motion, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
-      {.name = "pitch_rate", .offset = offsetof(wrc_planar_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
-  };
-};
-static_assert(sizeof(wrc_planar_motion) == 48, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_region) == 408, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage> {
   static constexpr const char* name = "wrc_damage";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = 128;
   static constexpr wrc_damage defaults = [] {
     wrc_damage value{};
     return value;
@@ -958,10 +1070,350 @@ struct Description<wrc_damage> {
       {.name = "fatigue_index", .offset = offsetof(wrc_damage, fatigue_index), .type = Type::real, .rule = Rule::none},
       {.name = "local_fatigue_index", .offset = offsetof(wrc_damage, local_fatigue_index), .type = Type::real, .rule = Rule::none},
       {.name = "available", .offset = offsetof(wrc_damage, available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_damage, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage) == 80, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_damage) == 128, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_pose> {
+  static constexpr const char* name = "wrc_planar_pose";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 48;
+  static constexpr wrc_planar_pose defaults = [] {
+    wrc_planar_pose value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "lateral", .offset = offsetof(wrc_planar_pose, lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "roll", .offset = offsetof(wrc_planar_pose, roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "yaw", .offset = offsetof(wrc_planar_pose, yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "reserved", .offset = offsetof(wrc_planar_pose, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_pose) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_motion> {
+  static constexpr const char* name = "wrc_planar_motion";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_planar_motion defaults = [] {
+    wrc_planar_motion value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "speed", .offset = offsetof(wrc_planar_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "lateral_velocity", .offset = offsetof(wrc_planar_motion, lateral_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "vertical_velocity", .offset = offsetof(wrc_planar_motion, vertical_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s"},
+      {.name = "roll_rate", .offset = offsetof(wrc_planar_motion, roll_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "yaw_rate", .offset = offsetof(wrc_planar_motion, yaw_rate), .type = Type::real, .rule = Rule::range, .low = -100, .high = 100, .unit = "rad/s", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
+      {.name = "pitch_rate", .offset = offsetof(wrc_planar_motion, pitch_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm?", .too_large = "did you pass rpm?"},
+      {.name = "reserved", .offset = offsetof(wrc_planar_motion, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_motion) == 80, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_point> {
+  static constexpr const char* name = "wrc_planar_point";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 96;
+  static constexpr wrc_planar_point defaults = [] {
+    wrc_planar_point value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "x", .offset = offsetof(wrc_planar_point, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_planar_point, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "z", .offset = offsetof(wrc_planar_point, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_wheel", .offset = offsetof(wrc_planar_point, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_rail", .offset = offsetof(wrc_planar_point, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "angle", .offset = offsetof(wrc_planar_point, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "vertical_gap", .offset = offsetof(wrc_planar_point, vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "rolling_radius", .offset = offsetof(wrc_planar_point, rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved", .offset = offsetof(wrc_planar_point, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_point) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_gap> {
+  static constexpr const char* name = "wrc_planar_gap";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 96;
+  static constexpr wrc_planar_gap defaults = [] {
+    wrc_planar_gap value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "row_count", .offset = offsetof(wrc_planar_gap, row_count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 4096, .too_small = "a gap needs at least four rows", .too_large = "raise config.planar.gap_rows", .not_set = "was it set? its default is 0"},
+      {.name = "column_count", .offset = offsetof(wrc_planar_gap, column_count), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .or_zero = true},
+      {.name = "y", .offset = offsetof(wrc_planar_gap, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_gap, row_count)},
+      {.name = "height", .offset = offsetof(wrc_planar_gap, height), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, column_count), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, row_count)},
+      {.name = "centre", .offset = offsetof(wrc_planar_gap, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, column_count), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, row_count)},
+      {.name = "curvature", .offset = offsetof(wrc_planar_gap, curvature), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 1e6, .unit = "1/m", .too_small = "rows must be convex; did you pass 1/mm, or a radius?", .too_large = "did you pass 1/um?", .asked = offsetof(wrc_planar_gap, column_count), .state = State::zero, .counted_by = offsetof(wrc_planar_gap, row_count)},
+      {.name = "x", .offset = offsetof(wrc_planar_gap, x), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, column_count), .state = State::not_zero, .counted_by = offsetof(wrc_planar_gap, column_count)},
+      {.name = "h", .offset = offsetof(wrc_planar_gap, h), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_gap, column_count), .state = State::not_zero, .by_caller = true},
+      {.name = "row_stride", .offset = offsetof(wrc_planar_gap, row_stride), .type = Type::uint64, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_gap, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_gap) == 96, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_load> {
+  static constexpr const char* name = "wrc_planar_load";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 72;
+  static constexpr wrc_planar_load defaults = [] {
+    wrc_planar_load value{};
+    value.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "prescribed", .offset = offsetof(wrc_planar_load, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "reserved0", .offset = offsetof(wrc_planar_load, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "normal_force", .offset = offsetof(wrc_planar_load, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
+      {.name = "approach", .offset = offsetof(wrc_planar_load, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "approach_velocity", .offset = offsetof(wrc_planar_load, approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "damping", .offset = offsetof(wrc_planar_load, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_load, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "reserved", .offset = offsetof(wrc_planar_load, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_load) == 72, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_strips> {
+  static constexpr const char* name = "wrc_planar_strips";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 80;
+  static constexpr wrc_planar_strips defaults = [] {
+    wrc_planar_strips value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "count", .offset = offsetof(wrc_planar_strips, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 512, .too_large = "raise config.planar.strips", .not_set = "was it set? its default is 0"},
+      {.name = "reserved0", .offset = offsetof(wrc_planar_strips, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_planar_strips, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "width", .offset = offsetof(wrc_planar_strips, width), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without width", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "centre", .offset = offsetof(wrc_planar_strips, centre), .type = Type::pointer, .rule = Rule::range, .low = -0.3, .high = 0.3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "half_length", .offset = offsetof(wrc_planar_strips, half_length), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-9, .high = 0.1, .unit = "m", .too_small = "leave out strips without length", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "peak", .offset = offsetof(wrc_planar_strips, peak), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .counted_by = offsetof(wrc_planar_strips, count)},
+      {.name = "reserved", .offset = offsetof(wrc_planar_strips, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_strips) == 80, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_normal_solution> {
+  static constexpr const char* name = "wrc_planar_normal_solution";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 192;
+  static constexpr wrc_planar_normal_solution defaults = [] {
+    wrc_planar_normal_solution value{};
+    value.ellipse = Description<wrc_ellipse>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "patch_count", .offset = offsetof(wrc_planar_normal_solution, patch_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "strip_count", .offset = offsetof(wrc_planar_normal_solution, strip_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_planar_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_planar_normal_solution, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "ellipse.a", .offset = offsetof(wrc_planar_normal_solution, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_planar_normal_solution, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_planar_normal_solution, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_planar_normal_solution, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_planar_normal_solution, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.reserved", .offset = offsetof(wrc_planar_normal_solution, ellipse.reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+      {.name = "normal_force", .offset = offsetof(wrc_planar_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damping_force", .offset = offsetof(wrc_planar_normal_solution, damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "approach", .offset = offsetof(wrc_planar_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "stiffness", .offset = offsetof(wrc_planar_normal_solution, stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "peak_pressure", .offset = offsetof(wrc_planar_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "area", .offset = offsetof(wrc_planar_normal_solution, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "length", .offset = offsetof(wrc_planar_normal_solution, length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "width", .offset = offsetof(wrc_planar_normal_solution, width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_min", .offset = offsetof(wrc_planar_normal_solution, y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y_max", .offset = offsetof(wrc_planar_normal_solution, y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved", .offset = offsetof(wrc_planar_normal_solution, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_normal_solution) == 192, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_forces> {
+  static constexpr const char* name = "wrc_planar_forces";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = 88;
+  static constexpr wrc_planar_forces defaults = [] {
+    wrc_planar_forces value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "fx", .offset = offsetof(wrc_planar_forces, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fy", .offset = offsetof(wrc_planar_forces, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "fn", .offset = offsetof(wrc_planar_forces, fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "mz", .offset = offsetof(wrc_planar_forces, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "power", .offset = offsetof(wrc_planar_forces, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "adhesion_fraction", .offset = offsetof(wrc_planar_forces, adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "available", .offset = offsetof(wrc_planar_forces, available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_planar_forces, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_planar_forces, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_forces) == 88, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_derivatives> {
+  static constexpr const char* name = "wrc_planar_derivatives";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 200;
+  static constexpr wrc_planar_derivatives defaults = [] {
+    wrc_planar_derivatives value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_planar_derivatives, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_planar_derivatives, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "forces", .offset = offsetof(wrc_planar_derivatives, forces), .type = Type::real, .elements = 24, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_planar_derivatives) == 200, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_input> {
+  static constexpr const char* name = "wrc_planar_input";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 456;
+  static constexpr wrc_planar_input defaults = [] {
+    wrc_planar_input value{};
+    value.struct_size = sizeof value;
+    value.pose = Description<wrc_planar_pose>::defaults;
+    value.load = Description<wrc_planar_load>::defaults;
+    value.creepage = Description<wrc_creepage>::defaults;
+    value.friction = Description<wrc_friction>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_planar_input, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_planar_input, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "pose.lateral", .offset = offsetof(wrc_planar_input, pose.lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "pose.roll", .offset = offsetof(wrc_planar_input, pose.roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "pose.yaw", .offset = offsetof(wrc_planar_input, pose.yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
+      {.name = "pose.reserved", .offset = offsetof(wrc_planar_input, pose.reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+      {.name = "gap", .offset = offsetof(wrc_planar_input, gap), .type = Type::pointer, .rule = Rule::none},
+      {.name = "load.prescribed", .offset = offsetof(wrc_planar_input, load.prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
+      {.name = "load.reserved0", .offset = offsetof(wrc_planar_input, load.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "load.normal_force", .offset = offsetof(wrc_planar_input, load.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
+      {.name = "load.approach", .offset = offsetof(wrc_planar_input, load.approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.approach_velocity", .offset = offsetof(wrc_planar_input, load.approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.damping", .offset = offsetof(wrc_planar_input, load.damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
+      {.name = "load.reserved", .offset = offsetof(wrc_planar_input, load.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "creepage.longitudinal", .offset = offsetof(wrc_planar_input, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.lateral", .offset = offsetof(wrc_planar_input, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
+      {.name = "creepage.spin", .offset = offsetof(wrc_planar_input, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
+      {.name = "creepage.speed", .offset = offsetof(wrc_planar_input, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
+      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_planar_input, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "creepage.reverse_share", .offset = offsetof(wrc_planar_input, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "creepage.reserved", .offset = offsetof(wrc_planar_input, creepage.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_planar_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.speed_law", .offset = offsetof(wrc_planar_input, friction.speed_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_speed_law},
+      {.name = "friction.temperature_law", .offset = offsetof(wrc_planar_input, friction.temperature_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_temperature_law},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_planar_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_planar_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_planar_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s"},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_planar_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces"},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_planar_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC"},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_planar_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC"},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_planar_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_planar_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.reserved", .offset = offsetof(wrc_planar_input, friction.bulk.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_planar_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_planar_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_planar_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_planar_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zone_count)},
+      {.name = "friction.zone_coefficients", .offset = offsetof(wrc_planar_input, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_planar_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zone_count)},
+      {.name = "friction.zone_count", .offset = offsetof(wrc_planar_input, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_planar_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_planar_output> {
+  static constexpr const char* name = "wrc_planar_output";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 512;
+  static constexpr wrc_planar_output defaults = [] {
+    wrc_planar_output value{};
+    value.struct_size = sizeof value;
+    value.point = Description<wrc_planar_point>::defaults;
+    value.normal = Description<wrc_planar_normal_solution>::defaults;
+    value.forces = Description<wrc_planar_forces>::defaults;
+    value.damage = Description<wrc_damage>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_planar_output, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_planar_output, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "point.x", .offset = offsetof(wrc_planar_output, point.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y", .offset = offsetof(wrc_planar_output, point.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.z", .offset = offsetof(wrc_planar_output, point.z), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_wheel", .offset = offsetof(wrc_planar_output, point.y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.y_rail", .offset = offsetof(wrc_planar_output, point.y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.angle", .offset = offsetof(wrc_planar_output, point.angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "point.vertical_gap", .offset = offsetof(wrc_planar_output, point.vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.rolling_radius", .offset = offsetof(wrc_planar_output, point.rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "point.reserved", .offset = offsetof(wrc_planar_output, point.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "normal.patch_count", .offset = offsetof(wrc_planar_output, normal.patch_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.strip_count", .offset = offsetof(wrc_planar_output, normal.strip_count), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.iterations", .offset = offsetof(wrc_planar_output, normal.iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "normal.flags", .offset = offsetof(wrc_planar_output, normal.flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "normal.ellipse.a", .offset = offsetof(wrc_planar_output, normal.ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.b", .offset = offsetof(wrc_planar_output, normal.ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.psi", .offset = offsetof(wrc_planar_output, normal.ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "normal.ellipse.y", .offset = offsetof(wrc_planar_output, normal.ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.ellipse.normal_force", .offset = offsetof(wrc_planar_output, normal.ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "normal.ellipse.reserved", .offset = offsetof(wrc_planar_output, normal.ellipse.reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+      {.name = "normal.normal_force", .offset = offsetof(wrc_planar_output, normal.normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.damping_force", .offset = offsetof(wrc_planar_output, normal.damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "normal.approach", .offset = offsetof(wrc_planar_output, normal.approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.stiffness", .offset = offsetof(wrc_planar_output, normal.stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
+      {.name = "normal.peak_pressure", .offset = offsetof(wrc_planar_output, normal.peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "normal.area", .offset = offsetof(wrc_planar_output, normal.area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
+      {.name = "normal.length", .offset = offsetof(wrc_planar_output, normal.length), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.width", .offset = offsetof(wrc_planar_output, normal.width), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_min", .offset = offsetof(wrc_planar_output, normal.y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.y_max", .offset = offsetof(wrc_planar_output, normal.y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "normal.reserved", .offset = offsetof(wrc_planar_output, normal.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "forces.fx", .offset = offsetof(wrc_planar_output, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fy", .offset = offsetof(wrc_planar_output, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.fn", .offset = offsetof(wrc_planar_output, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "forces.mz", .offset = offsetof(wrc_planar_output, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
+      {.name = "forces.power", .offset = offsetof(wrc_planar_output, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_planar_output, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
+      {.name = "forces.available", .offset = offsetof(wrc_planar_output, forces.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "forces.flags", .offset = offsetof(wrc_planar_output, forces.flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "forces.reserved", .offset = offsetof(wrc_planar_output, forces.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "damage.power", .offset = offsetof(wrc_planar_output, damage.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
+      {.name = "damage.peak_power_density", .offset = offsetof(wrc_planar_output, damage.peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
+      {.name = "damage.t_gamma", .offset = offsetof(wrc_planar_output, damage.t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.t_gamma_no_spin", .offset = offsetof(wrc_planar_output, damage.t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
+      {.name = "damage.utilisation", .offset = offsetof(wrc_planar_output, damage.utilisation), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.load_factor", .offset = offsetof(wrc_planar_output, damage.load_factor), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.shakedown_limit", .offset = offsetof(wrc_planar_output, damage.shakedown_limit), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.fatigue_index", .offset = offsetof(wrc_planar_output, damage.fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.local_fatigue_index", .offset = offsetof(wrc_planar_output, damage.local_fatigue_index), .type = Type::real, .rule = Rule::none},
+      {.name = "damage.available", .offset = offsetof(wrc_planar_output, damage.available), .type = Type::uint32, .rule = Rule::none},
+      {.name = "damage.reserved0", .offset = offsetof(wrc_planar_output, damage.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "damage.reserved", .offset = offsetof(wrc_planar_output, damage.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+  };
+};
+static_assert(sizeof(wrc_planar_output) == 512, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wear_laws> {
@@ -997,7 +1449,7 @@ struct Description<wrc_wear_laws> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_wear_laws, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_wear_laws, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_wear_laws, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "t_gamma_mild_end", .offset = offsetof(wrc_wear_laws, t_gamma_mild_end), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "N"},
       {.name = "t_gamma_severe_start", .offset = offsetof(wrc_wear_laws, t_gamma_severe_start), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "N"},
       {.name = "t_gamma_mild_slope", .offset = offsetof(wrc_wear_laws, t_gamma_mild_slope), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "mm^3/(km N)"},
@@ -1028,7 +1480,7 @@ template <>
 struct Description<wrc_wear> {
   static constexpr const char* name = "wrc_wear";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = 80;
   static constexpr wrc_wear defaults = [] {
     wrc_wear value{};
     return value;
@@ -1038,15 +1490,16 @@ struct Description<wrc_wear> {
       {.name = "largest_depth_rate", .offset = offsetof(wrc_wear, largest_depth_rate), .type = Type::real, .rule = Rule::none, .unit = "m/m"},
       {.name = "largest_depth_velocity", .offset = offsetof(wrc_wear, largest_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
       {.name = "largest_power_depth_velocity", .offset = offsetof(wrc_wear, largest_power_depth_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
+      {.name = "reserved", .offset = offsetof(wrc_wear, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_wear) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wear) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_coefficients> {
   static constexpr const char* name = "wrc_coefficients";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 56;
+  static constexpr std::size_t first = 88;
   static constexpr wrc_coefficients defaults = [] {
     wrc_coefficients value{};
     return value;
@@ -1059,417 +1512,16 @@ struct Description<wrc_coefficients> {
       {.name = "c13s", .offset = offsetof(wrc_coefficients, c13s), .type = Type::real, .rule = Rule::none},
       {.name = "c22s", .offset = offsetof(wrc_coefficients, c22s), .type = Type::real, .rule = Rule::none},
       {.name = "c23s", .offset = offsetof(wrc_coefficients, c23s), .type = Type::real, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_coefficients, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_coefficients) == 56, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_derivatives> {
-  static constexpr const char* name = "wrc_planar_derivatives";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 120;
-  static constexpr wrc_planar_derivatives defaults = [] {
-    wrc_planar_derivatives value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "forces", .offset = offsetof(wrc_planar_derivatives, forces), .type = Type::real, .elements = 15, .rule = Rule::none},
-  };
-};
-static_assert(sizeof(wrc_planar_derivatives) == 120, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_step_sensitivity> {
-  static constexpr const char* name = "wrc_step_sensitivity";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
-  static constexpr wrc_step_sensitivity defaults = [] {
-    wrc_step_sensitivity value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "by_load", .offset = offsetof(wrc_step_sensitivity, by_load), .type = Type::real, .elements = 4, .rule = Rule::none},
-      {.name = "by_lateral", .offset = offsetof(wrc_step_sensitivity, by_lateral), .type = Type::real, .elements = 4, .rule = Rule::none, .unit = "m"},
-  };
-};
-static_assert(sizeof(wrc_step_sensitivity) == 64, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_input> {
-  static constexpr const char* name = "wrc_planar_input";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 256;
-  static constexpr wrc_planar_input defaults = [] {
-    wrc_planar_input value{};
-    value.struct_size = sizeof value;
-    value.pose = Description<wrc_planar_pose>::defaults;
-    value.load = Description<wrc_planar_load>::defaults;
-    value.creepage = Description<wrc_creepage>::defaults;
-    value.friction = Description<wrc_friction>::defaults;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_planar_input, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_planar_input, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "pose.lateral", .offset = offsetof(wrc_planar_input, pose.lateral), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "pose.roll", .offset = offsetof(wrc_planar_input, pose.roll), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "pose.yaw", .offset = offsetof(wrc_planar_input, pose.yaw), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "gap", .offset = offsetof(wrc_planar_input, gap), .type = Type::pointer, .rule = Rule::none},
-      {.name = "load.prescribed", .offset = offsetof(wrc_planar_input, load.prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
-      {.name = "load.reserved", .offset = offsetof(wrc_planar_input, load.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "load.normal_force", .offset = offsetof(wrc_planar_input, load.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the normal force is compressive positive; prescribe the approach near lift-off", .too_small = "did you pass kN? near lift-off prescribe the approach instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
-      {.name = "load.approach", .offset = offsetof(wrc_planar_input, load.approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm or um?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "load.approach_velocity", .offset = offsetof(wrc_planar_input, load.approach_velocity), .type = Type::real, .rule = Rule::range, .low = -20, .high = 20, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "load.damping", .offset = offsetof(wrc_planar_input, load.damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_planar_input, load.prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
-      {.name = "creepage.longitudinal", .offset = offsetof(wrc_planar_input, creepage.longitudinal), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "creepage.lateral", .offset = offsetof(wrc_planar_input, creepage.lateral), .type = Type::real, .rule = Rule::range, .low = -10, .high = 10, .too_small = "did you pass per mille?", .too_large = "did you pass per mille?"},
-      {.name = "creepage.spin", .offset = offsetof(wrc_planar_input, creepage.spin), .type = Type::real, .rule = Rule::range, .low = -1000, .high = 1000, .unit = "1/m"},
-      {.name = "creepage.speed", .offset = offsetof(wrc_planar_input, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "creepage.approach_velocity", .offset = offsetof(wrc_planar_input, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
-      {.name = "creepage.reverse_share", .offset = offsetof(wrc_planar_input, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
-      {.name = "friction.coefficient", .offset = offsetof(wrc_planar_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
-      {.name = "friction.kind", .offset = offsetof(wrc_planar_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
-      {.name = "friction.zone_frame", .offset = offsetof(wrc_planar_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_planar_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
-      {.name = "friction.fall_rate", .offset = offsetof(wrc_planar_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
-      {.name = "friction.half_speed", .offset = offsetof(wrc_planar_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
-      {.name = "friction.hot_ratio", .offset = offsetof(wrc_planar_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.cold_temperature", .offset = offsetof(wrc_planar_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.hot_temperature", .offset = offsetof(wrc_planar_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_planar_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_planar_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.bulk.rail", .offset = offsetof(wrc_planar_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.slope_reduction", .offset = offsetof(wrc_planar_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.slope_limit", .offset = offsetof(wrc_planar_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "friction.slope_fall", .offset = offsetof(wrc_planar_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "friction.zone_y", .offset = offsetof(wrc_planar_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_planar_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zones)},
-      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_planar_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_planar_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zones)},
-      {.name = "friction.zones", .offset = offsetof(wrc_planar_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
-  };
-};
-static_assert(sizeof(wrc_planar_input) == 256, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_planar_output> {
-  static constexpr const char* name = "wrc_planar_output";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 344;
-  static constexpr wrc_planar_output defaults = [] {
-    wrc_planar_output value{};
-    value.struct_size = sizeof value;
-    value.point = Description<wrc_planar_point>::defaults;
-    value.normal = Description<wrc_planar_normal_solution>::defaults;
-    value.forces = Description<wrc_planar_forces>::defaults;
-    value.damage = Description<wrc_damage>::defaults;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_planar_output, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_planar_output, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "point.x", .offset = offsetof(wrc_planar_output, point.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y", .offset = offsetof(wrc_planar_output, point.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.z", .offset = offsetof(wrc_planar_output, point.z), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y_wheel", .offset = offsetof(wrc_planar_output, point.y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.y_rail", .offset = offsetof(wrc_planar_output, point.y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.angle", .offset = offsetof(wrc_planar_output, point.angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-      {.name = "point.vertical_gap", .offset = offsetof(wrc_planar_output, point.vertical_gap), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "point.rolling_radius", .offset = offsetof(wrc_planar_output, point.rolling_radius), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.patches", .offset = offsetof(wrc_planar_output, normal.patches), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.strips", .offset = offsetof(wrc_planar_output, normal.strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.iterations", .offset = offsetof(wrc_planar_output, normal.iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "normal.reserved", .offset = offsetof(wrc_planar_output, normal.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "normal.ellipse.a", .offset = offsetof(wrc_planar_output, normal.ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.ellipse.b", .offset = offsetof(wrc_planar_output, normal.ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.ellipse.psi", .offset = offsetof(wrc_planar_output, normal.ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
-      {.name = "normal.ellipse.y", .offset = offsetof(wrc_planar_output, normal.ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.ellipse.normal_force", .offset = offsetof(wrc_planar_output, normal.ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
-      {.name = "normal.normal_force", .offset = offsetof(wrc_planar_output, normal.normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "normal.damping_force", .offset = offsetof(wrc_planar_output, normal.damping_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "normal.approach", .offset = offsetof(wrc_planar_output, normal.approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.stiffness", .offset = offsetof(wrc_planar_output, normal.stiffness), .type = Type::real, .rule = Rule::none, .unit = "N/m"},
-      {.name = "normal.peak_pressure", .offset = offsetof(wrc_planar_output, normal.peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "normal.area", .offset = offsetof(wrc_planar_output, normal.area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "normal.length", .offset = offsetof(wrc_planar_output, normal.length), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.width", .offset = offsetof(wrc_planar_output, normal.width), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.y_min", .offset = offsetof(wrc_planar_output, normal.y_min), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal.y_max", .offset = offsetof(wrc_planar_output, normal.y_max), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "forces.fx", .offset = offsetof(wrc_planar_output, forces.fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fy", .offset = offsetof(wrc_planar_output, forces.fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.fn", .offset = offsetof(wrc_planar_output, forces.fn), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "forces.mz", .offset = offsetof(wrc_planar_output, forces.mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
-      {.name = "forces.power", .offset = offsetof(wrc_planar_output, forces.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "forces.adhesion_fraction", .offset = offsetof(wrc_planar_output, forces.adhesion_fraction), .type = Type::real, .rule = Rule::none},
-      {.name = "forces.available", .offset = offsetof(wrc_planar_output, forces.available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "forces.reserved", .offset = offsetof(wrc_planar_output, forces.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "damage.power", .offset = offsetof(wrc_planar_output, damage.power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "damage.peak_power_density", .offset = offsetof(wrc_planar_output, damage.peak_power_density), .type = Type::real, .rule = Rule::none, .unit = "W/m^2"},
-      {.name = "damage.t_gamma", .offset = offsetof(wrc_planar_output, damage.t_gamma), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damage.t_gamma_no_spin", .offset = offsetof(wrc_planar_output, damage.t_gamma_no_spin), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "damage.utilisation", .offset = offsetof(wrc_planar_output, damage.utilisation), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.load_factor", .offset = offsetof(wrc_planar_output, damage.load_factor), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.shakedown_limit", .offset = offsetof(wrc_planar_output, damage.shakedown_limit), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.fatigue_index", .offset = offsetof(wrc_planar_output, damage.fatigue_index), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.local_fatigue_index", .offset = offsetof(wrc_planar_output, damage.local_fatigue_index), .type = Type::real, .rule = Rule::none},
-      {.name = "damage.available", .offset = offsetof(wrc_planar_output, damage.available), .type = Type::uint32, .rule = Rule::none},
-      {.name = "damage.reserved", .offset = offsetof(wrc_planar_output, damage.reserved), .type = Type::uint32, .rule = Rule::zero},
-  };
-};
-static_assert(sizeof(wrc_planar_output) == 344, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_view> {
-  static constexpr const char* name = "wrc_view";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
-  static constexpr wrc_view defaults = [] {
-    wrc_view value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "data", .offset = offsetof(wrc_view, data), .type = Type::pointer, .rule = Rule::none},
-      {.name = "count", .offset = offsetof(wrc_view, count), .type = Type::uint64, .elements = 2, .rule = Rule::none},
-      {.name = "stride", .offset = offsetof(wrc_view, stride), .type = Type::uint64, .elements = 2, .rule = Rule::none},
-      {.name = "rank", .offset = offsetof(wrc_view, rank), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_view, reserved), .type = Type::uint32, .rule = Rule::zero},
-  };
-};
-static_assert(sizeof(wrc_view) == 48, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_allocator> {
-  static constexpr const char* name = "wrc_allocator";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
-  static constexpr wrc_allocator defaults = [] {
-    wrc_allocator value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "user", .offset = offsetof(wrc_allocator, user), .type = Type::pointer, .rule = Rule::none},
-      {.name = "allocate", .offset = offsetof(wrc_allocator, allocate), .type = Type::pointer, .rule = Rule::none},
-      {.name = "release", .offset = offsetof(wrc_allocator, release), .type = Type::pointer, .rule = Rule::none},
-  };
-};
-static_assert(sizeof(wrc_allocator) == 24, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_wheel_state> {
-  static constexpr const char* name = "wrc_wheel_state";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 96;
-  static constexpr wrc_wheel_state defaults = [] {
-    wrc_wheel_state value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "reference", .offset = offsetof(wrc_wheel_state, reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
-      {.name = "angular_axes", .offset = offsetof(wrc_wheel_state, angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
-      {.name = "y", .offset = offsetof(wrc_wheel_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "z", .offset = offsetof(wrc_wheel_state, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
-      {.name = "roll", .offset = offsetof(wrc_wheel_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "yaw", .offset = offsetof(wrc_wheel_state, yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "rotation", .offset = offsetof(wrc_wheel_state, rotation), .type = Type::pointer, .rule = Rule::none},
-      {.name = "velocity[0]", .offset = offsetof(wrc_wheel_state, velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "velocity[1]", .offset = offsetof(wrc_wheel_state, velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "velocity[2]", .offset = offsetof(wrc_wheel_state, velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "angular_velocity[0]", .offset = offsetof(wrc_wheel_state, angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-      {.name = "angular_velocity[1]", .offset = offsetof(wrc_wheel_state, angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-      {.name = "angular_velocity[2]", .offset = offsetof(wrc_wheel_state, angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-  };
-};
-static_assert(sizeof(wrc_wheel_state) == 96, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_rail_state> {
-  static constexpr const char* name = "wrc_rail_state";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
-  static constexpr wrc_rail_state defaults = [] {
-    wrc_rail_state value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "y", .offset = offsetof(wrc_rail_state, y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "z", .offset = offsetof(wrc_rail_state, z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "roll", .offset = offsetof(wrc_rail_state, roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "y_velocity", .offset = offsetof(wrc_rail_state, y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
-      {.name = "z_velocity", .offset = offsetof(wrc_rail_state, z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
-      {.name = "roll_velocity", .offset = offsetof(wrc_rail_state, roll_velocity), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-  };
-};
-static_assert(sizeof(wrc_rail_state) == 48, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_frame_motion> {
-  static constexpr const char* name = "wrc_frame_motion";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
-  static constexpr wrc_frame_motion defaults = [] {
-    wrc_frame_motion value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "speed", .offset = offsetof(wrc_frame_motion, speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "curvature", .offset = offsetof(wrc_frame_motion, curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
-      {.name = "vertical_curvature", .offset = offsetof(wrc_frame_motion, vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
-      {.name = "twist", .offset = offsetof(wrc_frame_motion, twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
-  };
-};
-static_assert(sizeof(wrc_frame_motion) == 32, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_wheel_input> {
-  static constexpr const char* name = "wrc_wheel_input";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 304;
-  static constexpr wrc_wheel_input defaults = [] {
-    wrc_wheel_input value{};
-    value.struct_size = sizeof value;
-    value.wheel = Description<wrc_wheel_state>::defaults;
-    value.rail = Description<wrc_rail_state>::defaults;
-    value.friction = Description<wrc_friction>::defaults;
-    value.frame = Description<wrc_frame_motion>::defaults;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_wheel_input, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "prescribed", .offset = offsetof(wrc_wheel_input, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
-      {.name = "start", .offset = offsetof(wrc_wheel_input, start), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_start},
-      {.name = "reserved", .offset = offsetof(wrc_wheel_input, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "wheel.reference", .offset = offsetof(wrc_wheel_input, wheel.reference), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_wheel_reference},
-      {.name = "wheel.angular_axes", .offset = offsetof(wrc_wheel_input, wheel.angular_axes), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_axes},
-      {.name = "wheel.y", .offset = offsetof(wrc_wheel_input, wheel.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "wheel.z", .offset = offsetof(wrc_wheel_input, wheel.z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm, or a height above the rail? 0 is the nominal height, down is positive", .by_caller = true},
-      {.name = "wheel.roll", .offset = offsetof(wrc_wheel_input, wheel.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "wheel.yaw", .offset = offsetof(wrc_wheel_input, wheel.yaw), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "wheel.rotation", .offset = offsetof(wrc_wheel_input, wheel.rotation), .type = Type::pointer, .rule = Rule::none},
-      {.name = "wheel.velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "wheel.velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.velocity[1]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "wheel.velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.velocity[2]), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass km/h or mm/s, or other axes?", .too_large = "did you pass km/h or mm/s, or other axes?"},
-      {.name = "wheel.angular_velocity[0]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[0]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-      {.name = "wheel.angular_velocity[1]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[1]), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-      {.name = "wheel.angular_velocity[2]", .offset = offsetof(wrc_wheel_input, wheel.angular_velocity[2]), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass rpm or degrees? the axle is the y axis", .too_large = "did you pass rpm or degrees? the axle is the y axis"},
-      {.name = "rail.y", .offset = offsetof(wrc_wheel_input, rail.y), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "rail.z", .offset = offsetof(wrc_wheel_input, rail.z), .type = Type::real, .rule = Rule::range, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "rail.roll", .offset = offsetof(wrc_wheel_input, rail.roll), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "rad", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "rail.y_velocity", .offset = offsetof(wrc_wheel_input, rail.y_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
-      {.name = "rail.z_velocity", .offset = offsetof(wrc_wheel_input, rail.z_velocity), .type = Type::real, .rule = Rule::range, .low = -50, .high = 50, .unit = "m/s", .too_small = "did you pass mm/s?", .too_large = "did you pass mm/s?"},
-      {.name = "rail.roll_velocity", .offset = offsetof(wrc_wheel_input, rail.roll_velocity), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "rad/s", .too_small = "did you pass degrees or mrad?", .too_large = "did you pass degrees or mrad?"},
-      {.name = "friction.coefficient", .offset = offsetof(wrc_wheel_input, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
-      {.name = "friction.kind", .offset = offsetof(wrc_wheel_input, friction.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_kind},
-      {.name = "friction.zone_frame", .offset = offsetof(wrc_wheel_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_wheel_input, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
-      {.name = "friction.fall_rate", .offset = offsetof(wrc_wheel_input, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
-      {.name = "friction.half_speed", .offset = offsetof(wrc_wheel_input, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_STATIC_KINETIC},
-      {.name = "friction.hot_ratio", .offset = offsetof(wrc_wheel_input, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.cold_temperature", .offset = offsetof(wrc_wheel_input, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.hot_temperature", .offset = offsetof(wrc_wheel_input, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC", .asked = offsetof(wrc_wheel_input, friction.kind), .asked_for = WRC_FRICTION_TEMPERATURE},
-      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_wheel_input, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.bulk.rail", .offset = offsetof(wrc_wheel_input, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
-      {.name = "friction.slope_reduction", .offset = offsetof(wrc_wheel_input, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.slope_limit", .offset = offsetof(wrc_wheel_input, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "friction.slope_fall", .offset = offsetof(wrc_wheel_input, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "friction.zone_y", .offset = offsetof(wrc_wheel_input, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_wheel_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zones)},
-      {.name = "friction.zone_coefficient", .offset = offsetof(wrc_wheel_input, friction.zone_coefficient), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_wheel_input, friction.zones), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zones)},
-      {.name = "friction.zones", .offset = offsetof(wrc_wheel_input, friction.zones), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
-      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "the height is prescribed; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
-      {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
-      {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "angle", .offset = offsetof(wrc_wheel_input, angle), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
-      {.name = "roller_velocity", .offset = offsetof(wrc_wheel_input, roller_velocity), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees?", .too_large = "did you pass rpm or degrees?"},
-      {.name = "frame.speed", .offset = offsetof(wrc_wheel_input, frame.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
-      {.name = "frame.curvature", .offset = offsetof(wrc_wheel_input, frame.curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
-      {.name = "frame.vertical_curvature", .offset = offsetof(wrc_wheel_input, frame.vertical_curvature), .type = Type::real, .rule = Rule::range, .low = -0.1, .high = 0.1, .unit = "1/m", .too_small = "did you pass a radius?", .too_large = "did you pass a radius?"},
-      {.name = "frame.twist", .offset = offsetof(wrc_wheel_input, frame.twist), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "1/m", .too_small = "did you pass a rate, or mm?", .too_large = "did you pass a rate, or mm?"},
-  };
-};
-static_assert(sizeof(wrc_wheel_input) == 360, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_wrench> {
-  static constexpr const char* name = "wrc_wrench";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 160;
-  static constexpr wrc_wrench defaults = [] {
-    wrc_wrench value{};
-    value.struct_size = sizeof value;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_wrench, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "regions", .offset = offsetof(wrc_wrench, regions), .type = Type::int32, .rule = Rule::none},
-      {.name = "iterations", .offset = offsetof(wrc_wrench, iterations), .type = Type::int32, .rule = Rule::none},
-      {.name = "leaps", .offset = offsetof(wrc_wrench, leaps), .type = Type::uint32, .rule = Rule::none},
-      {.name = "force", .offset = offsetof(wrc_wrench, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
-      {.name = "moment", .offset = offsetof(wrc_wrench, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
-      {.name = "rail_force", .offset = offsetof(wrc_wrench, rail_force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
-      {.name = "rail_moment", .offset = offsetof(wrc_wrench, rail_moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
-      {.name = "z", .offset = offsetof(wrc_wrench, z), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "normal_force", .offset = offsetof(wrc_wrench, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "area", .offset = offsetof(wrc_wrench, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "peak_pressure", .offset = offsetof(wrc_wrench, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "power", .offset = offsetof(wrc_wrench, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "steepest_angle", .offset = offsetof(wrc_wrench, steepest_angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-  };
-};
-static_assert(sizeof(wrc_wrench) == 160, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_region> {
-  static constexpr const char* name = "wrc_region";
-  static constexpr bool versioned = true;
-  static constexpr std::size_t first = 176;
-  static constexpr wrc_region defaults = [] {
-    wrc_region value{};
-    value.struct_size = sizeof value;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "struct_size", .offset = offsetof(wrc_region, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_region, reserved), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "point", .offset = offsetof(wrc_region, point), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "m"},
-      {.name = "y_wheel", .offset = offsetof(wrc_region, y_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "z_wheel", .offset = offsetof(wrc_region, z_wheel), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "y_rail", .offset = offsetof(wrc_region, y_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "z_rail", .offset = offsetof(wrc_region, z_rail), .type = Type::real, .rule = Rule::none, .unit = "m"},
-      {.name = "angle", .offset = offsetof(wrc_region, angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
-      {.name = "normal_force", .offset = offsetof(wrc_region, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
-      {.name = "force", .offset = offsetof(wrc_region, force), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N"},
-      {.name = "moment", .offset = offsetof(wrc_region, moment), .type = Type::real, .elements = 3, .rule = Rule::none, .unit = "N m"},
-      {.name = "area", .offset = offsetof(wrc_region, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
-      {.name = "peak_pressure", .offset = offsetof(wrc_region, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
-      {.name = "power", .offset = offsetof(wrc_region, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
-      {.name = "creepage", .offset = offsetof(wrc_region, creepage), .type = Type::real, .elements = 3, .rule = Rule::none},
-      {.name = "strips", .offset = offsetof(wrc_region, strips), .type = Type::int32, .rule = Rule::none},
-      {.name = "cells", .offset = offsetof(wrc_region, cells), .type = Type::int32, .rule = Rule::none},
-      {.name = "face", .offset = offsetof(wrc_region, face), .type = Type::int32, .rule = Rule::none},
-      {.name = "reserved2", .offset = offsetof(wrc_region, reserved2), .type = Type::uint32, .rule = Rule::zero},
-  };
-};
-static_assert(sizeof(wrc_region) == 192, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_wrench_derivatives> {
-  static constexpr const char* name = "wrc_wrench_derivatives";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 1064;
-  static constexpr wrc_wrench_derivatives defaults = [] {
-    wrc_wrench_derivatives value{};
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "wrench", .offset = offsetof(wrc_wrench_derivatives, wrench), .type = Type::real, .elements = 114, .rule = Rule::none},
-      {.name = "z", .offset = offsetof(wrc_wrench_derivatives, z), .type = Type::real, .elements = 19, .rule = Rule::none},
-  };
-};
-static_assert(sizeof(wrc_wrench_derivatives) == 1064, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_coefficients) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peak> {
   static constexpr const char* name = "wrc_stress_peak";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = 48;
   static constexpr wrc_stress_peak defaults = [] {
     wrc_stress_peak value{};
     return value;
@@ -1479,20 +1531,22 @@ struct Description<wrc_stress_peak> {
       {.name = "x", .offset = offsetof(wrc_stress_peak, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "y", .offset = offsetof(wrc_stress_peak, y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "depth", .offset = offsetof(wrc_stress_peak, depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved", .offset = offsetof(wrc_stress_peak, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stress_peak) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_stress_peak) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peaks> {
   static constexpr const char* name = "wrc_stress_peaks";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 96;
+  static constexpr std::size_t first = 192;
   static constexpr wrc_stress_peaks defaults = [] {
     wrc_stress_peaks value{};
     value.von_mises = Description<wrc_stress_peak>::defaults;
     value.shear = Description<wrc_stress_peak>::defaults;
     value.tension = Description<wrc_stress_peak>::defaults;
+    value.reserved = Description<wrc_stress_peak>::defaults;
     return value;
   }();
   static constexpr Member members[] = {
@@ -1500,23 +1554,31 @@ struct Description<wrc_stress_peaks> {
       {.name = "von_mises.x", .offset = offsetof(wrc_stress_peaks, von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "von_mises.y", .offset = offsetof(wrc_stress_peaks, von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "von_mises.depth", .offset = offsetof(wrc_stress_peaks, von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "von_mises.reserved", .offset = offsetof(wrc_stress_peaks, von_mises.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "shear.stress", .offset = offsetof(wrc_stress_peaks, shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "shear.x", .offset = offsetof(wrc_stress_peaks, shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "shear.y", .offset = offsetof(wrc_stress_peaks, shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "shear.depth", .offset = offsetof(wrc_stress_peaks, shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "shear.reserved", .offset = offsetof(wrc_stress_peaks, shear.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "tension.stress", .offset = offsetof(wrc_stress_peaks, tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "tension.x", .offset = offsetof(wrc_stress_peaks, tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "tension.y", .offset = offsetof(wrc_stress_peaks, tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "tension.depth", .offset = offsetof(wrc_stress_peaks, tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "tension.reserved", .offset = offsetof(wrc_stress_peaks, tension.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "reserved.stress", .offset = offsetof(wrc_stress_peaks, reserved.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "reserved.x", .offset = offsetof(wrc_stress_peaks, reserved.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved.y", .offset = offsetof(wrc_stress_peaks, reserved.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved.depth", .offset = offsetof(wrc_stress_peaks, reserved.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved.reserved", .offset = offsetof(wrc_stress_peaks, reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stress_peaks) == 96, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_stress_peaks) == 192, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stresses> {
   static constexpr const char* name = "wrc_stresses";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 296;
+  static constexpr std::size_t first = 584;
   static constexpr wrc_stresses defaults = [] {
     wrc_stresses value{};
     value.struct_size = sizeof value;
@@ -1532,41 +1594,65 @@ struct Description<wrc_stresses> {
       {.name = "largest.von_mises.x", .offset = offsetof(wrc_stresses, largest.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.von_mises.y", .offset = offsetof(wrc_stresses, largest.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.von_mises.depth", .offset = offsetof(wrc_stresses, largest.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.von_mises.reserved", .offset = offsetof(wrc_stresses, largest.von_mises.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "largest.shear.stress", .offset = offsetof(wrc_stresses, largest.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "largest.shear.x", .offset = offsetof(wrc_stresses, largest.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.shear.y", .offset = offsetof(wrc_stresses, largest.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.shear.depth", .offset = offsetof(wrc_stresses, largest.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.shear.reserved", .offset = offsetof(wrc_stresses, largest.shear.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "largest.tension.stress", .offset = offsetof(wrc_stresses, largest.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "largest.tension.x", .offset = offsetof(wrc_stresses, largest.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.tension.y", .offset = offsetof(wrc_stresses, largest.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "largest.tension.depth", .offset = offsetof(wrc_stresses, largest.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.tension.reserved", .offset = offsetof(wrc_stresses, largest.tension.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "largest.reserved.stress", .offset = offsetof(wrc_stresses, largest.reserved.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "largest.reserved.x", .offset = offsetof(wrc_stresses, largest.reserved.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.reserved.y", .offset = offsetof(wrc_stresses, largest.reserved.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.reserved.depth", .offset = offsetof(wrc_stresses, largest.reserved.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "largest.reserved.reserved", .offset = offsetof(wrc_stresses, largest.reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "surface.von_mises.stress", .offset = offsetof(wrc_stresses, surface.von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "surface.von_mises.x", .offset = offsetof(wrc_stresses, surface.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.von_mises.y", .offset = offsetof(wrc_stresses, surface.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.von_mises.depth", .offset = offsetof(wrc_stresses, surface.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.von_mises.reserved", .offset = offsetof(wrc_stresses, surface.von_mises.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "surface.shear.stress", .offset = offsetof(wrc_stresses, surface.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "surface.shear.x", .offset = offsetof(wrc_stresses, surface.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.shear.y", .offset = offsetof(wrc_stresses, surface.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.shear.depth", .offset = offsetof(wrc_stresses, surface.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.shear.reserved", .offset = offsetof(wrc_stresses, surface.shear.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "surface.tension.stress", .offset = offsetof(wrc_stresses, surface.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "surface.tension.x", .offset = offsetof(wrc_stresses, surface.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.tension.y", .offset = offsetof(wrc_stresses, surface.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "surface.tension.depth", .offset = offsetof(wrc_stresses, surface.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.tension.reserved", .offset = offsetof(wrc_stresses, surface.tension.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "surface.reserved.stress", .offset = offsetof(wrc_stresses, surface.reserved.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "surface.reserved.x", .offset = offsetof(wrc_stresses, surface.reserved.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.reserved.y", .offset = offsetof(wrc_stresses, surface.reserved.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.reserved.depth", .offset = offsetof(wrc_stresses, surface.reserved.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "surface.reserved.reserved", .offset = offsetof(wrc_stresses, surface.reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "below.von_mises.stress", .offset = offsetof(wrc_stresses, below.von_mises.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "below.von_mises.x", .offset = offsetof(wrc_stresses, below.von_mises.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.von_mises.y", .offset = offsetof(wrc_stresses, below.von_mises.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.von_mises.depth", .offset = offsetof(wrc_stresses, below.von_mises.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.von_mises.reserved", .offset = offsetof(wrc_stresses, below.von_mises.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "below.shear.stress", .offset = offsetof(wrc_stresses, below.shear.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "below.shear.x", .offset = offsetof(wrc_stresses, below.shear.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.shear.y", .offset = offsetof(wrc_stresses, below.shear.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.shear.depth", .offset = offsetof(wrc_stresses, below.shear.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.shear.reserved", .offset = offsetof(wrc_stresses, below.shear.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
       {.name = "below.tension.stress", .offset = offsetof(wrc_stresses, below.tension.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "below.tension.x", .offset = offsetof(wrc_stresses, below.tension.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.tension.y", .offset = offsetof(wrc_stresses, below.tension.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "below.tension.depth", .offset = offsetof(wrc_stresses, below.tension.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.tension.reserved", .offset = offsetof(wrc_stresses, below.tension.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "below.reserved.stress", .offset = offsetof(wrc_stresses, below.reserved.stress), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "below.reserved.x", .offset = offsetof(wrc_stresses, below.reserved.x), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.reserved.y", .offset = offsetof(wrc_stresses, below.reserved.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.reserved.depth", .offset = offsetof(wrc_stresses, below.reserved.depth), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "below.reserved.reserved", .offset = offsetof(wrc_stresses, below.reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stresses) == 296, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_stresses) == 584, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_temperature> {
@@ -1580,7 +1666,7 @@ struct Description<wrc_temperature> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_temperature, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_temperature, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_temperature, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "at_entry", .offset = offsetof(wrc_temperature, at_entry), .type = Type::real, .rule = Rule::none, .unit = "degC"},
       {.name = "rise", .offset = offsetof(wrc_temperature, rise), .type = Type::real, .rule = Rule::none, .unit = "K"},
       {.name = "x", .offset = offsetof(wrc_temperature, x), .type = Type::real, .rule = Rule::none, .unit = "m"},
@@ -1597,19 +1683,20 @@ template <>
 struct Description<wrc_damage_bin> {
   static constexpr const char* name = "wrc_damage_bin";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 152;
+  static constexpr std::size_t first = 312;
   static constexpr wrc_damage_bin defaults = [] {
     wrc_damage_bin value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "sum", .offset = offsetof(wrc_damage_bin, sum), .type = Type::uint64, .elements = 16, .rule = Rule::none},
+      {.name = "sum", .offset = offsetof(wrc_damage_bin, sum), .type = Type::uint64, .elements = 32, .rule = Rule::none},
       {.name = "largest_pressure", .offset = offsetof(wrc_damage_bin, largest_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "largest_traction", .offset = offsetof(wrc_damage_bin, largest_traction), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "overflow", .offset = offsetof(wrc_damage_bin, overflow), .type = Type::uint64, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_damage_bin, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage_bin) == 152, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_damage_bin) == 312, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage_bins> {
@@ -1620,7 +1707,7 @@ struct Description<wrc_damage_bins> {
     wrc_damage_bins value{};
     value.struct_size = sizeof value;
     value.width = 1e-3;
-    value.rows = 1;
+    value.row_count = 1;
     return value;
   }();
   static constexpr Member members[] = {
@@ -1628,11 +1715,11 @@ struct Description<wrc_damage_bins> {
       {.name = "count", .offset = offsetof(wrc_damage_bins, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000, .too_small = "say how many bins there are", .not_set = "was it set? its default is 0"},
       {.name = "first", .offset = offsetof(wrc_damage_bins, first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "width", .offset = offsetof(wrc_damage_bins, width), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "rows", .offset = offsetof(wrc_damage_bins, rows), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000},
-      {.name = "reserved", .offset = offsetof(wrc_damage_bins, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "row_count", .offset = offsetof(wrc_damage_bins, row_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000},
+      {.name = "bin_size", .offset = offsetof(wrc_damage_bins, bin_size), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 4096, .too_small = "say sizeof(wrc_damage_bin)", .too_large = "say sizeof(wrc_damage_bin)", .not_set = "was it set? its default is 0"},
       {.name = "row_first", .offset = offsetof(wrc_damage_bins, row_first), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
       {.name = "row_length", .offset = offsetof(wrc_damage_bins, row_length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .or_zero = true, .unit = "m", .negative = "rows follow the track"},
-      {.name = "bin", .offset = offsetof(wrc_damage_bins, bin), .type = Type::pointer, .rule = Rule::none},
+      {.name = "bins", .offset = offsetof(wrc_damage_bins, bins), .type = Type::pointer, .rule = Rule::none},
   };
 };
 static_assert(sizeof(wrc_damage_bins) == 56, "run tools/interface/describe.py");
@@ -1653,7 +1740,7 @@ struct Description<wrc_fatigue_laws> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_fatigue_laws, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_fatigue_laws, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_fatigue_laws, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "whole_life_start", .offset = offsetof(wrc_fatigue_laws, whole_life_start), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "N"},
       {.name = "whole_life_peak_at", .offset = offsetof(wrc_fatigue_laws, whole_life_peak_at), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e6, .unit = "N"},
       {.name = "whole_life_end", .offset = offsetof(wrc_fatigue_laws, whole_life_end), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e6, .unit = "N"},
@@ -1674,7 +1761,7 @@ struct Description<wrc_accumulation> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_accumulation, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "source", .offset = offsetof(wrc_accumulation, source), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_damage_source},
+      {.name = "reserved0", .offset = offsetof(wrc_accumulation, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "duration", .offset = offsetof(wrc_accumulation, duration), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "s", .negative = "damage is not undone", .too_large = "did you pass a distance?"},
       {.name = "distance", .offset = offsetof(wrc_accumulation, distance), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
       {.name = "wear", .offset = offsetof(wrc_accumulation, wear), .type = Type::pointer, .rule = Rule::none},
@@ -1687,24 +1774,25 @@ template <>
 struct Description<wrc_damage_totals> {
   static constexpr const char* name = "wrc_damage_totals";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = 176;
   static constexpr wrc_damage_totals defaults = [] {
     wrc_damage_totals value{};
     return value;
   }();
   static constexpr Member members[] = {
-      {.name = "sum", .offset = offsetof(wrc_damage_totals, sum), .type = Type::real, .elements = 8, .rule = Rule::none},
+      {.name = "sum", .offset = offsetof(wrc_damage_totals, sum), .type = Type::real, .elements = 16, .rule = Rule::none},
       {.name = "largest_pressure", .offset = offsetof(wrc_damage_totals, largest_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "largest_traction", .offset = offsetof(wrc_damage_totals, largest_traction), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
+      {.name = "reserved", .offset = offsetof(wrc_damage_totals, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage_totals) == 80, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_damage_totals) == 176, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {
   static constexpr const char* name = "wrc_grid";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = 72;
   static constexpr wrc_grid defaults = [] {
     wrc_grid value{};
     return value;
@@ -1716,43 +1804,24 @@ struct Description<wrc_grid> {
       {.name = "dy", .offset = offsetof(wrc_grid, dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "x0", .offset = offsetof(wrc_grid, x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "y0", .offset = offsetof(wrc_grid, y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "reserved", .offset = offsetof(wrc_grid, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_grid) == 40, "run tools/interface/describe.py");
-
-template <>
-struct Description<wrc_materials> {
-  static constexpr const char* name = "wrc_materials";
-  static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
-  static constexpr wrc_materials defaults = [] {
-    wrc_materials value{};
-    value.shear_modulus_1 = 80e9;
-    value.poisson_1 = 0.25;
-    value.shear_modulus_2 = 80e9;
-    value.poisson_2 = 0.25;
-    return value;
-  }();
-  static constexpr Member members[] = {
-      {.name = "shear_modulus_1", .offset = offsetof(wrc_materials, shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "poisson_1", .offset = offsetof(wrc_materials, poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "shear_modulus_2", .offset = offsetof(wrc_materials, shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "poisson_2", .offset = offsetof(wrc_materials, poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-  };
-};
-static_assert(sizeof(wrc_materials) == 32, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_grid) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_problem> {
   static constexpr const char* name = "wrc_exact_normal_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 136;
+  static constexpr std::size_t first = 264;
   static constexpr wrc_exact_normal_problem defaults = [] {
     wrc_exact_normal_problem value{};
     value.struct_size = sizeof value;
+    value.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
     value.max_iterations = 1000;
     value.tolerance = 1e-6;
-    value.materials = Description<wrc_materials>::defaults;
+    value.wheel_material = Description<wrc_material>::defaults;
+    value.rail_material = Description<wrc_material>::defaults;
     value.grid = Description<wrc_grid>::defaults;
     return value;
   }();
@@ -1760,32 +1829,37 @@ struct Description<wrc_exact_normal_problem> {
       {.name = "struct_size", .offset = offsetof(wrc_exact_normal_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "prescribed", .offset = offsetof(wrc_exact_normal_problem, prescribed), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_prescribed},
       {.name = "max_iterations", .offset = offsetof(wrc_exact_normal_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 100000},
-      {.name = "reserved", .offset = offsetof(wrc_exact_normal_problem, reserved), .type = Type::int32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_exact_normal_problem, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "normal_force", .offset = offsetof(wrc_exact_normal_problem, normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? WRC_PRESCRIBE_NORMAL_FORCE needs it, and its default is 0", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_NORMAL_FORCE},
       {.name = "approach", .offset = offsetof(wrc_exact_normal_problem, approach), .type = Type::real, .rule = Rule::range, .low = -1, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .asked = offsetof(wrc_exact_normal_problem, prescribed), .asked_for = WRC_PRESCRIBE_APPROACH},
       {.name = "tolerance", .offset = offsetof(wrc_exact_normal_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-14, .high = 0.1},
-      {.name = "materials.shear_modulus_1", .offset = offsetof(wrc_exact_normal_problem, materials.shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "materials.poisson_1", .offset = offsetof(wrc_exact_normal_problem, materials.poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "materials.shear_modulus_2", .offset = offsetof(wrc_exact_normal_problem, materials.shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "materials.poisson_2", .offset = offsetof(wrc_exact_normal_problem, materials.poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "wheel_material.shear_modulus", .offset = offsetof(wrc_exact_normal_problem, wheel_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "wheel_material.poisson", .offset = offsetof(wrc_exact_normal_problem, wheel_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "wheel_material.shear_yield", .offset = offsetof(wrc_exact_normal_problem, wheel_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheel_material.reserved", .offset = offsetof(wrc_exact_normal_problem, wheel_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
+      {.name = "rail_material.shear_modulus", .offset = offsetof(wrc_exact_normal_problem, rail_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "rail_material.poisson", .offset = offsetof(wrc_exact_normal_problem, rail_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "rail_material.shear_yield", .offset = offsetof(wrc_exact_normal_problem, rail_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "rail_material.reserved", .offset = offsetof(wrc_exact_normal_problem, rail_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
       {.name = "grid.nx", .offset = offsetof(wrc_exact_normal_problem, grid.nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
       {.name = "grid.ny", .offset = offsetof(wrc_exact_normal_problem, grid.ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
       {.name = "grid.dx", .offset = offsetof(wrc_exact_normal_problem, grid.dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "grid.dy", .offset = offsetof(wrc_exact_normal_problem, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "grid.x0", .offset = offsetof(wrc_exact_normal_problem, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "grid.y0", .offset = offsetof(wrc_exact_normal_problem, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.reserved", .offset = offsetof(wrc_exact_normal_problem, grid.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "gap", .offset = offsetof(wrc_exact_normal_problem, gap), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .by_caller = true},
       {.name = "progress", .offset = offsetof(wrc_exact_normal_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_normal_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_normal_problem) == 136, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_normal_problem) == 264, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_solution> {
   static constexpr const char* name = "wrc_exact_normal_solution";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
+  static constexpr std::size_t first = 64;
   static constexpr wrc_exact_normal_solution defaults = [] {
     wrc_exact_normal_solution value{};
     value.struct_size = sizeof value;
@@ -1794,6 +1868,8 @@ struct Description<wrc_exact_normal_solution> {
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_exact_normal_solution, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "iterations", .offset = offsetof(wrc_exact_normal_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_exact_normal_solution, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_exact_normal_solution, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "approach", .offset = offsetof(wrc_exact_normal_solution, approach), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "normal_force", .offset = offsetof(wrc_exact_normal_solution, normal_force), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "peak_pressure", .offset = offsetof(wrc_exact_normal_solution, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
@@ -1802,19 +1878,20 @@ struct Description<wrc_exact_normal_solution> {
       {.name = "pressure", .offset = offsetof(wrc_exact_normal_solution, pressure), .type = Type::pointer, .rule = Rule::none, .unit = "Pa"},
   };
 };
-static_assert(sizeof(wrc_exact_normal_solution) == 56, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_normal_solution) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_problem> {
   static constexpr const char* name = "wrc_exact_rolling_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 184;
+  static constexpr std::size_t first = 344;
   static constexpr wrc_exact_rolling_problem defaults = [] {
     wrc_exact_rolling_problem value{};
     value.struct_size = sizeof value;
     value.max_iterations = 60;
     value.tolerance = 1e-4;
-    value.materials = Description<wrc_materials>::defaults;
+    value.wheel_material = Description<wrc_material>::defaults;
+    value.rail_material = Description<wrc_material>::defaults;
     value.grid = Description<wrc_grid>::defaults;
     value.coefficient = 0.3;
     value.creepage = Description<wrc_creepage>::defaults;
@@ -1826,16 +1903,21 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "collocation", .offset = offsetof(wrc_exact_rolling_problem, collocation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_collocation},
       {.name = "max_iterations", .offset = offsetof(wrc_exact_rolling_problem, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 1000},
       {.name = "tolerance", .offset = offsetof(wrc_exact_rolling_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-12, .high = 0.1},
-      {.name = "materials.shear_modulus_1", .offset = offsetof(wrc_exact_rolling_problem, materials.shear_modulus_1), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "materials.poisson_1", .offset = offsetof(wrc_exact_rolling_problem, materials.poisson_1), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
-      {.name = "materials.shear_modulus_2", .offset = offsetof(wrc_exact_rolling_problem, materials.shear_modulus_2), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?"},
-      {.name = "materials.poisson_2", .offset = offsetof(wrc_exact_rolling_problem, materials.poisson_2), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "wheel_material.shear_modulus", .offset = offsetof(wrc_exact_rolling_problem, wheel_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "wheel_material.poisson", .offset = offsetof(wrc_exact_rolling_problem, wheel_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "wheel_material.shear_yield", .offset = offsetof(wrc_exact_rolling_problem, wheel_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "wheel_material.reserved", .offset = offsetof(wrc_exact_rolling_problem, wheel_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
+      {.name = "rail_material.shear_modulus", .offset = offsetof(wrc_exact_rolling_problem, rail_material.shear_modulus), .type = Type::real, .rule = Rule::range, .low = 1e8, .high = 1e12, .unit = "Pa", .too_small = "did you pass MPa or GPa?", .too_large = "steel has 82e9"},
+      {.name = "rail_material.poisson", .offset = offsetof(wrc_exact_rolling_problem, rail_material.poisson), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "steel has 0.25 to 0.3", .too_large = "steel has 0.25 to 0.3"},
+      {.name = "rail_material.shear_yield", .offset = offsetof(wrc_exact_rolling_problem, rail_material.shear_yield), .type = Type::real, .rule = Rule::range, .low = 1e6, .high = 1e11, .unit = "Pa", .too_small = "did you pass MPa?"},
+      {.name = "rail_material.reserved", .offset = offsetof(wrc_exact_rolling_problem, rail_material.reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
       {.name = "grid.nx", .offset = offsetof(wrc_exact_rolling_problem, grid.nx), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
       {.name = "grid.ny", .offset = offsetof(wrc_exact_rolling_problem, grid.ny), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 1024, .not_set = "was it set? its default is 0"},
       {.name = "grid.dx", .offset = offsetof(wrc_exact_rolling_problem, grid.dx), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "grid.dy", .offset = offsetof(wrc_exact_rolling_problem, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "grid.x0", .offset = offsetof(wrc_exact_rolling_problem, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "grid.y0", .offset = offsetof(wrc_exact_rolling_problem, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.reserved", .offset = offsetof(wrc_exact_rolling_problem, grid.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "pressure", .offset = offsetof(wrc_exact_rolling_problem, pressure), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .by_caller = true},
       {.name = "friction", .offset = offsetof(wrc_exact_rolling_problem, friction), .type = Type::pointer, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
       {.name = "coefficient", .offset = offsetof(wrc_exact_rolling_problem, coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .too_small = "friction must be positive", .too_large = "did you pass per cent?", .by_caller = true},
@@ -1845,17 +1927,18 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "creepage.speed", .offset = offsetof(wrc_exact_rolling_problem, creepage.speed), .type = Type::real, .rule = Rule::range, .low = -200, .high = 200, .unit = "m/s", .too_small = "did you pass km/h?", .too_large = "did you pass km/h?"},
       {.name = "creepage.approach_velocity", .offset = offsetof(wrc_exact_rolling_problem, creepage.approach_velocity), .type = Type::real, .rule = Rule::none, .unit = "m/s"},
       {.name = "creepage.reverse_share", .offset = offsetof(wrc_exact_rolling_problem, creepage.reverse_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.5, .too_small = "it is a result of wrc_planar_creepages", .too_large = "the way of creepage.speed has the larger share"},
+      {.name = "creepage.reserved", .offset = offsetof(wrc_exact_rolling_problem, creepage.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "progress", .offset = offsetof(wrc_exact_rolling_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_rolling_problem) == 184, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_rolling_problem) == 344, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_solution> {
   static constexpr const char* name = "wrc_exact_rolling_solution";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 96;
+  static constexpr std::size_t first = 104;
   static constexpr wrc_exact_rolling_solution defaults = [] {
     wrc_exact_rolling_solution value{};
     value.struct_size = sizeof value;
@@ -1864,6 +1947,8 @@ struct Description<wrc_exact_rolling_solution> {
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_exact_rolling_solution, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "iterations", .offset = offsetof(wrc_exact_rolling_solution, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_exact_rolling_solution, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_exact_rolling_solution, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "fx", .offset = offsetof(wrc_exact_rolling_solution, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "fy", .offset = offsetof(wrc_exact_rolling_solution, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "mz", .offset = offsetof(wrc_exact_rolling_solution, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
@@ -1877,18 +1962,18 @@ struct Description<wrc_exact_rolling_solution> {
       {.name = "slip_y", .offset = offsetof(wrc_exact_rolling_solution, slip_y), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_rolling_solution) == 96, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_rolling_solution) == 104, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_loads> {
   static constexpr const char* name = "wrc_exact_loads";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = 112;
   static constexpr wrc_exact_loads defaults = [] {
     wrc_exact_loads value{};
     value.struct_size = sizeof value;
     value.body = WRC_BODY_RAIL;
-    value.poisson = 0.25;
+    value.poisson = 0.28;
     value.grid = Description<wrc_grid>::defaults;
     return value;
   }();
@@ -1902,18 +1987,19 @@ struct Description<wrc_exact_loads> {
       {.name = "grid.dy", .offset = offsetof(wrc_exact_loads, grid.dy), .type = Type::real, .rule = Rule::range, .low = 1e-7, .high = 0.01, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
       {.name = "grid.x0", .offset = offsetof(wrc_exact_loads, grid.x0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "grid.y0", .offset = offsetof(wrc_exact_loads, grid.y0), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
+      {.name = "grid.reserved", .offset = offsetof(wrc_exact_loads, grid.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "pressure", .offset = offsetof(wrc_exact_loads, pressure), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "pressure is compressive positive", .too_large = "steel yields at a tenth of that", .by_caller = true},
       {.name = "traction_x", .offset = offsetof(wrc_exact_loads, traction_x), .type = Type::pointer, .rule = Rule::range, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "steel yields at a tenth of that", .too_large = "steel yields at a tenth of that", .by_caller = true},
       {.name = "traction_y", .offset = offsetof(wrc_exact_loads, traction_y), .type = Type::pointer, .rule = Rule::range, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "steel yields at a tenth of that", .too_large = "steel yields at a tenth of that", .by_caller = true},
   };
 };
-static_assert(sizeof(wrc_exact_loads) == 80, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_exact_loads) == 112, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_wrench_options> {
   static constexpr const char* name = "wrc_exact_wrench_options";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = 48;
   static constexpr wrc_exact_wrench_options defaults = [] {
     wrc_exact_wrench_options value{};
     value.struct_size = sizeof value;
@@ -1925,7 +2011,7 @@ struct Description<wrc_exact_wrench_options> {
       {.name = "struct_size", .offset = offsetof(wrc_exact_wrench_options, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "collocation", .offset = offsetof(wrc_exact_wrench_options, collocation), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_collocation},
       {.name = "influence", .offset = offsetof(wrc_exact_wrench_options, influence), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_surface_influence},
-      {.name = "reserved", .offset = offsetof(wrc_exact_wrench_options, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_exact_wrench_options, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "cell_x", .offset = offsetof(wrc_exact_wrench_options, cell_x), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "cell_s", .offset = offsetof(wrc_exact_wrench_options, cell_s), .type = Type::real, .rule = Rule::range, .low = 2e-5, .high = 2e-3, .unit = "m", .too_large = "did you pass mm?"},
       {.name = "progress", .offset = offsetof(wrc_exact_wrench_options, progress), .type = Type::pointer, .rule = Rule::none},
@@ -1933,6 +2019,29 @@ struct Description<wrc_exact_wrench_options> {
   };
 };
 static_assert(sizeof(wrc_exact_wrench_options) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_exact_check_options> {
+  static constexpr const char* name = "wrc_exact_check_options";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = 32;
+  static constexpr wrc_exact_check_options defaults = [] {
+    wrc_exact_check_options value{};
+    value.struct_size = sizeof value;
+    value.nx = 64;
+    value.ny = 64;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_exact_check_options, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "nx", .offset = offsetof(wrc_exact_check_options, nx), .type = Type::uint32, .rule = Rule::range, .low = 8, .high = 512},
+      {.name = "ny", .offset = offsetof(wrc_exact_check_options, ny), .type = Type::uint32, .rule = Rule::range, .low = 8, .high = 512},
+      {.name = "reserved0", .offset = offsetof(wrc_exact_check_options, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "progress", .offset = offsetof(wrc_exact_check_options, progress), .type = Type::pointer, .rule = Rule::none},
+      {.name = "user", .offset = offsetof(wrc_exact_check_options, user), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(sizeof(wrc_exact_check_options) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_check_result> {
@@ -1946,7 +2055,7 @@ struct Description<wrc_exact_check_result> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_exact_check_result, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_exact_check_result, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "flags", .offset = offsetof(wrc_exact_check_result, flags), .type = Type::uint32, .rule = Rule::none},
       {.name = "fx", .offset = offsetof(wrc_exact_check_result, fx), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "fy", .offset = offsetof(wrc_exact_check_result, fy), .type = Type::real, .rule = Rule::none, .unit = "N"},
       {.name = "mz", .offset = offsetof(wrc_exact_check_result, mz), .type = Type::real, .rule = Rule::none, .unit = "N m"},
@@ -1989,7 +2098,7 @@ struct Description<wrc_wheelset_geometry> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_wheelset_geometry, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_wheelset_geometry, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_wheelset_geometry, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "vertical", .offset = offsetof(wrc_wheelset_geometry, vertical), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
       {.name = "roll", .offset = offsetof(wrc_wheelset_geometry, roll), .type = Type::pointer, .rule = Rule::none, .unit = "rad"},
       {.name = "radius_difference", .offset = offsetof(wrc_wheelset_geometry, radius_difference), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
@@ -2021,10 +2130,10 @@ struct Description<wrc_conicity_problem> {
       {.name = "struct_size", .offset = offsetof(wrc_conicity_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "method", .offset = offsetof(wrc_conicity_problem, method), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_conicity_method},
       {.name = "count", .offset = offsetof(wrc_conicity_problem, count), .type = Type::uint32, .rule = Rule::range, .low = 3, .high = 100000, .too_small = "say how many points there are", .not_set = "was it set? its default is 0"},
-      {.name = "amplitudes", .offset = offsetof(wrc_conicity_problem, amplitudes), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many amplitudes there are", .not_set = "was it set? its default is 0"},
+      {.name = "amplitude_count", .offset = offsetof(wrc_conicity_problem, amplitude_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 100000, .too_small = "say how many amplitudes there are", .not_set = "was it set? its default is 0"},
       {.name = "lateral", .offset = offsetof(wrc_conicity_problem, lateral), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.1, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, count)},
       {.name = "radius_difference", .offset = offsetof(wrc_conicity_problem, radius_difference), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.2, .high = 0.2, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, count)},
-      {.name = "amplitude", .offset = offsetof(wrc_conicity_problem, amplitude), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-6, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, amplitudes)},
+      {.name = "amplitudes", .offset = offsetof(wrc_conicity_problem, amplitudes), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-6, .high = 0.1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_conicity_problem, amplitude_count)},
       {.name = "contact_distance", .offset = offsetof(wrc_conicity_problem, contact_distance), .type = Type::real, .rule = Rule::range, .low = 0.3, .high = 3, .unit = "m", .too_small = "did you pass mm, or half of it?", .too_large = "did you pass mm, or half of it?"},
       {.name = "radius", .offset = offsetof(wrc_conicity_problem, radius), .type = Type::real, .rule = Rule::range, .low = 0.05, .high = 3, .unit = "m", .too_small = "did you pass mm, or the diameter?", .too_large = "did you pass mm, or the diameter?"},
   };
@@ -2043,7 +2152,7 @@ struct Description<wrc_conicity> {
   }();
   static constexpr Member members[] = {
       {.name = "struct_size", .offset = offsetof(wrc_conicity, struct_size), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_conicity, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_conicity, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "conicity", .offset = offsetof(wrc_conicity, conicity), .type = Type::pointer, .rule = Rule::none},
       {.name = "wavelength", .offset = offsetof(wrc_conicity, wavelength), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
       {.name = "centre", .offset = offsetof(wrc_conicity, centre), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
@@ -2070,10 +2179,10 @@ struct Description<wrc_profile_wear> {
       {.name = "struct_size", .offset = offsetof(wrc_profile_wear, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "body", .offset = offsetof(wrc_profile_wear, body), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_body},
       {.name = "count", .offset = offsetof(wrc_profile_wear, count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 20000, .too_small = "a spline needs at least four points", .not_set = "was it set? its default is 0"},
-      {.name = "bins", .offset = offsetof(wrc_profile_wear, bins), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000, .too_small = "say how many bins there are", .not_set = "was it set? its default is 0"},
+      {.name = "bin_count", .offset = offsetof(wrc_profile_wear, bin_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000, .too_small = "say how many bins there are", .not_set = "was it set? its default is 0"},
       {.name = "y", .offset = offsetof(wrc_profile_wear, y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_profile_wear, count)},
       {.name = "z", .offset = offsetof(wrc_profile_wear, z), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .counted_by = offsetof(wrc_profile_wear, count)},
-      {.name = "depth", .offset = offsetof(wrc_profile_wear, depth), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 0.1, .unit = "m", .too_small = "did you pass a volume?", .too_large = "did you pass a volume?", .counted_by = offsetof(wrc_profile_wear, bins)},
+      {.name = "depth", .offset = offsetof(wrc_profile_wear, depth), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 0.1, .unit = "m", .too_small = "did you pass a volume?", .too_large = "did you pass a volume?", .counted_by = offsetof(wrc_profile_wear, bin_count)},
       {.name = "first", .offset = offsetof(wrc_profile_wear, first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "width", .offset = offsetof(wrc_profile_wear, width), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "passages", .offset = offsetof(wrc_profile_wear, passages), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e12},
@@ -2098,7 +2207,7 @@ struct Description<wrc_worn_profile> {
       {.name = "struct_size", .offset = offsetof(wrc_worn_profile, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "capacity", .offset = offsetof(wrc_worn_profile, capacity), .type = Type::uint32, .rule = Rule::none},
       {.name = "count", .offset = offsetof(wrc_worn_profile, count), .type = Type::uint32, .rule = Rule::none},
-      {.name = "reserved", .offset = offsetof(wrc_worn_profile, reserved), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved0", .offset = offsetof(wrc_worn_profile, reserved0), .type = Type::uint32, .rule = Rule::zero},
       {.name = "y", .offset = offsetof(wrc_worn_profile, y), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
       {.name = "z", .offset = offsetof(wrc_worn_profile, z), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
       {.name = "passages", .offset = offsetof(wrc_worn_profile, passages), .type = Type::real, .rule = Rule::none},
@@ -2112,7 +2221,7 @@ template <>
 struct Description<wrc_flange> {
   static constexpr const char* name = "wrc_flange";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 24;
+  static constexpr std::size_t first = 48;
   static constexpr wrc_flange defaults = [] {
     wrc_flange value{};
     return value;
@@ -2121,8 +2230,9 @@ struct Description<wrc_flange> {
       {.name = "height", .offset = offsetof(wrc_flange, height), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "thickness", .offset = offsetof(wrc_flange, thickness), .type = Type::real, .rule = Rule::none, .unit = "m"},
       {.name = "slope", .offset = offsetof(wrc_flange, slope), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "reserved", .offset = offsetof(wrc_flange, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_flange) == 24, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_flange) == 48, "run tools/interface/describe.py");
 
 }  // namespace wrc::abi
