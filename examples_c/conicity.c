@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   config.track.rail_inclination = 1.0 / 40.0;
   check(wrc_config_check(&config, text, sizeof text), text);
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model), "no model");
+  check(wrc_model_create(&config, NULL, &model, NULL, 0), "no model");
 
   const double load[2] = {0.0, 80e3}; /* N, of each wheel */
   for (int i = 0; i < COUNT; ++i) y[i] = 0.05e-3 * (i - COUNT / 2);

@@ -123,8 +123,8 @@ static wrc_contact* make_contact(const variant* v, wrc_model** model) {
   config.tangential.bound = v->bound;
   config.tangential.flexibility = v->flexibility;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, model) < 0 ||
-      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, &contact) < 0)
+  if (wrc_model_create(&config, NULL, model, NULL, 0) < 0 ||
+      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0)
     fail(v->name, "cannot be made");
   return contact;
 }
@@ -228,9 +228,9 @@ static void write_friction_laws(const char* directory) {
   /* Greased on the flange side of y = 0. */
   static const double zone_y[] = {0.0, 0.0}, zone_coefficient[] = {0.08, 0.36};
   friction = friction_of(0.36);
-  friction.zones = 2;
+  friction.zone_count = 2;
   friction.zone_y = zone_y;
-  friction.zone_coefficient = zone_coefficient;
+  friction.zone_coefficients = zone_coefficient;
   write_law(csv, "greased for y < 0", "strip FASTSIM", WRC_BOUND_PARABOLIC, &friction);
   fclose(csv);
 }

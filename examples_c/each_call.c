@@ -83,15 +83,15 @@ static void remembered(void) {
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.non_steady = 1;
+  config.planar.non_steady = 1;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   wrc_planar_input input = wrc_planar_input_default();
   wrc_planar_output output = wrc_planar_output_default();
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 1e-3;
-  DO(wrc_model_create(&config, NULL, &model));
-  DO(wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact));
+  DO(wrc_model_create(&config, NULL, &model, NULL, 0));
+  DO(wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0));
   for (int step = 0; step < 3; ++step) {
     DO(wrc_planar_roll(contact, 1e-3)); /* a millimetre further each */
     DO(wrc_planar_step(contact, &input, &output));
@@ -133,7 +133,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
   DO(wrc_contact_region_damage(contact, 0, &damage));
   DO(wrc_contact_region_temperature(contact, 0, NULL, &temperature));
-  DO(wrc_contact_region_field(contact, 0, WRC_REGION_STRIP_PEAK, pressure, 512));
+  DO(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_PEAK, pressure, 512));
   printf(
       "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",
       wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * ellipse.b, damage.t_gamma,
@@ -235,9 +235,9 @@ int main(void) {
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   DO(wrc_model_size(&config, &bytes, &alignment));
-  DO(wrc_model_init(&config, aligned(0, bytes, alignment), bytes, &model));
+  DO(wrc_model_init(&config, aligned(0, bytes, alignment), bytes, &model, NULL, 0));
   DO(wrc_contact_size(model, &bytes, &alignment));
-  DO(wrc_contact_init(model, WRC_SIDE_RIGHT, aligned(1, bytes, alignment), bytes, &contact));
+  DO(wrc_contact_init(model, WRC_SIDE_RIGHT, aligned(1, bytes, alignment), bytes, &contact, NULL, 0));
   asked = contact;
   wrc_view y, z;
   DO(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, NULL));

@@ -25,8 +25,8 @@ int main(void) {
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
     fprintf(stderr, "the model cannot be made\n");
     return EXIT_FAILURE;
   }

@@ -20,8 +20,8 @@ int main(void) {
   }
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }

@@ -36,9 +36,9 @@ int main(int argc, char** argv) {
   config.wheelset.wheel_radius = radius;
   wrc_model* model = NULL;
   wrc_contact* contact[2] = {NULL, NULL};
-  int32_t status = wrc_model_create(&config, NULL, &model);
+  int32_t status = wrc_model_create(&config, NULL, &model, NULL, 0);
   for (int side = 0; side < 2 && status >= 0; ++side)
-    status = wrc_contact_create(model, side, NULL, &contact[side]);
+    status = wrc_contact_create(model, side, NULL, &contact[side], NULL, 0);
   if (status < 0) return failed("model", NULL, status);
 
   wrc_wheel_input input = wrc_wheel_input_default();

@@ -38,12 +38,12 @@ static int32_t statuses[wheels];
 /* One model for all; even wheels are right ones. */
 static int make_wheels(wrc_model** model) {
   wrc_config config = wrc_config_default();
-  config.normal.warm_start = 1;
+  config.planar.start = WRC_START_WARM;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  if (wrc_model_create(&config, NULL, model) < 0) return 0;
+  if (wrc_model_create(&config, NULL, model, NULL, 0) < 0) return 0;
   for (int k = 0; k < wheels; ++k) {
-    if (wrc_contact_create(*model, k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, NULL, &contacts[k]) < 0)
+    if (wrc_contact_create(*model, k % 2 == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, NULL, &contacts[k], NULL, 0) < 0)
       return 0;
     inputs[k] = wrc_planar_input_default();
     inputs[k].creepage.speed = 40.0;
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
     if (i % 2 == 0) {
       failed += wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs,
                                        statuses) < 0;
-      for (int k = 0; k < wheels; ++k) two_patches += outputs[k].normal.patches == 2;
+      for (int k = 0; k < wheels; ++k) two_patches += outputs[k].normal.patch_count == 2;
     }
     cycles[i].solved = microseconds_since(&due);
   }

@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
   wrc->config_init(&config);
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc->model_create(&config, NULL, &model) < 0 ||
-      wrc->contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
+  if (wrc->model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      wrc->contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }

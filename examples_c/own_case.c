@@ -205,8 +205,8 @@ int main(int argc, char** argv) {
   config.track.gauge = given.gauge;
   config.wheelset.flange_back_distance = given.flange_back;
   config.track.rail_inclination = given.inclination;
-  config.material.shear_modulus = given.shear_modulus;
-  config.material.poisson = given.poisson;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = given.shear_modulus;
+  config.wheel_material.poisson = config.rail_material.poisson = given.poisson;
   char text[256];
   if (wrc_config_check(&config, text, sizeof text) < 0) {
     fprintf(stderr, "%s\n", text);
@@ -214,8 +214,8 @@ int main(int argc, char** argv) {
   }
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) {
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
     fprintf(stderr, "out of memory\n");
     return EXIT_FAILURE;
   }

@@ -163,7 +163,7 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
   for (int k = 0; k < CELL_FIELDS; ++k) views[k] = view_of(contact, cell_fields[k]);
   const wrc_view y = view_of(contact, WRC_FIELD_STRIP_Y);
   const wrc_view width = view_of(contact, WRC_FIELD_STRIP_WIDTH);
-  const wrc_view half = view_of(contact, WRC_FIELD_STRIP_HALF);
+  const wrc_view half = view_of(contact, WRC_FIELD_STRIP_HALF_LENGTH);
   const wrc_view centre = view_of(contact, WRC_FIELD_STRIP_CENTRE);
   const wrc_view peak = view_of(contact, WRC_FIELD_STRIP_PEAK);
   const wrc_view power = view_of(contact, WRC_FIELD_STRIP_POWER);
@@ -264,8 +264,8 @@ static void make(const wrc_config* config, wrc_model** model, wrc_contact** cont
     fprintf(stderr, "configuration: %s\n", text);
     exit(EXIT_FAILURE);
   }
-  if (wrc_model_create(config, NULL, model) < 0 ||
-      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, contact) < 0) {
+  if (wrc_model_create(config, NULL, model, NULL, 0) < 0 ||
+      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, contact, NULL, 0) < 0) {
     fprintf(stderr, "out of memory\n");
     exit(EXIT_FAILURE);
   }

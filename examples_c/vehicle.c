@@ -303,12 +303,12 @@ static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config*
   memset(v, 0, sizeof *v);
   const wrc_config usual = pair_of_profiles();
   models[1] = NULL;
-  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0]), "model");
-  if (special) must(wrc_model_create(special, NULL, &models[1]), "model");
+  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0], NULL, 0), "model");
+  if (special) must(wrc_model_create(special, NULL, &models[1], NULL, 0), "model");
   for (int w = 0; w < 2; ++w)
     for (int side = 0; side < 2; ++side)
       must(wrc_contact_create(special && side == right && (both || w == 0) ? models[1] : models[0], side,
-                              NULL, &v->contact[w][side]),
+                              NULL, &v->contact[w][side], NULL, 0),
            "contact");
   build(v);
 }
@@ -740,8 +740,8 @@ static void turnout(FILE* file) {
     section[n].profile.kind = WRC_PROFILE_60E1;
   }
   wrc_config config = pair_of_profiles();
-  config.rail_sections = (uint32_t)n;
-  config.rail_section = section;
+  config.rail_section_count = (uint32_t)n;
+  config.rail_sections = section;
   for (int k = 0; k < 2; ++k) {
     Vehicle v;
     double s[STATES];
@@ -769,10 +769,10 @@ static void flat(FILE* file) {
     deviation[i] = fabs(from) < half ? -0.25e-3 * (1.0 + cos(0.5 * turn * from / half)) : 0.0;
   }
   wrc_config config = pair_of_profiles();
-  config.roundness.angles = angles;
-  config.roundness.rows = 1;
-  config.roundness.angle = angle;
-  config.roundness.deviation = deviation;
+  config.roundness.angle_count = angles;
+  config.roundness.row_count = 1;
+  config.roundness.angles = angle;
+  config.roundness.deviations = deviation;
   Vehicle v;
   double s[STATES];
   open_contacts(&v, NULL, &config, 0);

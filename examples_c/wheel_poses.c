@@ -22,7 +22,7 @@ static wrc_model* model_of(double gauge, double roller_curvature) {
   char why[256];
   wrc_model* model = NULL;
   if (wrc_config_check(&config, why, sizeof why) < 0) fprintf(stderr, "%s\n", why);
-  if (wrc_model_create(&config, NULL, &model) < 0) exit(EXIT_FAILURE);
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0) exit(EXIT_FAILURE);
   return model;
 }
 
@@ -31,7 +31,7 @@ static wrc_wrench wrench_of(const wrc_model* model, int side, const wrc_wheel_in
                             wrc_wrench_derivatives* by) {
   wrc_contact* contact = NULL;
   wrc_wrench wrench = wrc_wrench_default();
-  if (wrc_contact_create(model, side, NULL, &contact) < 0) exit(EXIT_FAILURE);
+  if (wrc_contact_create(model, side, NULL, &contact, NULL, 0) < 0) exit(EXIT_FAILURE);
   const int32_t status = wrc_contact_wrench_derivatives(contact, input, &wrench, by);
   if (status != WRC_OK) fprintf(stderr, "%s\n", wrc_status_name(status));
   wrc_contact_destroy(contact);
@@ -88,7 +88,7 @@ static void roller_rig(void) {
     wrc_wheel_input input = rolling(0.0);
     if (k < 4) {
       input.wheel.velocity[0] = 0.0;
-      input.roller_velocity = 0.999 * speed / rollers[k];
+      input.roller_rate = 0.999 * speed / rollers[k];
     } else {
       input.wheel.velocity[0] = 0.999 * speed;
     }

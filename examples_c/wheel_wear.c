@@ -223,7 +223,7 @@ static int run_together(const wrc_model* model, wrc_damage_bins* bins, place* pl
   laws.archard_fast *= natural_lubrication;
   laws.archard_seizure *= natural_lubrication;
   for (int side = 0; side < 2; ++side)
-    check(wrc_contact_create(model, side, NULL, &set.contact[side]), "contact", "");
+    check(wrc_contact_create(model, side, NULL, &set.contact[side], NULL, 0), "contact", "");
   for (int i = first; i < end; ++i) {
     wrc_accumulation step = wrc_accumulation_default();
     step.wear = &laws;
@@ -273,7 +273,7 @@ static wrc_model* make_model(const state* now) {
   char text[256] = "";
   check(wrc_config_check(&config, text, sizeof text), "configuration", text);
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model), "model", "");
+  check(wrc_model_create(&config, NULL, &model, NULL, 0), "model", "");
   return model;
 }
 

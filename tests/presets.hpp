@@ -63,8 +63,8 @@ inline bool gives_tractions(std::int32_t preset) {
   choose_tangential(config, preset);
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  const bool gives = wrc_model_create(&config, nullptr, &model) == WRC_OK &&
-                     wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) == WRC_OK &&
+  const bool gives = wrc_model_create(&config, nullptr, &model, nullptr, 0) == WRC_OK &&
+                     wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0) == WRC_OK &&
                      gives_tractions(contact);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);

@@ -24,6 +24,6 @@ inline double& wrench_input(wrc_wheel_input& input, std::int32_t column) {
                                                  &rail.roll,
                                                  &rail.y_velocity,
                                                  &rail.z_velocity,
-                                                 &rail.roll_velocity};
+                                                 &rail.roll_rate};
   return *numbers[column];
 }

@@ -25,8 +25,8 @@ constexpr double turn = 6.283185307179586, radius = 0.46;
 class Pair {
  public:
   explicit Pair(const wrc_config& config) {
-    if (wrc_model_create(&config, nullptr, &model_) < 0 ||
-        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) < 0) {
+    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0 ||
+        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) < 0) {
       char text[256];
       wrc_config_check(&config, text, sizeof text);
       std::printf("no model: %s\n", text);
@@ -87,8 +87,8 @@ std::vector<wrc_rail_section> ramp(double every) {
 }
 
 void give(const std::vector<wrc_rail_section>& sections, wrc_config& config) {
-  config.rail_sections = static_cast<uint32_t>(sections.size());
-  config.rail_section = sections.data();
+  config.rail_section_count = static_cast<uint32_t>(sections.size());
+  config.rail_sections = sections.data();
 }
 
 /// Work of the force on the wheel along straight legs through (distance, y, overlap below the height under

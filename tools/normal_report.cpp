@@ -49,12 +49,12 @@ class Wheel {
     if (rail_kind == WRC_PROFILE_60E1) config.track.rail_inclination = 0.025;
     tolerance = config.normal.load_tolerance;
     config.normal.method = method;
-    config.normal.warm_start = warm ? 1 : 0;
+    config.planar.start = warm ? 1 : 0;
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = rail_kind;
     load_.normal_force = load_of_all;
-    if (wrc_model_create(&config, nullptr, &model_) < 0 ||
-        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) < 0) {
+    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0 ||
+        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) < 0) {
       std::fprintf(stderr, "no model\n");
       std::exit(2);
     }
@@ -122,9 +122,9 @@ class Wheel {
   };
   Extent extent() const {
     Extent box;
-    for (int32_t k = 0; k < normal.patches; ++k) {
+    for (int32_t k = 0; k < normal.patch_count; ++k) {
       const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF, k), centre = field(WRC_FIELD_STRIP_CENTRE, k);
+                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k), centre = field(WRC_FIELD_STRIP_CENTRE, k);
       for (uint64_t j = 0; j < y.count[0]; ++j) {
         box.x_from = std::min(box.x_from, centre.data[j] - half.data[j]);
         box.x_to = std::max(box.x_to, centre.data[j] + half.data[j]);
@@ -138,9 +138,9 @@ class Wheel {
   /// Lateral centre of pressure, track frame: the contact frame jumps with the point of first touch [m].
   double centre() const {
     double moment = 0.0, load = 0.0;
-    for (int32_t k = 0; k < normal.patches; ++k) {
+    for (int32_t k = 0; k < normal.patch_count; ++k) {
       const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
+                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
       for (uint64_t j = 0; j < y.count[0]; ++j) {
         const double part = width.data[j] * half.data[j] * peak.data[j];
         moment += part * y.data[j];

@@ -168,13 +168,13 @@ using Errors = std::map<std::string, std::vector<double>>;
 void run(const Sequence& q, Errors& errors) {
   Exact exact(q);
   wrc_config config = wrc_config_default();
-  config.material.shear_modulus = shear_modulus;
-  config.material.poisson = q.poisson;
-  config.non_steady = 1;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = shear_modulus;
+  config.wheel_material.poisson = config.rail_material.poisson = q.poisson;
+  config.planar.non_steady = 1;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  if (wrc_model_create(&config, nullptr, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) < 0)
+  if (wrc_model_create(&config, nullptr, &model, nullptr, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0) < 0)
     throw std::runtime_error("no contact");
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = q.friction;

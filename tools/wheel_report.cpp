@@ -118,7 +118,7 @@ int poses(const Csv& file, long count, unsigned seed) {
       const int32_t status = wrc_contact_wrench(contact, &input, &wrench);
       ++statuses[wrc_status_name(status)];
       not_finite += finite(wrench) ? 0 : 1;
-      most_regions = std::max<long>(most_regions, wrench.regions);
+      most_regions = std::max<long>(most_regions, wrench.region_count);
       sum += wrench.force[0] + wrench.force[1] + wrench.force[2];
       if (wrench.normal_force > 0.0) {
         ++in_contact;
@@ -388,10 +388,10 @@ constexpr Run straight{"straight", 1e-3, 9.0, 20.0, 0.0}, weaving{"weaving", 5.8
 /// Strips in contact of the last solution.
 double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
   double strips = 0.0;
-  for (int32_t i = 0; i < wrench.regions; ++i) {
+  for (int32_t i = 0; i < wrench.region_count; ++i) {
     wrc_region region = wrc_region_default();
     wrc_contact_region(contact, i, &region);
-    strips += region.strips;
+    strips += region.strip_count;
   }
   return strips;
 }
@@ -400,7 +400,7 @@ double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
 class Contacts {
  public:
   Contacts(const Solver& solver, std::size_t count) : all_(count) {
-    for (wrc_contact*& contact : all_) wrc_contact_create(solver.model(), WRC_SIDE_RIGHT, nullptr, &contact);
+    for (wrc_contact*& contact : all_) wrc_contact_create(solver.model(), WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
   }
   ~Contacts() {
     for (wrc_contact* const contact : all_) wrc_contact_destroy(contact);
@@ -424,7 +424,7 @@ void time_one(const Solver& solver, const Run& run, int32_t start, long steps) {
     wrc_wrench wrench = wrc_wrench_default();
     const double took = microseconds_of([&] { wrc_contact_wrench(one[0], &input, &wrench); });
     if (step < 10) continue;
-    const int two = wrench.regions > 1;
+    const int two = wrench.region_count > 1;
     time[two].push_back(took);
     strips[two].push_back(strips_in_contact(one[0], wrench));
     sweeps.push_back(wrench.iterations);

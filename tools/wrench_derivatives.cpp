@@ -87,9 +87,9 @@ int main(int argc, char** argv) {
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
   wrc_contact* contacts[2] = {nullptr, nullptr};
-  if (wrc_model_create(&config, nullptr, &model) != WRC_OK) return 1;
+  if (wrc_model_create(&config, nullptr, &model, nullptr, 0) != WRC_OK) return 1;
   for (int32_t side = 0; side < 2; ++side)
-    if (wrc_contact_create(model, side, nullptr, &contacts[side]) != WRC_OK) return 1;
+    if (wrc_contact_create(model, side, nullptr, &contacts[side], nullptr, 0) != WRC_OK) return 1;
 
   std::mt19937_64 random(seed);
   const auto between = [&random](double low, double high) {
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     c.input.wheel.angular_velocity[2] = between(-0.1, 0.1);
     c.input.rail.y_velocity = between(-0.01, 0.01);
     c.input.rail.z_velocity = between(-0.01, 0.01);
-    c.input.rail.roll_velocity = between(-0.01, 0.01);
+    c.input.rail.roll_rate = between(-0.01, 0.01);
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
     if (random() % 4 == 0) {

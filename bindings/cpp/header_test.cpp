@@ -178,7 +178,7 @@ void values() {
   }
   EXPECT(alive == 0);
   wrc_config wrong = usual();
-  wrong.material.shear_modulus = 80.0;
+  wrong.wheel_material.shear_modulus = wrong.rail_material.shear_modulus = 80.0;
   EXPECT(!wrc::model::make(wrong) && wrc::model::make(wrong).error() == WRC_ERROR_RANGE);
   const auto coefficients = wrc::try_linear_coefficients(1.0, 0.0, 0.25);
   EXPECT(coefficients && coefficients->c11 > 4.0 && coefficients->c11 < 4.3);
@@ -210,7 +210,7 @@ void exceptions() {
   } catch (const std::exception& error) {
     EXPECT(std::strstr(error.what(), "input.load.normal_force"));
   }
-  config.material.poisson = 0.7;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.7;
   try {
     const wrc::model none(config);
     expect(false, "throws", __LINE__);

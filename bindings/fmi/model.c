@@ -238,8 +238,8 @@ outcome model_start(instance* of) {
   config.wheelset.flange_back_distance = OF_KIND(of, flange_back_distance);
   config.track.gauge = OF_KIND(of, gauge);
   config.track.rail_inclination = OF_KIND(of, rail_inclination);
-  config.material.shear_modulus = OF_KIND(of, shear_modulus);
-  config.material.poisson = OF_KIND(of, poisson);
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = OF_KIND(of, shear_modulus);
+  config.wheel_material.poisson = config.rail_material.poisson = OF_KIND(of, poisson);
   double* points[4] = {NULL, NULL, NULL, NULL};
   outcome how = WRONG;
   if (read_profile(of, &config.wheel, INTEGER_OF_KIND(of, wheel_profile), OF_KIND(of, wheel_smoothing),
@@ -247,7 +247,7 @@ outcome model_start(instance* of) {
       read_profile(of, &config.rail, INTEGER_OF_KIND(of, rail_profile), OF_KIND(of, rail_smoothing),
                    "rail.txt", &points[2], &points[3])) {
     char sentence[512] = "no memory";
-    int32_t status = wrc_model_create(&config, NULL, &of->model);
+    int32_t status = wrc_model_create(&config, NULL, &of->model, NULL, 0);
     if (status < 0) wrc_config_check(&config, sentence, sizeof sentence);
     const int first = of->kind == WHEEL ? of->now.integer[WHEEL_side] : WRC_SIDE_RIGHT;
     const int last = of->kind == WHEEL ? first : WRC_SIDE_LEFT;
@@ -256,7 +256,7 @@ outcome model_start(instance* of) {
       snprintf(sentence, sizeof sentence, "side = %d: 0 is the right wheel, 1 the left one", first);
     }
     for (int side = first; side <= last && status >= 0; ++side)
-      status = wrc_contact_create(of->model, side, NULL, &of->contact[side]);
+      status = wrc_contact_create(of->model, side, NULL, &of->contact[side], NULL, 0);
     how = status < 0 ? wrong(of, WRONG, sentence) : FINE;
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
@@ -298,7 +298,7 @@ static void give_wheel(instance* of) {
   rail->roll = from[WHEEL_rail_roll];
   rail->y_velocity = from[WHEEL_rail_y_velocity];
   rail->z_velocity = from[WHEEL_rail_z_velocity];
-  rail->roll_velocity = from[WHEEL_rail_roll_velocity];
+  rail->roll_rate = from[WHEEL_rail_roll_velocity];
   of->input.friction.coefficient = from[WHEEL_friction];
   of->input.damping = from[WHEEL_damping];
 }
@@ -313,7 +313,7 @@ static void take_wheel(instance* of, const wrc_wrench* wrench) {
   to[WHEEL_area] = wrench->area;
   to[WHEEL_peak_pressure] = wrench->peak_pressure;
   to[WHEEL_power] = wrench->power;
-  of->now.integer[WHEEL_regions] = wrench->regions;
+  of->now.integer[WHEEL_regions] = wrench->region_count;
   of->now.solved = 1;
 }
 

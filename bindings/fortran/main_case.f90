@@ -28,7 +28,7 @@ program main_case
   if (known /= WRC_OK) error stop 'the library is older than the module'
   ! The last member of each group read right means that the layouts agree.
   if (config%track%rail_inclination /= 0d0 .or. config%track%gauge_depth /= 0.014d0 .or. &
-      config%grid%gap_rows /= 256) error stop 'layout'
+      config%planar%gap_rows /= 256) error stop 'layout'
   if (creepage%speed /= 1d0) error stop 'layout'
 
   config%wheel%kind = WRC_PROFILE_S1002

@@ -54,7 +54,7 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
   memcpy(wheel->velocity, in + 4, sizeof wheel->velocity);
   memcpy(wheel->angular_velocity, in + 7, sizeof wheel->angular_velocity);
   rail->y = in[10], rail->z = in[11], rail->roll = in[12];
-  rail->y_velocity = in[13], rail->z_velocity = in[14], rail->roll_velocity = in[15];
+  rail->y_velocity = in[13], rail->z_velocity = in[14], rail->roll_rate = in[15];
 }
 
 /* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 16, or NULL. */

@@ -258,7 +258,7 @@ int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_alloc
   wrc_allocator source;
   const Fault fault = abi::guarded([&] { return abi::allocate(allocator, bytes, memory, source); });
   if (fault.failed()) return fault.status;
-  const int32_t status = wrc_contact_init(model, side, memory, bytes, contact);
+  const int32_t status = wrc_contact_init(model, side, memory, bytes, contact, nullptr, 0);
   if (status != WRC_OK) {
     source.release(source.user, memory);
     return status;

@@ -96,10 +96,10 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
   if (options.normal_method == nullptr || options.tangential_method == nullptr)
     return {.status = WRC_ERROR_INTERNAL, .field = "config", .cause = "a method without a row in its table"};
   options.patch_model = patch_models[config.tangential.patch_model];
-  options.regularisation = static_cast<SecondCriterion>(config.tangential.regularisation);
+  options.regularisation = static_cast<SecondCriterion>(config.planar.regularisation);
   options.traction_bound = static_cast<TractionBound>(config.tangential.bound);
   options.flexibility = static_cast<FlexibilityForm>(config.tangential.flexibility);
-  options.non_steady = config.non_steady == 1;
+  options.non_steady = config.planar.non_steady == 1;
   const InstructionSet best = best_instruction_set();
   options.instruction_set = config.instruction_set == WRC_INSTRUCTIONS_BEST
                                 ? best
@@ -122,19 +122,19 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   } each[] = {
       {Option::max_iterations, "config.normal.max_iterations", static_cast<double>(normal.max_iterations),
        static_cast<double>(untouched.normal.max_iterations)},
-      {Option::max_sweeps, "config.normal.max_sweeps", static_cast<double>(normal.max_sweeps),
-       static_cast<double>(untouched.normal.max_sweeps)},
+      {Option::max_sweeps, "config.planar.max_sweeps", static_cast<double>(planar.max_sweeps),
+       static_cast<double>(untouched.planar.max_sweeps)},
       {Option::load_tolerance, "config.normal.load_tolerance", normal.load_tolerance,
        untouched.normal.load_tolerance},
-      {Option::warm_start, "config.normal.warm_start", static_cast<double>(normal.warm_start),
-       static_cast<double>(untouched.normal.warm_start)},
+      {Option::warm_start, "config.planar.start", static_cast<double>(planar.start),
+       static_cast<double>(untouched.planar.start)},
       {Option::patch_model, "config.tangential.patch_model", static_cast<double>(tangential.patch_model),
        static_cast<double>(untouched.tangential.patch_model)},
       {Option::traction_bound, "config.tangential.bound", static_cast<double>(tangential.bound),
        static_cast<double>(untouched.tangential.bound)},
       {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
        static_cast<double>(untouched.tangential.flexibility)},
-      {Option::non_steady, "config.non_steady", static_cast<double>(config.non_steady),
+      {Option::non_steady, "config.planar.non_steady", static_cast<double>(config.planar.non_steady),
        static_cast<double>(untouched.non_steady)},
   };
   const auto read = [&](Option option) {
@@ -268,7 +268,7 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
   const auto refuse_angle = [&](std::uint32_t i, double low, double high, const char* cause) {
     return Fault{.status = WRC_ERROR_RANGE,
                  .index = static_cast<std::int32_t>(i),
-                 .field = "config.roundness.angle",
+                 .field = "config.roundness.angles",
                  .value = theirs.angle[i],
                  .unit = "rad",
                  .low = low,
@@ -300,7 +300,7 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
               .cause = "rows increase, by 0.1 mm or more"};
   constexpr double most = 0.005;
   const Fault fault =
-      check_all(theirs.deviation, static_cast<std::size_t>(rows) * angles, "config.roundness.deviation", "m",
+      check_all(theirs.deviation, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations", "m",
                 -most, most, "did you pass mm?", "did you pass mm?");
   if (fault.failed()) return fault;
   for (std::uint32_t r = 0; r < rows; ++r) {
@@ -308,7 +308,7 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
     if (!(std::abs(row[angles - 1] - row[0]) <= tolerance))
       return {.status = WRC_ERROR_RANGE,
               .index = static_cast<std::int32_t>((r + 1) * angles - 1),
-              .field = "config.roundness.deviation",
+              .field = "config.roundness.deviations",
               .value = row[angles - 1],
               .unit = "m",
               .low = row[0] - tolerance,
@@ -369,7 +369,7 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
     return unsupported("config.check_rail.y", config.check_rail.y,
                        "there is no check rail: give config.check_rail.profile, or leave its place 0", "m");
-  if (config.rail_sections == 0 && config.roundness.angles == 0 && config.roller_curvature == 0.0 && !guided)
+  if (config.rail_sections == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 && !guided)
     return {};
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
@@ -378,7 +378,7 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
     if (!has_profiles(config) || !options.normal_method->half_space)
       return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.check_rail", .cause = reader};
     const Fault fault = read_check_rail(theirs, config, options);
-    if (fault.failed() || config.roundness.angles == 0) return fault;
+    if (fault.failed() || config.roundness.angle_count == 0) return fault;
     return read_roundness(config.roundness, options.radius);
   }
   if (config.roller_curvature != 0.0) {
@@ -392,7 +392,7 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (!has_profiles(config) || !options.normal_method->half_space)
     return config.rail_sections > 0
                ? unsupported("config.rail_sections", static_cast<double>(config.rail_sections), reader)
-               : unsupported("config.roundness.angles", static_cast<double>(config.roundness.angles), reader);
+               : unsupported("config.roundness.angle_count", static_cast<double>(config.roundness.angle_count), reader);
   return first_of({read_sections(config, options), read_roundness(config.roundness, options.radius)});
 }
 
@@ -435,7 +435,7 @@ std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<
 
 }  // namespace
 
-static_assert(member<wrc_config>("grid.max_patches").high == patch_capacity);
+static_assert(member<wrc_config>("planar.max_patches").high == patch_capacity);
 
 Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   wrc_config config;
@@ -452,12 +452,12 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
                     check_no_points(config.check_rail.profile, "config.check_rail.profile")});
   if (fault.failed()) return fault;
   options.sizes = {
-      .strips = config.grid.strips, .cells = config.grid.cells, .gap_rows = config.grid.gap_rows};
-  options.max_patches = config.grid.max_patches;
-  options.gap_limit = config.grid.gap_limit;
+      .strips = config.planar.strips, .cells = config.planar.cells, .gap_rows = config.planar.gap_rows};
+  options.max_patches = config.planar.max_patches;
+  options.gap_limit = config.planar.gap_limit;
   options.max_iterations = config.normal.max_iterations;
-  options.max_sweeps = config.normal.max_sweeps;
-  options.warm_start = config.normal.warm_start != 0;
+  options.max_sweeps = config.planar.max_sweeps;
+  options.warm_start = config.planar.start != 0;
   options.load_tolerance = config.normal.load_tolerance;
   fault = read_material(config.material, options);
   if (fault.failed()) return fault;

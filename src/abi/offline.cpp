@@ -489,7 +489,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
     if (row.s > end || row.face != face) {
       wrench.normal_force += std::sqrt(along * along + across * across);
       along = across = 0.0;
-      ++wrench.regions;
+      ++wrench.region_count;
     }
     end = row.s + 1.5 * solver.cell_s;
     face = row.face;
@@ -499,7 +499,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
     wrench.steepest_angle = std::max(wrench.steepest_angle, std::abs(row.angle));
   }
   wrench.normal_force += std::sqrt(along * along + across * across);
-  const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
+  const std::int32_t regions = std::exchange(wrench.region_count, 0);  // without points to turn
   hand_back(model, placed, result);
   ours = wrench_of(result);
   ours.regions = regions;

@@ -51,7 +51,7 @@ Fault use(wrc_config* config, const char* name) {
   tangential.patch_model = preset->patch_model;
   tangential.bound = preset->bound;
   tangential.flexibility = preset->flexibility;
-  tangential.regularisation = preset->regularisation;
+  planar.regularisation = preset->regularisation;
   abi::write(ours, config);
   return {};
 }

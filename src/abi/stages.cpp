@@ -371,7 +371,7 @@ int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
               .field = "distance",
               .value = distance,
               .unit = "m",
-              .cause = "the model's config.non_steady is 0: rolling is steady"};
+              .cause = "the model's config.planar.non_steady is 0: rolling is steady"};
     }
     constexpr double farthest = 1e6;
     const Fault outcome =

@@ -118,7 +118,7 @@ RailMotion rail_of(const wrc_rail_state& checked) {
           .roll = flush_subnormals(checked.roll),
           .velocity_y = flush_subnormals(checked.y_velocity),
           .velocity_z = flush_subnormals(checked.z_velocity),
-          .velocity_roll = flush_subnormals(checked.roll_velocity)};
+          .velocity_roll = flush_subnormals(checked.roll_rate)};
 }
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
@@ -149,7 +149,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
       first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, method, hosted)});
   if (fault.failed()) return fault;
   hosted.rail = rail_of(ours.rail);
-  hosted.rail.turning = flush_subnormals(ours.roller_velocity);
+  hosted.rail.turning = flush_subnormals(ours.roller_rate);
   hosted.frame_speed = flush_subnormals(ours.frame.speed);
   hosted.frame_turning[0] = hosted.frame_speed * ours.frame.twist;
   hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
@@ -166,7 +166,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
 wrc_wrench wrench_of(const HostedWrench& hosted) {
   const Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
-  ours.regions = wrench.regions;
+  ours.regions = wrench.region_count;
   ours.iterations = wrench.sweeps;
   ours.leaps = wrench.leaps;
   for (int i = 0; i < 3; ++i) {
@@ -219,15 +219,15 @@ wrc_wrench_derivatives sensitivities_of(const HostedSlopes& slopes) {
   return ours;
 }
 
-static_assert(same<WRC_REGION_TRACTION_S>(RegionField::traction_y) &&
-              same<WRC_REGION_STRIP_S>(RegionField::strip_s) &&
-              same<WRC_REGION_TEMPERATURE_RISE + 1>(RegionField::count_));
+static_assert(same<WRC_FIELD_TRACTION_Y>(RegionField::traction_y) &&
+              same<WRC_FIELD_STRIP_Y>(RegionField::strip_s) &&
+              same<WRC_FIELD_TEMPERATURE_RISE + 1>(RegionField::count_));
 
 /// Is there that region of a solution, and somewhere to write what is asked of it?
 int32_t find_region(const Contact& contact, int32_t index, const void* result) {
   if (result == nullptr) return WRC_ERROR_NULL;
   if (contact.wheel_solved == 0) return WRC_ERROR_SEQUENCE;
-  return index < 0 || index >= contact.wheel.wrench.regions ? WRC_ERROR_RANGE : WRC_OK;
+  return index < 0 || index >= contact.wheel.wrench.region_count ? WRC_ERROR_RANGE : WRC_OK;
 }
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
@@ -380,14 +380,14 @@ int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* o
     input.rail.roll = in[13];
     input.rail.y_velocity = in[14];
     input.rail.z_velocity = in[15];
-    input.rail.roll_velocity = in[16];
+    input.rail.roll_rate = in[16];
     input.friction.coefficient = in[17];
     input.prescribed = static_cast<int32_t>(in[18]);
     input.vertical_load = in[19];
     input.damping = in[20];
     input.distance = in[21];
     input.angle = in[22];
-    input.roller_velocity = in[23];
+    input.roller_rate = in[23];
     input.frame.speed = in[24];
     input.frame.curvature = in[25];
     input.frame.vertical_curvature = in[26];
@@ -404,7 +404,7 @@ int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* o
     out[14] = wrench.area;
     out[15] = wrench.peak_pressure;
     out[16] = wrench.power;
-    out[17] = wrench.regions;
+    out[17] = wrench.region_count;
     return outcome;
   });
 }

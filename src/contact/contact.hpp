@@ -310,7 +310,7 @@ struct RegionEllipse {
   double normal_force = 0.0;  ///< sum of the strips' loads [N]
 };
 
-/// Fields of a region, by enum wrc_region_field.
+/// Fields of a region, by enum wrc_field.
 enum class RegionField : std::int32_t {
   x,
   pressure,

@@ -1,6 +1,6 @@
 /// The fields that callers see: which array each is, over what, and from which stage on.
 ///
-/// Made of the comments of enum wrc_field_id (tools/interface): a new field is a line there, an array of its
+/// Made of the comments of enum wrc_field (tools/interface): a new field is a line there, an array of its
 /// name here, and whatever fills that.
 #pragma once
 
@@ -25,7 +25,7 @@ struct FieldRow {
   constexpr bool is_of_tractions() const { return stage >= FieldStage::tangential; }
 };
 
-/// By enum wrc_field_id.
+/// By enum wrc_field.
 inline constexpr FieldRow field_rows[] = {
 #define WRC_FIELD_ROW(name, grid, stage) {Array::name, FieldGrid::grid, FieldStage::stage},
 #include "contact/generated/fields.inc"

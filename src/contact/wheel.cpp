@@ -104,7 +104,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   };
   const bool roller = surface.roller_curvature != 0.0;
   if (hosted.rail.turning != 0.0 && !roller)
-    return not_read("input.roller_velocity", hosted.rail.turning, "rad/s",
+    return not_read("input.roller_rate", hosted.rail.turning, "rad/s",
                     "the rail is no roller: give config.roller_curvature, or leave it 0");
   constexpr double beside_roller = 0.2;  // [m]
   if (roller && !(std::abs(hosted.distance) <= beside_roller))

@@ -61,9 +61,9 @@ class Line : public testing::Test {
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 1.0 / 40.0;
 
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
     for (int32_t side = 0; side < 2; ++side)
-      ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact[side]), WRC_OK);
+      ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact[side], nullptr, 0), WRC_OK);
   }
   void TearDown() override {
     for (wrc_contact* each : contact) wrc_contact_destroy(each);
@@ -189,13 +189,13 @@ TEST_F(Line, LiesWhereTheContactIs) {
     const wrc_wrench wrench = solve(y);
     wrc_region region = wrc_region_default();
     double y_wheel = 0.0, y_rail = 0.0, load = 0.0;
-    for (int32_t i = 0; i < wrench.regions; ++i) {
+    for (int32_t i = 0; i < wrench.region_count; ++i) {
       ASSERT_EQ(wrc_contact_region(contact[0], i, &region), WRC_OK);
       y_wheel += region.normal_force * region.y_wheel;
       y_rail += region.normal_force * region.y_rail;
       load += region.normal_force;
     }
-    if (wrench.regions > 1) continue;
+    if (wrench.region_count > 1) continue;
     Bins wheel(0.25e-3), rail(0.25e-3);
     add(WRC_DAMAGE_OF_WRENCH, &wheel, &rail);
     double at = wheel.middle(WRC_DAMAGE_TIME), place = 0.0;
@@ -319,7 +319,7 @@ TEST(Profiles, ArcLengthsAreDistancesAlongTheCurve) {
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;
   wrc_model* model = nullptr;
-  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   for (const int32_t body : {WRC_BODY_WHEEL, WRC_BODY_RAIL}) {
     constexpr int count = 3001;
     std::vector<double> arc(count), y(count), z(count);

@@ -29,8 +29,8 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     return sections.back();
   }
   void give() {
-    config.rail_sections = static_cast<uint32_t>(sections.size());
-    config.rail_section = sections.data();
+    config.rail_section_count = static_cast<uint32_t>(sections.size());
+    config.rail_sections = sections.data();
   }
   template <class Deviation>
   void give_wheel(int count, Deviation&& of) {
@@ -40,10 +40,10 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
       angles.push_back(turn * i / count);
       deviations.push_back(of(turn * (i % count) / count));
     }
-    config.roundness.angles = static_cast<uint32_t>(angles.size());
-    config.roundness.rows = 1;
-    config.roundness.angle = angles.data();
-    config.roundness.deviation = deviations.data();
+    config.roundness.angle_count = static_cast<uint32_t>(angles.size());
+    config.roundness.row_count = 1;
+    config.roundness.angles = angles.data();
+    config.roundness.deviations = deviations.data();
   }
   int32_t refused() {
     char text[256] = "";
@@ -235,7 +235,7 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   const double alone = wrench.normal_force;
   input.distance = 5.0;
   ASSERT_EQ(step(), WRC_OK);
-  EXPECT_EQ(wrench.regions, 2);
+  EXPECT_EQ(wrench.region_count, 2);
   wrc_region region = wrc_region_default();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_NEAR(region.normal_force, alone, 0.01 * alone);
@@ -263,7 +263,7 @@ TEST_F(AlongTrack, AFaceThatTheWheelDoesNotReachChangesNothing) {
       give();
       create();
       ASSERT_EQ(step(), WRC_OK) << error();
-      EXPECT_EQ(wrench.regions, alone.regions);
+      EXPECT_EQ(wrench.region_count, alone.regions);
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(wrench.force[i], alone.force[i], 2e-3 * alone.normal_force) << i;
     }
@@ -286,10 +286,10 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     wheel.y = 0.5 * (low + high);
     ASSERT_GE(step(), 0) << error();
     double carried = 0.0;
-    for (int32_t i = 0; i < wrench.regions; ++i) {
+    for (int32_t i = 0; i < wrench.region_count; ++i) {
       wrc_region region = wrc_region_default();
       ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
-      if (region.face == 0) carried += region.normal_force;
+      if (region.surface == 0) carried += region.normal_force;
     }
     (carried > 30e3 ? low : high) = wheel.y;
   }
@@ -311,7 +311,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
   create();
   input.distance = 0.5;
   ASSERT_EQ(step(), status) << error();
-  EXPECT_EQ(wrench.regions, checked.regions);
+  EXPECT_EQ(wrench.region_count, checked.regions);
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(wrench.force[i], checked.force[i], 1e-9 * checked.normal_force) << i;
 }
@@ -330,7 +330,7 @@ TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   sections[0].marks = 1;
   const double beside = 0.3;
   sections[0].mark = &beside;
-  EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_ERROR_PROFILE);
+  EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_ERROR_PROFILE);
   sections[0].mark = &mark;
   EXPECT_EQ(refused(), WRC_OK) << sentence;
   sections[1].face = 2;
@@ -361,7 +361,7 @@ TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
 
 TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
   const auto cannot = [&](const char* word) {
-    const int32_t status = wrc_model_create(&config, nullptr, &model);
+    const int32_t status = wrc_model_create(&config, nullptr, &model, nullptr, 0);
     EXPECT_EQ(status, WRC_ERROR_PROFILE);
     EXPECT_EQ(model, nullptr);
     EXPECT_EQ(refused(), WRC_ERROR_PROFILE) << sentence;
@@ -444,7 +444,7 @@ class ExactAlongTrack : public AlongTrack {
       EXPECT_NEAR(exact.moment[i], wrench.moment[i], 0.75 * size) << i;
     }
     EXPECT_NEAR(exact.power, wrench.power, 0.1 * wrench.power);
-    EXPECT_EQ(exact.regions, wrench.regions);
+    EXPECT_EQ(exact.regions, wrench.region_count);
   }
 };
 

@@ -24,10 +24,10 @@ void prescribe_approach(ReferenceWheel& wheel, double approach) {
 /// The load of all strips in the contact [N].
 double load_of_strips(const ReferenceWheel& wheel) {
   double load = 0.0;
-  for (int32_t k = 0; k < wheel.normal.patches; ++k) {
+  for (int32_t k = 0; k < wheel.normal.patch_count; ++k) {
     wrc_view width{}, half = width, peak = width;
     wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
-    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_HALF, &half);
+    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_HALF_LENGTH, &half);
     wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
     for (uint64_t j = 0; j < width.count[0]; ++j)
       load += 0.5 * pi * width.data[j] * half.data[j] * peak.data[j];
@@ -40,7 +40,7 @@ TEST(BeyondGap, NoStateOfTheFieldsRangeFails) {
     for (const double gap_limit : {1e-4, 1e-3}) {
       ReferenceWheel wheel;
       wheel.config.normal.method = method;
-      wheel.config.grid.gap_limit = gap_limit;
+      wheel.config.planar.gap_limit = gap_limit;
       wheel.creepage.longitudinal = -10.0;  // everything slides
       for (const double lateral : {-6e-3, -0.3e-3, 0.0, 3e-3, 5e-3, 5.8e-3, 6.2e-3, 6.6e-3, 7e-3})
         for (const double yaw : {0.0, 15e-3}) {
@@ -84,7 +84,7 @@ TEST(BeyondGap, LoadAndApproachGoOnInOneLineFromTheBorder) {
       const double exact = method == WRC_NORMAL_STRIP_HALFSPACE ? 1e-3 : 1e-8;
       ReferenceWheel wheel;
       wheel.config.normal.method = method;
-      wheel.config.grid.gap_limit = limit;
+      wheel.config.planar.gap_limit = limit;
       wheel.pose.lateral = lateral;
       prescribe_approach(wheel, limit);
       ASSERT_GE(wheel.step(), WRC_OK);

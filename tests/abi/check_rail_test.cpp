@@ -71,7 +71,7 @@ class CheckRail : public testing::Test, protected PlacedWheel {
       wheel.y = outward * y;
       ASSERT_GE(step(), 0) << error();
       double carried = 0.0;
-      for (int32_t i = 0; i < wrench.regions; ++i)
+      for (int32_t i = 0; i < wrench.region_count; ++i)
         if (region(i).face == 0) carried += region(i).normal_force;
       (carried > 30e3 ? low : high) = y;
     }
@@ -90,7 +90,7 @@ TEST_F(CheckRail, BothRailsAddUp) {
     create(which);
     lean_on_check_rail(outward);
     const wrc_wrench together = wrench;
-    ASSERT_EQ(wrench.regions, 2);
+    ASSERT_EQ(wrench.region_count, 2);
     const wrc_region check = region(0), tread = region(1);
     EXPECT_EQ(check.face, 0);
     EXPECT_EQ(tread.face, 1);
@@ -146,7 +146,7 @@ TEST_F(CheckRail, FarFromItNothingChanges) {
   create();
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_wrench with = wrench;
-  ASSERT_EQ(wrench.regions, 1);
+  ASSERT_EQ(wrench.region_count, 1);
   EXPECT_EQ(region(0).face, 1);
   config.check_rail = wrc_config_default().check_rail;
   create();

@@ -72,7 +72,7 @@ class ClimbingFlange : public testing::Test, protected PlacedWheel {
 
 TEST_F(ClimbingFlange, TheHighestOfSeveralHeightsIsReturnedWhateverCameBefore) {
   for (const int32_t warm : {0, 1}) {
-    config.normal.warm_start = warm;
+    config.planar.start = warm;
     create();
     // what the force does on the way down: over 3.3 kN, below 0, over 20 kN
     double summit = 0.0, valley = 1e9, first = 1.0;
@@ -146,7 +146,7 @@ TEST_F(ClimbingFlange, WhereTheForceNeverGrowsItIsZeroAtFirstTouch) {
   create();
   ASSERT_EQ(carry(10e3), WRC_FLAG_CLIMBING) << error();
   EXPECT_NE(error().find("first touch"), std::string::npos) << error();
-  EXPECT_EQ(wrench.regions, 0);
+  EXPECT_EQ(wrench.region_count, 0);
   EXPECT_EQ(wrench.force[2], 0.0);
   const double touch = wrench.z;
   EXPECT_LT(force_at(touch + 5e-6), -1.0);

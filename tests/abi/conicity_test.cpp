@@ -49,7 +49,7 @@ class Model {
   explicit Model(const wrc_config& config) {
     char text[256] = "";
     EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   }
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;

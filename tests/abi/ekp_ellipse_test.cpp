@@ -15,9 +15,9 @@ ReferenceWheel& ellipse(ReferenceWheel& wheel) {
 
 TEST(EkpEllipse, HasTheReferenceProgramsNumbers) {
   ReferenceWheel wheel;
-  ellipse(wheel).config.material.shear_modulus = 82e9;
-  wheel.config.material.poisson = 0.28;
-  wheel.config.grid.strips = 200;
+  ellipse(wheel).config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
+  wheel.config.wheel_material.poisson = config.rail_material.poisson = 0.28;
+  wheel.config.planar.strips = 200;
   // Of 80 kN. At 5.5 mm the reference's grid is felt; at 5 mm the overlap has two regions.
   const struct {
     double lateral, yaw, approach, peak, area;
@@ -36,7 +36,7 @@ TEST(EkpEllipse, HasTheReferenceProgramsNumbers) {
     EXPECT_NEAR(1e6 * wheel.normal.approach, row.approach, coarse * 2e-4 * row.approach);
     EXPECT_NEAR(1e-6 * wheel.normal.peak_pressure, row.peak, coarse * 3e-4 * row.peak);
     EXPECT_NEAR(1e6 * wheel.normal.area, row.area, (coarse > 1.0 ? 2e-3 : 1e-3) * row.area);
-    EXPECT_EQ(wheel.normal.patches, row.lateral == 5.0 ? 2 : 1);
+    EXPECT_EQ(wheel.normal.patch_count, row.lateral == 5.0 ? 2 : 1);
   }
 }
 
@@ -58,8 +58,8 @@ TEST(EkpEllipse, LoadRisesWithTheApproachWhereRegionsComeInAndJoin) {
         EXPECT_LT(wheel.normal.normal_force, before * (1.0 + 10.0 * step / approach)) << approach;
       }
       before = wheel.normal.normal_force;
-      changes += patches != 0 && wheel.normal.patches != patches;
-      patches = wheel.normal.patches;
+      changes += patches != 0 && wheel.normal.patch_count != patches;
+      patches = wheel.normal.patch_count;
     }
   };
   scan(2e-6, 150e-6, 50e-9);

@@ -254,7 +254,7 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
   creepage.longitudinal = 0.05;  // all slips
   input.gap = &gap;
   ASSERT_EQ(step(), WRC_OK) << error();
-  ASSERT_EQ(normal.patches, 2);
+  ASSERT_EQ(normal.patch_count, 2);
   ASSERT_EQ(check(), WRC_OK) << error();
   EXPECT_NEAR(result.fx / (-0.35 * 80e3), 1.0, 5e-3);
   EXPECT_NEAR(result.mz, 0.0, 5e-3 * 0.35 * 80e3 * 12e-3);  // the patches' moments cancel

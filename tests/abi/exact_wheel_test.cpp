@@ -78,7 +78,7 @@ TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
     EXPECT_NEAR(wrench.peak_pressure / fast.peak_pressure, 1.0, 0.02);
     EXPECT_NEAR(wrench.normal_force / fast.normal_force, 1.0, 0.01);
     EXPECT_NEAR(wrench.power / fast.power, 1.0, 0.1);
-    EXPECT_EQ(wrench.regions, fast.regions);
+    EXPECT_EQ(wrench.region_count, fast.regions);
   }
 }
 
@@ -116,13 +116,13 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
   ASSERT_EQ(solve(), WRC_OK) << error();
   const wrc_wrench plain = wrench;
   const double y[] = {-0.01, 0.004}, alike[] = {0.3, 0.3}, greased[] = {0.08, 0.4};
-  friction.zones = 2;
+  friction.zone_count = 2;
   friction.zone_y = y;
-  friction.zone_coefficient = alike;
+  friction.zone_coefficients = alike;
   friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
   ASSERT_EQ(solve(), WRC_OK) << error();
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], plain.force[i], 1e-6 * 80e3) << i;
-  friction.zone_coefficient = greased;
+  friction.zone_coefficients = greased;
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     const double outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
     take(which);

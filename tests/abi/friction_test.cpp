@@ -35,9 +35,9 @@ class Wheel : public ReferenceWheel {
     EXPECT_EQ(step(), WRC_OK);
   }
   void set_zones(const std::vector<double>& y, const std::vector<double>& mu, int32_t frame) {
-    friction.zones = static_cast<uint32_t>(y.size());
+    friction.zone_count = static_cast<uint32_t>(y.size());
     friction.zone_y = y.data();
-    friction.zone_coefficient = mu.data();
+    friction.zone_coefficients = mu.data();
     friction.zone_frame = frame;
   }
   std::vector<double> field(int32_t id) {
@@ -81,22 +81,22 @@ TEST(FrictionInterface, BadLawsAreNamed) {
 
   const std::vector<double> millimetres{-10.0, 10.0}, mu{0.1, 0.4}, backwards{0.01, -0.01}, y{-0.01, 0.01},
       negative{0.1, -0.4}, poisoned{nan_value, 0.4};
-  wheel.friction.zones = 2;
+  wheel.friction.zone_count = 2;
   wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_y");
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
-  wheel.friction.zone_coefficient = nullptr;
-  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_coefficient");
+  wheel.friction.zone_coefficients = nullptr;
+  wheel.expect_law_refused(WRC_ERROR_NULL, "friction.zone_coefficients");
   wheel.set_zones(millimetres, mu, WRC_ZONES_CONTACT_FRAME);
   wheel.expect_law_refused(WRC_ERROR_RANGE, "did you pass mm?");
   wheel.set_zones(backwards, mu, WRC_ZONES_CONTACT_FRAME);
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zone_y[1] = -0.01 m");
   wheel.set_zones(y, negative, WRC_ZONES_CONTACT_FRAME);
-  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zone_coefficient[1] = -0.4");
+  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zone_coefficients[1] = -0.4");
   wheel.set_zones(y, poisoned, WRC_ZONES_CONTACT_FRAME);
-  wheel.expect_law_refused(WRC_ERROR_NOT_FINITE, "friction.zone_coefficient[0]");
+  wheel.expect_law_refused(WRC_ERROR_NOT_FINITE, "friction.zone_coefficients[0]");
   const std::vector<double> many(65, 0.0);
   wheel.set_zones(many, many, WRC_ZONES_CONTACT_FRAME);
-  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zones = 65");
+  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zone_count = 65");
 }
 
 TEST(FrictionInterface, WhatIsNotReadIsRefused) {
@@ -277,7 +277,7 @@ TEST(FrictionInterface, SavedStateRollsBackBitForBit) {
   constexpr uint64_t bytes = 1U << 22U;  // plenty
   std::vector<char> saved(bytes);
   ASSERT_EQ(wrc_contact_save(wheel.contact, saved.data(), bytes), WRC_OK);
-  wheel.friction.zones = 0;
+  wheel.friction.zone_count = 0;
   ASSERT_EQ(wheel.step(), WRC_OK);
   EXPECT_NE(wheel.field(WRC_FIELD_STRIP_FRICTION), before);
   ASSERT_EQ(wrc_contact_restore(wheel.contact, saved.data(), bytes), WRC_OK);

@@ -109,7 +109,7 @@ TEST_P(Gap, ConformalOverAWidthGivesAPatch) {
 TEST_P(Gap, ANarrowTroughEndsTheSearchBeforeDenormalApproaches) {
   // Found by the fuzzer: whatever the approach, ANALYN's strips carried more than the load.
   TearDown();
-  (GetParam() == WRC_NORMAL_STRIP_HALFSPACE ? config.normal.max_sweeps : config.normal.max_iterations) = 1000;
+  (GetParam() == WRC_NORMAL_STRIP_HALFSPACE ? config.planar.max_sweeps : config.normal.max_iterations) = 1000;
   load.normal_force = 29e3;
   ReferenceContact::SetUp();
   const Rows trough(4.8623e-4, 15, [](double y) {

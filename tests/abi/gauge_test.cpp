@@ -55,14 +55,14 @@ TEST_F(Gauge, OfTheTrackIsARailMovedAside) {
       sections[static_cast<std::size_t>(i)].y = wider;
       sections[static_cast<std::size_t>(i)].profile.kind = WRC_PROFILE_60E1;
     }
-    config.rail_sections = 3;
-    config.rail_section = sections.data();
+    config.rail_section_count = 3;
+    config.rail_sections = sections.data();
     create(which);
     input.distance = 1.3;
     ASSERT_EQ(step(), WRC_OK) << error();
     expect_equal(moved, wrench, 1e-4);
-    config.rail_sections = 0;
-    config.rail_section = nullptr;
+    config.rail_section_count = 0;
+    config.rail_sections = nullptr;
     input.distance = 0.0;
   }
 }
@@ -103,14 +103,14 @@ TEST_F(Gauge, ThatWidensAlongTheTrackIsARailTurned) {
     sections[static_cast<std::size_t>(i)].y = slope * (i - 2.0);
     sections[static_cast<std::size_t>(i)].profile.kind = WRC_PROFILE_60E1;
   }
-  config.rail_sections = 5;
-  config.rail_section = sections.data();
+  config.rail_section_count = 5;
+  config.rail_sections = sections.data();
   create();
   wheel.y = 5.5e-3;
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_wrench widening = wrench;
-  config.rail_sections = 0;
-  config.rail_section = nullptr;
+  config.rail_section_count = 0;
+  config.rail_sections = nullptr;
   create();
   const double c = std::cos(slope), s = std::sin(slope);
   const auto into_rail = [&](double* v) {

@@ -54,7 +54,7 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
 
 // All slides: heat is proportional to friction, so that f = 1 - c (T_0 + f R), R the mean rise with f = 1.
 TEST_F(HeatedFriction, FullSlipIsLinear) {
-  config.grid.strips = 200;
+  config.planar.strips = 200;
   make();
   creepage.longitudinal = 0.5;
   creepage.speed = 2.0;

@@ -29,7 +29,7 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
   Numbers field(int32_t index, int32_t which) {
     wrc_region shown = wrc_region_default();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
-    const bool of_cells = which < WRC_REGION_STRIP_S || which == WRC_REGION_TEMPERATURE_RISE;
+    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     Numbers values(static_cast<std::size_t>(shown.strips * (of_cells ? shown.cells : 1)));
     EXPECT_EQ(wrc_contact_region_field(contact, index, which, values.data(), values.size()), WRC_OK);
     return values;
@@ -50,9 +50,9 @@ TEST_F(HeatedWheel, CoefficientsGoWithTheTemperaturesTheyMake) {
       wheel.y = y;
       slide(slip);
       solve();
-      for (int32_t r = 0; r < wrench.regions; ++r) {
-        const Numbers rise = field(r, WRC_REGION_TEMPERATURE_RISE);
-        const Numbers coefficient = field(r, WRC_REGION_STRIP_FRICTION);
+      for (int32_t r = 0; r < wrench.region_count; ++r) {
+        const Numbers rise = field(r, WRC_FIELD_TEMPERATURE_RISE);
+        const Numbers coefficient = field(r, WRC_FIELD_STRIP_FRICTION);
         const wrc_temperature found = temperature(r);
         EXPECT_EQ(found.rise, *std::max_element(rise.begin(), rise.end()));
         EXPECT_NEAR(found.at_entry, 55.0, 1e-12);  // bodies alike
@@ -126,7 +126,7 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
       for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_TEMPERATURE}) {
         friction.kind = kind;
         solve();
-        ASSERT_EQ(wrench.regions, 1);
+        ASSERT_EQ(wrench.region_count, 1);
         wrc_region region = wrc_region_default();
         ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
         wrc_planar_input planar = wrc_planar_input_default();
@@ -162,7 +162,7 @@ TEST_F(HeatedWheel, HeatIsThePower) {
     wheel.yaw = 2e-3;
     solve();
     double heat = 0.0;
-    for (int32_t r = 0; r < wrench.regions; ++r) {
+    for (int32_t r = 0; r < wrench.region_count; ++r) {
       const wrc_temperature found = temperature(r);
       wrc_region region = wrc_region_default();
       ASSERT_EQ(wrc_contact_region(contact, r, &region), WRC_OK);
@@ -196,8 +196,8 @@ TEST_F(HeatedWheel, IsContinuousInThePose) {
         for (int k = 0; k < steps; ++k) {
           wheel.y = scan.y + k * 1e-6;
           solve();
-          fewest = std::min(fewest, wrench.regions);
-          most = std::max(most, wrench.regions);
+          fewest = std::min(fewest, wrench.region_count);
+          most = std::max(most, wrench.region_count);
           for (int i = 0; i < 2; ++i) forces[i].push_back(wrench.force[i] / 80e3);
         }
         double& largest = bend[kind == WRC_FRICTION_CONSTANT ? 0 : 1];
@@ -243,7 +243,7 @@ TEST_F(HeatedWheel, EveryMethodWithTractionsHeats) {
     create();
     solve();
     forces.push_back(wrench.force[0] / wrench.normal_force);
-    const Numbers coefficient = field(0, WRC_REGION_STRIP_FRICTION);
+    const Numbers coefficient = field(0, WRC_FIELD_STRIP_FRICTION);
     EXPECT_LT(*std::min_element(coefficient.begin(), coefficient.end()), 0.35) << method;
     EXPECT_GT(*std::min_element(coefficient.begin(), coefficient.end()), 0.2) << method;
     EXPECT_NEAR(forces.back(), forces.front(), 0.03 * forces.front()) << method;

@@ -38,9 +38,9 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = half;
     config.wheelset.flange_back_distance = 2.0 * (half - 0.070);
-    wrc_model_create(&config, nullptr, &model);
+    wrc_model_create(&config, nullptr, &model, nullptr, 0);
     for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT})
-      wrc_contact_create(model, which, nullptr, &wheels_[which == WRC_SIDE_RIGHT ? 0 : 1]);
+      wrc_contact_create(model, which, nullptr, &wheels_[which == WRC_SIDE_RIGHT ? 0 : 1], nullptr, 0);
     friction.coefficient = 1.0;  // slips stay small
   }
   ~IndependentWheels() override {

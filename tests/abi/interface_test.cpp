@@ -193,7 +193,7 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
 
 TEST_F(Interface, StagesOutOfOrderAreRefused) {
   wrc_contact* fresh = nullptr;
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &fresh), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &fresh, nullptr, 0), WRC_OK);
   EXPECT_EQ(wrc_planar_normal(fresh, nullptr, &load, &normal), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_planar_regularise(fresh, nullptr, &normal), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_planar_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
@@ -238,7 +238,7 @@ TEST_F(Interface, WearFollowsItsLaws) {
   laws.seizure_pressure = 1e3;
   ASSERT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_OK) << error();
   double lost = 0.0;
-  for (int32_t k = 0; k < normal.patches; ++k) {
+  for (int32_t k = 0; k < normal.patch_count; ++k) {
     wrc_view worn{}, width = wrc_view{};
     ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
     ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
@@ -329,22 +329,22 @@ TEST_F(Interface, RailsCantedTwiceOrTooShallowAreRefused) {
 }
 
 TEST_F(Interface, ConfigurationValuesAreChecked) {
-  config.material.poisson = 0.51;
-  expect_config_refused(WRC_ERROR_RANGE, {"config.material.poisson = 0.51", "0 .. 0.5"});
-  config.material.poisson = -0.1;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.51;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson = config.rail_material.poisson = 0.51", "0 .. 0.5"});
+  config.wheel_material.poisson = config.rail_material.poisson = -0.1;
   expect_config_refused(WRC_ERROR_RANGE, {"config.material.poisson"});
-  config.material.poisson = nan_value;
+  config.wheel_material.poisson = config.rail_material.poisson = nan_value;
   expect_config_refused(WRC_ERROR_NOT_FINITE, {"config.material.poisson"});
-  config.material.poisson = 0.28;
-  config.material.shear_modulus = 80e3;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.28;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 80e3;
   expect_config_refused(WRC_ERROR_RANGE, {"config.material.shear_modulus", "MPa"});
-  config.material.shear_modulus = 80e9;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 80e9;
   config.wheelset.wheel_radius = 460.0;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheelset.wheel_radius", "mm"});
   config.wheelset.wheel_radius = 0.46;
-  config.grid.strips = 0;
-  expect_config_refused(WRC_ERROR_RANGE, {"config.grid.strips"});
-  config.grid.strips = 60;
+  config.planar.strips = 0;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.planar.strips"});
+  config.planar.strips = 60;
   config.normal.method = 99;
   expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.normal.method"});
   config.normal.method = WRC_NORMAL_EKP;
@@ -479,8 +479,8 @@ TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
   config.normal.load_tolerance = 1e-6;
   refused({"config.normal.load_tolerance = 1e-06", "only WRC_NORMAL_HERTZ, ", "WRC_NORMAL_STRIPES read it"});
   config.normal.method = WRC_NORMAL_EKP;
-  config.normal.warm_start = 1;
-  refused({"config.normal.warm_start = 1", "only WRC_NORMAL_STRIP_HALFSPACE reads it"});
+  config.planar.start = WRC_START_WARM;
+  refused({"config.planar.start = WRC_START_WARM", "only WRC_NORMAL_STRIP_HALFSPACE reads it"});
   config.tangential.force_table = "force_table.bin";
   refused({"config.tangential.force_table", "only WRC_TANGENTIAL_FORCE_TABLE reads it"});
   for (const Preset& preset : presets) {
@@ -543,10 +543,10 @@ TEST_F(Interface, TheIterationCapIsHonoured) {
     int32_t method;
     int32_t *option, *other;
     const char *name, *other_name;
-  } each[] = {{WRC_NORMAL_STRIP_HALFSPACE, &config.normal.max_sweeps, &config.normal.max_iterations,
-               "config.normal.max_sweeps", "config.normal.max_iterations"},
-              {WRC_NORMAL_EKP, &config.normal.max_iterations, &config.normal.max_sweeps,
-               "config.normal.max_iterations", "config.normal.max_sweeps"}};
+  } each[] = {{WRC_NORMAL_STRIP_HALFSPACE, &config.planar.max_sweeps, &config.normal.max_iterations,
+               "config.planar.max_sweeps", "config.normal.max_iterations"},
+              {WRC_NORMAL_EKP, &config.normal.max_iterations, &config.planar.max_sweeps,
+               "config.normal.max_iterations", "config.planar.max_sweeps"}};
   for (const auto& [method, option, other, name, other_name] : each) {
     config.normal = wrc_config_default().normal;
     config.normal.method = method;
@@ -569,11 +569,11 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_config_init(nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_config_check(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_model_size(&config, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_model_create(&config, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_model_create(&config, nullptr, nullptr, nullptr, 0), WRC_ERROR_NULL);
   wrc_model* none = nullptr;
-  EXPECT_EQ(wrc_model_create(nullptr, nullptr, &none), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_model_create(nullptr, nullptr, &none, nullptr, 0), WRC_ERROR_NULL);
   wrc_contact* no_contact = nullptr;
-  EXPECT_EQ(wrc_contact_create(nullptr, WRC_SIDE_RIGHT, nullptr, &no_contact), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_create(nullptr, WRC_SIDE_RIGHT, nullptr, &no_contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_geometry(nullptr, &pose, &point), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_geometry(contact, nullptr, &point), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_geometry(contact, &pose, nullptr), WRC_OK);
@@ -715,7 +715,7 @@ TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
   std::vector<wrc_planar_input> inputs(count, input);
   std::vector<wrc_planar_output> single(count, output), batch(count, output);
   for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i]), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i], nullptr, 0), WRC_OK);
     inputs[i].creepage.spin = 0.1 * static_cast<double>(i);
     EXPECT_EQ(wrc_planar_step(contacts[i], &inputs[i], &single[i]), WRC_OK);
   }

@@ -21,8 +21,8 @@ class LoadedEllipse : public testing::Test {
   void TearDown() override { destroy(); }
   void make() {
     destroy();
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
   }
   void destroy() {
     wrc_contact_destroy(contact);

@@ -37,8 +37,8 @@ class Bodies {
     config.track.rail_inclination = inclination;
     char text[256] = "";
     EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_OK) << text;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    EXPECT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+    EXPECT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
   }
   ~Bodies() {
     wrc_contact_destroy(contact);
@@ -118,8 +118,8 @@ Sweep sweep(const Bodies& bodies) {
     wrc_planar_normal_solution normal{};
     EXPECT_GE(wrc_planar_geometry(bodies.contact, &pose, nullptr), 0);
     EXPECT_GE(wrc_planar_normal(bodies.contact, nullptr, &load, &normal), 0);
-    result.changes += i > 0 && normal.patches != patches;
-    patches = normal.patches;
+    result.changes += i > 0 && normal.patch_count != patches;
+    patches = normal.patch_count;
     if (i > 0)
       result.largest_jump = std::max(result.largest_jump, std::fabs(normal.area / result.area.back() - 1.0));
     result.area.push_back(normal.area);

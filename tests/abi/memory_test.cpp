@@ -22,11 +22,11 @@ TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
   auto* memory = reinterpret_cast<unsigned char*>(
       (reinterpret_cast<std::uintptr_t>(storage.data()) + alignment - 1) / alignment * alignment);
   wrc_model* own = nullptr;
-  EXPECT_EQ(wrc_model_init(&config, memory, bytes - 1, &own), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, memory, bytes - 1, &own, nullptr, 0), WRC_ERROR_BUFFER);
   EXPECT_EQ(own, nullptr);
-  EXPECT_EQ(wrc_model_init(&config, memory + 8, bytes, &own), WRC_ERROR_BUFFER);
-  EXPECT_EQ(wrc_model_init(&config, nullptr, bytes, &own), WRC_ERROR_NULL);
-  ASSERT_EQ(wrc_model_init(&config, memory, bytes, &own), WRC_OK);
+  EXPECT_EQ(wrc_model_init(&config, memory + 8, bytes, &own, nullptr, 0), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, nullptr, bytes, &own, nullptr, 0), WRC_ERROR_NULL);
+  ASSERT_EQ(wrc_model_init(&config, memory, bytes, &own, nullptr, 0), WRC_OK);
 
   uint64_t contact_bytes = 0;
   ASSERT_EQ(wrc_contact_size(own, &contact_bytes, &alignment), WRC_OK);
@@ -34,10 +34,10 @@ TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
   auto* contact_memory = reinterpret_cast<unsigned char*>(
       (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
   wrc_contact* own_contact = nullptr;
-  EXPECT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes - 1, &own_contact),
+  EXPECT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes - 1, &own_contact, nullptr, 0),
             WRC_ERROR_BUFFER);
   EXPECT_EQ(own_contact, nullptr);
-  ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact), WRC_OK);
+  ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact, nullptr, 0), WRC_OK);
   expect_works();
   const wrc_planar_forces expected = forces;
   std::swap(contact, own_contact);
@@ -72,10 +72,10 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
     counter = {0, allowed};
     wrc_model* own = nullptr;
     wrc_contact* own_contact = nullptr;
-    EXPECT_EQ(wrc_model_create(&config, &allocator, &own), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
+    EXPECT_EQ(wrc_model_create(&config, &allocator, &own, nullptr, 0), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
     EXPECT_EQ(own != nullptr, allowed > 0);
     if (own != nullptr) {
-      EXPECT_EQ(wrc_contact_create(own, WRC_SIDE_RIGHT, &allocator, &own_contact),
+      EXPECT_EQ(wrc_contact_create(own, WRC_SIDE_RIGHT, &allocator, &own_contact, nullptr, 0),
                 allowed > 1 ? WRC_OK : WRC_ERROR_MEMORY);
     }
     wrc_contact_destroy(own_contact);
@@ -83,13 +83,13 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
     EXPECT_EQ(counter.live, 0);
   }
   counter = {0, 1000};
-  config.material.poisson = 9.0;
+  config.wheel_material.poisson = config.rail_material.poisson = 9.0;
   wrc_model* own = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own, nullptr, 0), WRC_ERROR_RANGE);
   EXPECT_EQ(counter.live, 0);
-  config.material.poisson = 0.25;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.25;
   allocator.release = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, &allocator, &own), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_model_create(&config, &allocator, &own, nullptr, 0), WRC_ERROR_NULL);
 }
 
 TEST_F(Memory, SavedStateRestoresBitForBit) {
@@ -109,15 +109,15 @@ TEST_F(Memory, SavedStateRestoresBitForBit) {
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
 
   wrc_contact* other = nullptr;  // relocatable: into another contact of the model
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &other), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &other, nullptr, 0), WRC_OK);
   ASSERT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_OK);
   ASSERT_EQ(wrc_planar_tangential(other, nullptr, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(std::memcmp(&before, &forces, sizeof forces), 0);
   wrc_contact_destroy(other);
 
-  EXPECT_EQ(wrc_contact_create(model, 2, nullptr, &other), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_create(model, 2, nullptr, &other, nullptr, 0), WRC_ERROR_UNSUPPORTED);
   EXPECT_EQ(other, nullptr);
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_LEFT, nullptr, &other), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_LEFT, nullptr, &other, nullptr, 0), WRC_OK);
   EXPECT_EQ(wrc_contact_restore(other, saved.data() + 1, bytes), WRC_ERROR_SEQUENCE);
   char text[200];
   wrc_contact_last_error(other, text, sizeof text);
@@ -141,7 +141,7 @@ TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
   plain.track = wrc_config_default().track;
   wrc_model* without = nullptr;
   uint64_t state = 0, whole = 0;
-  ASSERT_EQ(wrc_model_create(&plain, nullptr, &without), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&plain, nullptr, &without, nullptr, 0), WRC_OK);
   ASSERT_EQ(wrc_contact_size(without, &whole, &alignment), WRC_OK);
   ASSERT_EQ(wrc_contact_state_size(without, &state), WRC_OK);
   wrc_model_destroy(without);

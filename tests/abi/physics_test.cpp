@@ -67,9 +67,9 @@ class Wheel : public ReferenceWheel {
   /// Integral of a field of cells over all patches.
   double integral(int32_t id) const {
     double sum = 0.0;
-    for (int32_t k = 0; k < normal.patches; ++k) {
+    for (int32_t k = 0; k < normal.patch_count; ++k) {
       const wrc_view values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF, k);
+                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
       for (uint64_t j = 0; j < values.count[1]; ++j)
         for (uint64_t i = 0; i < values.count[0]; ++i)
           sum += values.data[i * values.stride[0] + j * values.stride[1]] * width.data[j * width.stride[0]] *
@@ -208,7 +208,7 @@ TEST_P(Physics, LoadFromApproachFromLoadIsTheSame) {
 TEST_P(Physics, ThePressureFieldCarriesTheLoad) {
   Wheel wheel;
   choose(wheel);
-  wheel.config.grid.cells = 200;
+  wheel.config.planar.cells = 200;
   ASSERT_GE(wheel.roll({0.001, 0.0, 0.0, 1e-3, 0.0, 0.1}), 0);
   EXPECT_NEAR(wheel.integral(WRC_FIELD_PRESSURE), wheel.forces.fn,
               3e-4 * wheel.forces.fn);  // midpoint rule at the edge of an ellipse: 200^-1.5
@@ -231,7 +231,7 @@ TEST_P(Physics, PowerIsTheIntegralOfItsField) {
 TEST_P(Physics, PowerIsForceTimesCreepage) {
   Wheel wheel;
   choose(wheel);
-  wheel.config.grid.cells = 256;
+  wheel.config.planar.cells = 256;
   for (const Motion& m :
        {Motion{0.001, 0.0, 0.0, 2e-3, 0.0, 0.0}, Motion{0.001, 0.0, 0.0, 0.0, -2e-3, 0.0},
         Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.0}, Motion{0.001, 0.0, 0.0, 1e-3, -2e-3, 0.2},
@@ -280,7 +280,7 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
   Wheel soft, stiff;
   choose(soft);
   choose(stiff);
-  stiff.config.material.shear_modulus = 2.0 * soft.config.material.shear_modulus;
+  stiff.config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 2.0 * soft.config.material.shear_modulus;
   stiff.load.normal_force = 2.0 * soft.load.normal_force;
   const Motion m{0.002, 0.0, 0.0, 1e-3, -5e-4, 0.2};
   ASSERT_GE(soft.roll(m), 0);
@@ -294,8 +294,8 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
 TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
   Wheel wheel;
   wheel.config.tangential.method = WRC_TANGENTIAL_FASTSIM;
-  wheel.config.grid.strips = 200;
-  wheel.config.grid.cells = 200;
+  wheel.config.planar.strips = 200;
+  wheel.config.planar.cells = 200;
   wheel.friction.coefficient = 2.0;
   for (double psi : {0.0, 0.3, -0.5}) {
     wrc_ellipse own = wrc_ellipse_default();
@@ -361,7 +361,7 @@ TEST(Continuity, NoStepOfALateralScanFails) {
 TEST(WarmStart, FollowsThePatchWhereTheFirstTouchLeapsAcrossTheTread) {
   Wheel warm, cold;
   for (Wheel* const wheel : {&warm, &cold}) wheel->config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
-  warm.config.normal.warm_start = 1;
+  warm.config.planar.start = WRC_START_WARM;
   int leaps = 0;
   double before = 0.0;
   for (int i = 0; i <= 160; ++i) {

@@ -17,7 +17,7 @@ using Bytes = std::vector<char>;
 class PortableState : public testing::Test, protected PlacedWheel {
  protected:
   PortableState() {
-    config.normal.warm_start = 1;
+    config.planar.start = WRC_START_WARM;
     wheel.y = 4e-3;
     wheel.z = 0.1e-3;
     wheel.yaw = 5e-3;
@@ -164,11 +164,11 @@ TEST_F(PortableState, OtherConfigurationsAreRefused) {
   refused();
   config.rail.kind = WRC_PROFILE_60E1;
   refused();
-  config.normal.max_sweeps = 17;
+  config.planar.max_sweeps = 17;
   refused();
-  config.grid.cells = 33;
+  config.planar.cells = 33;
   refused();
-  config.tangential.regularisation = WRC_REGULARISE_KEEP_RATIO;
+  config.planar.regularisation = WRC_REGULARISE_KEEP_RATIO;
   refused();
   create(WRC_SIDE_LEFT);
   expect_refused(state, WRC_ERROR_SEQUENCE, "other side");

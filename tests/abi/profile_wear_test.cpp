@@ -22,7 +22,7 @@ Profile standard(int32_t body) {
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   wrc_model* model = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   std::vector<double> arc;
   for (int i = 0; i < 240; ++i) arc.push_back((body == WRC_BODY_WHEEL ? -0.078 : -0.045) + 0.5e-3 * i);
   if (body == WRC_BODY_RAIL) arc.resize(181);

@@ -49,8 +49,8 @@ class ReferenceWheel {
   void create() {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact, nullptr, 0), WRC_OK);
   }
   int32_t step() {
     if (model == nullptr) create();
@@ -92,7 +92,7 @@ class ReferenceWheel {
     EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
     expect_words(text, words);
     wrc_model* none = model;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &none), status);
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &none, nullptr, 0), status);
     EXPECT_EQ(none, nullptr);
   }
 };

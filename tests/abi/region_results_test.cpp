@@ -20,7 +20,7 @@ class RegionResults : public testing::Test, protected PlacedWheel {
   }
   void solve() {
     ASSERT_EQ(step(), WRC_OK) << error();
-    ASSERT_GT(wrench.regions, 0);
+    ASSERT_GT(wrench.region_count, 0);
   }
   wrc_region region(int32_t index) {
     wrc_region shown = wrc_region_default();
@@ -30,21 +30,21 @@ class RegionResults : public testing::Test, protected PlacedWheel {
   Numbers field(int32_t index, int32_t which) {
     const wrc_region shown = region(index);
     const auto strips = static_cast<std::size_t>(shown.strips), cells = static_cast<std::size_t>(shown.cells);
-    const bool of_cells = which < WRC_REGION_STRIP_S || which == WRC_REGION_TEMPERATURE_RISE;
+    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     Numbers values(of_cells ? strips * cells : strips);
     EXPECT_EQ(wrc_contact_region_field(contact, index, which, values.data(), values.size()), WRC_OK);
     return values;
   }
   Numbers all_fields() {
     Numbers all;
-    for (int32_t i = 0; i < wrench.regions; ++i)
-      for (int32_t which = 0; which <= WRC_REGION_TEMPERATURE_RISE; ++which)
+    for (int32_t i = 0; i < wrench.region_count; ++i)
+      for (int32_t which = 0; which <= WRC_FIELD_TEMPERATURE_RISE; ++which)
         for (const double value : field(i, which)) all.push_back(value);
     return all;
   }
   /// Over the cells of a region.
   double integral(int32_t index, const Numbers& values) {
-    const Numbers width = field(index, WRC_REGION_STRIP_WIDTH), half = field(index, WRC_REGION_STRIP_HALF);
+    const Numbers width = field(index, WRC_FIELD_STRIP_WIDTH), half = field(index, WRC_FIELD_STRIP_HALF_LENGTH);
     const std::size_t cells = values.size() / width.size();
     double sum = 0.0;
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -61,17 +61,17 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
     wheel.angular_velocity[1] = -wheel.angular_velocity[1] * 1.002;
     create();
     solve();
-    ASSERT_EQ(wrench.regions, 2);
-    for (int32_t i = 0; i < wrench.regions; ++i) {
+    ASSERT_EQ(wrench.region_count, 2);
+    for (int32_t i = 0; i < wrench.region_count; ++i) {
       const wrc_region shown = region(i);
-      const Numbers pressure = field(i, WRC_REGION_PRESSURE), peak = field(i, WRC_REGION_STRIP_PEAK),
-                    half = field(i, WRC_REGION_STRIP_HALF), width = field(i, WRC_REGION_STRIP_WIDTH),
-                    angle = field(i, WRC_REGION_STRIP_ANGLE), x = field(i, WRC_REGION_X),
-                    centre = field(i, WRC_REGION_STRIP_CENTRE), y = field(i, WRC_REGION_STRIP_Y),
-                    z = field(i, WRC_REGION_STRIP_Z), px = field(i, WRC_REGION_TRACTION_X),
-                    ps = field(i, WRC_REGION_TRACTION_S);
+      const Numbers pressure = field(i, WRC_FIELD_PRESSURE), peak = field(i, WRC_FIELD_STRIP_PEAK),
+                    half = field(i, WRC_FIELD_STRIP_HALF_LENGTH), width = field(i, WRC_FIELD_STRIP_WIDTH),
+                    angle = field(i, WRC_FIELD_STRIP_ANGLE), x = field(i, WRC_FIELD_X),
+                    centre = field(i, WRC_FIELD_STRIP_CENTRE), y = field(i, WRC_FIELD_STRIP_PROFILE_Y),
+                    z = field(i, WRC_FIELD_STRIP_PROFILE_Z), px = field(i, WRC_FIELD_TRACTION_X),
+                    ps = field(i, WRC_FIELD_TRACTION_Y);
       double load = 0.0, area = 0.0, at_y = 0.0, at_z = 0.0, across = 0.0, down = 0.0, middle = 0.0;
-      const Numbers coefficient = field(i, WRC_REGION_STRIP_FRICTION);
+      const Numbers coefficient = field(i, WRC_FIELD_STRIP_FRICTION);
       Numbers lateral = ps;
       for (std::size_t j = 0; j < half.size(); ++j) {
         const double N = 1.5707963267948966 * peak[j] * half[j] * width[j];
@@ -105,7 +105,7 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
 
       wrc_damage damage{};
       ASSERT_EQ(wrc_contact_region_damage(contact, i, &damage), WRC_OK);
-      const Numbers density = field(i, WRC_REGION_POWER_DENSITY), power = field(i, WRC_REGION_STRIP_POWER);
+      const Numbers density = field(i, WRC_FIELD_POWER_DENSITY), power = field(i, WRC_FIELD_STRIP_POWER);
       double of_strips = 0.0;
       for (std::size_t j = 0; j < power.size(); ++j) of_strips += power[j] * width[j];
       EXPECT_NEAR(integral(i, density), of_strips, 1e-9 * of_strips);
@@ -120,7 +120,7 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
       double limit = 0.0;
       ASSERT_EQ(wrc_shakedown_limit(damage.utilisation, &limit), WRC_OK);
       EXPECT_EQ(damage.shakedown_limit, limit);
-      const Numbers index = field(i, WRC_REGION_FATIGUE_INDEX);
+      const Numbers index = field(i, WRC_FIELD_FATIGUE_INDEX);
       EXPECT_EQ(damage.local_fatigue_index, *std::max_element(index.begin(), index.end()));
     }
   }
@@ -157,7 +157,7 @@ TEST_F(RegionResults, TheEllipseIsHertzs) {
   EXPECT_NEAR(std::sqrt(ellipse.a * ellipse.b), a, 5e-3 * a);
   EXPECT_NEAR(ellipse.b, a, 0.06 * a);  // half strips of 0.25 mm
   EXPECT_NEAR(ellipse.psi, 0.0, 0.02);
-  const Numbers s = field(0, WRC_REGION_STRIP_S);
+  const Numbers s = field(0, WRC_FIELD_STRIP_Y);
   EXPECT_NEAR(ellipse.y, 0.5 * (s.front() + s.back()), 4e-5);
   EXPECT_NEAR(region(0).peak_pressure, 1.5 * 80e3 / (3.14159265358979 * a * a),
               0.01 * region(0).peak_pressure);
@@ -165,7 +165,7 @@ TEST_F(RegionResults, TheEllipseIsHertzs) {
 
 TEST_F(RegionResults, AskingChangesNothing) {
   for (const int32_t warm : {0, 1}) {
-    config.normal.warm_start = warm;
+    config.planar.start = warm;
     create();
     uint64_t bytes = 0;
     ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
@@ -208,8 +208,8 @@ TEST_F(RegionResults, WithoutFrictionSlipIsRigidAndNothingIsDissipated) {
   friction.coefficient = 0.0;
   create();
   solve();
-  for (const double traction : field(0, WRC_REGION_TRACTION_X)) EXPECT_EQ(traction, 0.0);
-  const Numbers slip = field(0, WRC_REGION_SLIP_S), load = field(0, WRC_REGION_PRESSURE);
+  for (const double traction : field(0, WRC_FIELD_TRACTION_X)) EXPECT_EQ(traction, 0.0);
+  const Numbers slip = field(0, WRC_FIELD_SLIP_Y), load = field(0, WRC_FIELD_PRESSURE);
   double mean = 0.0, sum = 0.0;
   for (std::size_t k = 0; k < slip.size(); ++k) {
     mean += slip[k] * load[k];
@@ -230,27 +230,27 @@ TEST_F(RegionResults, WhatIsNotThereIsRefused) {
   damage.power = ellipse.a = 7.0;
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_region_damage(contact, 0, &damage), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_REGION_X, &value, 1), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, &value, 1), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(ellipse.a, 0.0);
   EXPECT_EQ(damage.power, 0.0);
   solve();
-  for (const int32_t none : {-1, wrench.regions}) {
+  for (const int32_t none : {-1, wrench.region_count}) {
     EXPECT_EQ(wrc_contact_region_ellipse(contact, none, &ellipse), WRC_ERROR_RANGE);
     EXPECT_EQ(wrc_contact_region_damage(contact, none, &damage), WRC_ERROR_RANGE);
-    EXPECT_EQ(wrc_contact_region_field(contact, none, WRC_REGION_X, &value, 1), WRC_ERROR_RANGE);
+    EXPECT_EQ(wrc_contact_region_field(contact, none, WRC_FIELD_X, &value, 1), WRC_ERROR_RANGE);
   }
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_damage(contact, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_REGION_X, nullptr, 1), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, nullptr, 1), WRC_ERROR_NULL);
   wrc_temperature temperature = wrc_temperature_default();
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_region_temperature(contact, wrench.regions, &bulk, &temperature), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_region_temperature(contact, wrench.region_count, &bulk, &temperature), WRC_ERROR_RANGE);
   bulk.rail = 5000.0;
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, &temperature), WRC_ERROR_RANGE);
-  for (const int32_t none : {-1, WRC_REGION_TEMPERATURE_RISE + 1})
+  for (const int32_t none : {-1, WRC_FIELD_TEMPERATURE_RISE + 1})
     EXPECT_EQ(wrc_contact_region_field(contact, 0, none, &value, 1), WRC_ERROR_UNSUPPORTED);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_REGION_STRIP_S, &value, 1), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_Y, &value, 1), WRC_ERROR_BUFFER);
   EXPECT_EQ(value, 7.0);
 }
 

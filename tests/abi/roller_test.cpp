@@ -30,7 +30,7 @@ class Roller : public testing::Test, protected PlacedWheel {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = 0.75;
     config.roller_curvature = 1.0 / radius;
-    config.normal.warm_start = 0;
+    config.planar.start = WRC_START_COLD;
     wheel.reference = WRC_REFERENCE_WHEEL;
     wheel.velocity[0] = 0.0;
     roll_at(20.0);
@@ -38,7 +38,7 @@ class Roller : public testing::Test, protected PlacedWheel {
   /// A wheel at rest rolling on the roller.
   void roll_at(double speed) {
     wheel.angular_velocity[1] = -speed / config.wheelset.wheel_radius;
-    input.roller_velocity = speed * config.roller_curvature;
+    input.roller_rate = speed * config.roller_curvature;
   }
   void carry(double load) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
@@ -97,15 +97,15 @@ TEST_F(Roller, CreepForcesAreKalkers) {
   EXPECT_LT(std::abs(rolling), 0.012 * 0.3 * load);
   EXPECT_NEAR(wrench.force[1], 0.0, 1e-6 * load);
   const double creepage = 2e-5;
-  input.roller_velocity *= 1.0 - creepage;  // the wheel's surface is the faster: it is driven forwards
+  input.roller_rate *= 1.0 - creepage;  // the wheel's surface is the faster: it is driven forwards
   carry(load);
   EXPECT_NEAR(wrench.force[0] - rolling, 4.12 * stiffness * creepage, 0.04 * 4.12 * stiffness * creepage);
-  input.roller_velocity /= 1.0 - creepage;
+  input.roller_rate /= 1.0 - creepage;
   wheel.velocity[1] = -20.0 * creepage;
   carry(load);
   EXPECT_NEAR(wrench.force[1], 3.67 * stiffness * creepage, 0.04 * wrench.force[1]);
   wheel.velocity[1] = 0.0;
-  input.roller_velocity *= 0.9;
+  input.roller_rate *= 0.9;
   carry(load);
   EXPECT_NEAR(wrench.force[0], 0.3 * load, 1e-3 * load);
   EXPECT_NEAR(wrench.power, 0.3 * load * 2.0, 0.01 * wrench.power);
@@ -120,7 +120,7 @@ TEST_F(Roller, TheSameContactOnAStraightRailHasTheSameForces) {
   create();
   for (const double creepage : slip) {
     roll_at(20.0);
-    input.roller_velocity *= 1.0 - creepage;
+    input.roller_rate *= 1.0 - creepage;
     wheel.velocity[1] = 0.5 * creepage * 20.0;
     carry(80e3);
     of_roller.push_back(wrench);
@@ -128,7 +128,7 @@ TEST_F(Roller, TheSameContactOnAStraightRailHasTheSameForces) {
   config.roller_curvature = 0.0;
   config.wheelset.wheel_radius = 0.5 * radius;
   create();
-  input.roller_velocity = 0.0;
+  input.roller_rate = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     wheel.velocity[0] = 20.0 * (1.0 - slip[i]);
     wheel.angular_velocity[1] = -20.0 / (0.5 * radius);
@@ -152,7 +152,7 @@ TEST_F(Roller, AGiantRollerIsARail) {
   wheel.yaw = 0.01;
   wheel.velocity[0] = 20.0;
   wheel.velocity[1] = 0.02;
-  input.roller_velocity = 0.0;
+  input.roller_rate = 0.0;
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     wheel.y = std::copysign(wheel.y, which == WRC_SIDE_RIGHT ? 1.0 : -1.0);
     config.roller_curvature = 0.0;
@@ -170,12 +170,12 @@ TEST_F(Roller, AGiantRollerIsARail) {
     config.roller_curvature = 1e-6;
     create(which);
     wheel.velocity[0] = 0.0;
-    input.roller_velocity = 20.0 * 1e-6;
+    input.roller_rate = 20.0 * 1e-6;
     press(-0.2e-3);
     for (int k = 0; k < 3; ++k)
       EXPECT_NEAR(wrench.force[k], rail_only.force[k], 1e-4 * rail_only.normal_force) << k;
     wheel.velocity[0] = 20.0;
-    input.roller_velocity = 0.0;
+    input.roller_rate = 0.0;
   }
 }
 
@@ -203,7 +203,7 @@ TEST_F(Roller, TheFlatCallKnowsItsTurning) {
   press(150e-6);
   double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
   in[0] = WRC_REFERENCE_WHEEL, in[2] = wheel.z, in[9] = wheel.angular_velocity[1];
-  in[17] = friction.coefficient, in[21] = input.distance, in[23] = input.roller_velocity;
+  in[17] = friction.coefficient, in[21] = input.distance, in[23] = input.roller_rate;
   ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
   for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
 }
@@ -284,7 +284,7 @@ TEST_F(Roller, ExactlyTooItIsHertzsCircle) {
 
 TEST_F(Roller, ExactlyAndInRealTimeItRollsAlike) {
   create();
-  input.roller_velocity *= 1.0 - 1e-3;
+  input.roller_rate *= 1.0 - 1e-3;
   wheel.velocity[1] = -0.01;
   carry(80e3);
   const wrc_wrench exact = exactly(4e-4);
@@ -310,13 +310,13 @@ TEST_F(Roller, ExactlyTooAGiantOneIsARail) {
   create();
   wheel.velocity[0] = 20.0;
   wheel.velocity[1] = 0.02;
-  input.roller_velocity = 0.0;
+  input.roller_rate = 0.0;
   wheel.z = 100e-6;
   const wrc_wrench rail_only = exactly(4e-4);
   config.roller_curvature = 1e-9;
   create();
   wheel.velocity[0] = 0.0;
-  input.roller_velocity = 20.0 * 1e-9;
+  input.roller_rate = 20.0 * 1e-9;
   const wrc_wrench giant = exactly(4e-4);
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(giant.force[k], rail_only.force[k], 1e-4 * rail_only.normal_force) << k;
@@ -327,7 +327,7 @@ TEST_F(Roller, ExactlyTooAGiantOneIsARail) {
 TEST_F(Roller, ExactlyALayerIsAsSmallerSlips) {
   config.roller_curvature = 0.0;
   create();
-  input.roller_velocity = 0.0;
+  input.roller_rate = 0.0;
   wheel.z = 100e-6;
   wheel.velocity[0] = 20.0;
   constexpr double layer = 0.4;
@@ -367,7 +367,7 @@ TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
   input.distance = 0.0;
   config.roller_curvature = 0.0;
   create();
-  refused(WRC_ERROR_UNSUPPORTED, "input.roller_velocity");
+  refused(WRC_ERROR_UNSUPPORTED, "input.roller_rate");
   config.roller_curvature = 2.0;
   config.normal = wrc_config_default().normal;
   config.normal.method = WRC_NORMAL_EKP;
@@ -376,8 +376,8 @@ TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
   wrc_rail_section section[2] = {};
   for (wrc_rail_section& each : section) each.profile = config.rail;
   section[1].distance = 1.0;
-  config.rail_section = section;
-  config.rail_sections = 2;
+  config.rail_sections = section;
+  config.rail_section_count = 2;
   no_model("no sections");
 }
 

@@ -1,4 +1,4 @@
-/// config.non_steady and wrc_planar_roll(): forces that remember, through the shared library.
+/// config.planar.non_steady and wrc_planar_roll(): forces that remember, through the shared library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ class Contact {
  public:
   explicit Contact(bool remembers = true) {
     wrc_config config = wrc_config_default();
-    config.non_steady = remembers ? 1 : 0;
-    config.material.shear_modulus = 82e9;
-    config.material.poisson = 0.28;
-    EXPECT_EQ(wrc_model_create(&config, nullptr, &model_), WRC_OK);
-    EXPECT_EQ(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_), WRC_OK);
+    config.planar.non_steady = remembers ? 1 : 0;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
+    config.wheel_material.poisson = config.rail_material.poisson = 0.28;
+    EXPECT_EQ(wrc_model_create(&config, nullptr, &model_, nullptr, 0), WRC_OK);
+    EXPECT_EQ(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0), WRC_OK);
     ellipse.a = 6e-3;
     ellipse.b = 5e-3;
     ellipse.normal_force = 70e3;
@@ -263,20 +263,20 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
 
   wrc_config config = wrc_config_default();
-  config.non_steady = 1;
+  config.planar.non_steady = 1;
   config.tangential.method = WRC_TANGENTIAL_FASTSIM;
   char text[256] = "";
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
-  EXPECT_NE(std::string(text).find("config.non_steady"), std::string::npos) << text;
+  EXPECT_NE(std::string(text).find("config.planar.non_steady"), std::string::npos) << text;
 
   config = wrc_config_default();
-  config.non_steady = 1;
+  config.planar.non_steady = 1;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
   wrc_contact* posed = nullptr;
-  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &posed), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &posed, nullptr, 0), WRC_OK);
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
   EXPECT_EQ(wrc_contact_wrench(posed, &input, &wrench), WRC_ERROR_UNSUPPORTED);
@@ -286,14 +286,14 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
 
 TEST(RollingMemory, OfAPoseStaysWithTheRail) {
   wrc_config config = wrc_config_default();
-  config.non_steady = 1;
+  config.planar.non_steady = 1;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
-  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     wrc_contact* contact = nullptr;
-    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact, nullptr, 0), WRC_OK);
     wrc_planar_input input = wrc_planar_input_default();
     wrc_planar_output output = wrc_planar_output_default();
     input.load.normal_force = 80e3;

@@ -356,7 +356,7 @@ TEST_F(RollingWay, LockedAndSpinningWheelsSlideAsTheyShould) {
 
 TEST_F(RollingWay, NoMotionGivesCreepagesThatAreRefused) {
   config.tangential.method = WRC_TANGENTIAL_FASTSIM;
-  config.grid.strips = config.grid.cells = 8;
+  config.planar.strips = config.planar.cells = 8;
   create();
   std::mt19937_64 numbers(7);
   const auto between = [&](double most) {  // every order of magnitude, both signs, the ends, zero

@@ -156,8 +156,8 @@ class ContactStresses : public testing::Test {
   }
   void roll() {
     if (model == nullptr) {
-      ASSERT_GE(wrc_model_create(&config, nullptr, &model), WRC_OK);  // unlike bodies: flagged
-      ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+      ASSERT_GE(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);  // unlike bodies: flagged
+      ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
     }
     ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, nullptr), WRC_OK);
   }
@@ -213,7 +213,7 @@ TEST_F(ContactStresses, TensionIsBehindInTheBodyThatIsPulledAlong) {
 
 // Next to no friction: tension at the edge is (1 - 2 nu) / 3 of the pressure, nu of the body's own.
 TEST_F(ContactStresses, BodiesHaveTheirOwnPoissonRatio) {
-  config.material.poisson = 0.3;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.3;
   config.material.rail_shear_modulus = config.material.shear_modulus;
   config.material.rail_poisson = 0.2;
   ellipse.b = ellipse.a;
@@ -228,8 +228,8 @@ TEST_F(ContactStresses, BodiesHaveTheirOwnPoissonRatio) {
 
 TEST_F(ContactStresses, RefusesWhatMakesNoSense) {
   char text[256];
-  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
   EXPECT_EQ(find(), WRC_ERROR_SEQUENCE);
   roll();
   EXPECT_EQ(find({0.0, 1.0}), WRC_ERROR_RANGE);

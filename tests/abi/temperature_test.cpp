@@ -19,7 +19,7 @@ class Temperature : public LoadedEllipse {
   wrc_temperature temperature = wrc_temperature_default();
 
   void SetUp() override {
-    config.grid.cells = 64;
+    config.planar.cells = 64;
     creepage.longitudinal = 0.5;
     creepage.speed = 10.0;
     make();
@@ -133,7 +133,7 @@ TEST_F(Temperature, StripOfTheCallerIsTheContacts) {
   ASSERT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
   wrc_view power{}, half = wrc_view{}, rise = wrc_view{};
   ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_POWER_DENSITY, &power), WRC_OK);
-  ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_HALF, &half), WRC_OK);
+  ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_HALF_LENGTH, &half), WRC_OK);
   ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &rise), WRC_OK);
   const uint64_t j = 20;
   std::vector<double> strip;

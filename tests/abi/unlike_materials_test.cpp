@@ -15,7 +15,7 @@ class UnlikeMaterials : public testing::Test, protected PlacedWheel {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
     contact = nullptr;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_FLAG_DISSIMILAR_MATERIALS);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_FLAG_DISSIMILAR_MATERIALS);
     take(WRC_SIDE_RIGHT);
   }
 };
@@ -24,8 +24,8 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   wheel.y = 3e-3;
   wheel.z = 100e-6;
   wheel.velocity[1] = 0.02;
-  config.material.shear_modulus = 90e9;
-  config.material.poisson = 0.30;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 90e9;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.30;
   config.material.rail_shear_modulus = 60e9;
   config.material.rail_poisson = 0.24;
   char text[256];
@@ -39,8 +39,8 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   ASSERT_EQ(step(), WRC_OK);
   const wrc_wrench unlike = wrench;
   config.material = wrc_config_default().material;
-  config.material.shear_modulus = combined;
-  config.material.poisson = 0.5 * combined * (0.30 / 90e9 + 0.24 / 60e9);
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = combined;
+  config.wheel_material.poisson = config.rail_material.poisson = 0.5 * combined * (0.30 / 90e9 + 0.24 / 60e9);
   create();
   ASSERT_EQ(step(), WRC_OK);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(unlike.force[i], wrench.force[i], 1e-9 * wrench.normal_force);
@@ -59,8 +59,8 @@ TEST_F(UnlikeMaterials, TheExactWheelCreepsWhereTheyCouple) {
     double shear, poisson, rail_shear, rail_poisson;
   } bodies[3] = {{90e9, 0.30, 60e9, 0.24}, {60e9, 0.24, 90e9, 0.30}, {72e9, 0.264, 72e9, 0.264}};
   for (int k = 0; k < 3; ++k) {
-    config.material.shear_modulus = bodies[k].shear;
-    config.material.poisson = bodies[k].poisson;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = bodies[k].shear;
+    config.wheel_material.poisson = config.rail_material.poisson = bodies[k].poisson;
     config.material.rail_shear_modulus = bodies[k].rail_shear;
     config.material.rail_poisson = bodies[k].rail_poisson;
     if (k < 2) {

@@ -36,7 +36,7 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
     rail.roll = 2e-3;
     rail.y_velocity = 0.01;
     rail.z_velocity = -0.01;
-    rail.roll_velocity = 0.02;
+    rail.roll_rate = 0.02;
   }
   void SetUp() override { create(GetParam()); }
   double* number(int column) { return &wrench_input(input, column); }
@@ -117,9 +117,9 @@ TEST_P(WheelDerivatives, FrictionThatFallsAndALayer) {
 
 TEST_P(WheelDerivatives, ZonesOnTheWheel) {
   const double y[] = {-0.06, -0.03, 0.0, 0.02}, coefficient[] = {0.1, 0.25, 0.4, 0.3};
-  input.friction.zones = 4;
+  input.friction.zone_count = 4;
   input.friction.zone_y = y;
-  input.friction.zone_coefficient = coefficient;
+  input.friction.zone_coefficients = coefficient;
   input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
   wheel.velocity[1] = 0.1;
   const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
@@ -159,7 +159,7 @@ TEST_P(WheelDerivatives, NearStandstillBothWaysHaveAShare) {
   wheel.velocity[0] = 0.03;
   wheel.velocity[1] = 1e-4;
   wheel.angular_velocity[1] = -0.03 / 0.46 * 1.001;
-  rail.y_velocity = rail.z_velocity = rail.roll_velocity = 1e-4;
+  rail.y_velocity = rail.z_velocity = rail.roll_rate = 1e-4;
   wheel.velocity[2] = wheel.angular_velocity[0] = wheel.angular_velocity[2] = 1e-4;
   press(0.0, 60e3);
   expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);

@@ -36,8 +36,8 @@ class PlacedWheel {
 
   /// As the reference results have them.
   void take_reference_bodies() {
-    config.material.shear_modulus = 82e9;
-    config.material.poisson = 0.28;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
+    config.wheel_material.poisson = config.rail_material.poisson = 0.28;
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = 0.7605325577;
   }
@@ -47,7 +47,7 @@ class PlacedWheel {
     wrc_model_destroy(model);
     contact = nullptr;
     model = nullptr;
-    ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
+    ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
     take(which);
   }
   /// From here on the wheel of that side.
@@ -55,7 +55,7 @@ class PlacedWheel {
     wrc_contact_destroy(contact);
     contact = nullptr;
     side = which;
-    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact, nullptr, 0), WRC_OK);
   }
   int32_t step() { return wrc_contact_wrench(contact, &input, &wrench); }
   std::string error() const {

@@ -71,11 +71,11 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
   }
   void expect_refused(int32_t status, const std::vector<std::string>& words) {
     wrench.force[2] = -1.0;
-    wrench.regions = 1;
+    wrench.region_count = 1;
     EXPECT_EQ(step(), status);
     ReferenceWheel::expect_words(error(), words);
     EXPECT_EQ(wrench.force[2], 0.0);
-    EXPECT_EQ(wrench.regions, 0);
+    EXPECT_EQ(wrench.region_count, 0);
     EXPECT_EQ(wrench.struct_size, sizeof wrench);
     wrc_region region = wrc_region_default();
     EXPECT_EQ(wrc_contact_region(contact, 0, &region), WRC_ERROR_SEQUENCE);
@@ -91,7 +91,7 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
     take(side == WRC_SIDE_LEFT ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT);
     for (double* each :
          {&wheel.y, &wheel.roll, &wheel.yaw, &wheel.velocity[1], &wheel.angular_velocity[0],
-          &wheel.angular_velocity[2], &rail.y, &rail.roll, &rail.y_velocity, &rail.roll_velocity})
+          &wheel.angular_velocity[2], &rail.y, &rail.roll, &rail.y_velocity, &rail.roll_rate})
       *each = -*each;
   }
   /// The wrench is that of another wrench, within this share of the force.
@@ -385,7 +385,7 @@ TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
   wheel.reference = WRC_REFERENCE_WHEEL;
   rail = wrc_rail_state_default();
   rail.roll = 0.03;
-  rail.roll_velocity = 0.5;
+  rail.roll_rate = 0.5;
   const Matrix upright = about_x(wheel.roll) * about_z(wheel.yaw);
   wheel.roll = wheel.yaw = 0.0;
   wheel.rotation = upright.data();
@@ -397,7 +397,7 @@ TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
   const Vector origin = {0.0, rail_origin, 0.0};
   const Vector at = back * (reference() - origin) + origin;
   // In the rail's axes everything turns back with the rail's rate, about its origin.
-  const Vector spin = {-rail.roll_velocity, 0.0, 0.0};
+  const Vector spin = {-rail.roll_rate, 0.0, 0.0};
   const Vector velocity = back * (vector_of(wheel.velocity) + cross(spin, reference() - origin));
   const Vector turning = back * (vector_of(wheel.angular_velocity) + spin);
   const Matrix turned = back * upright;
@@ -435,8 +435,8 @@ TEST_F(WheelOnRail, RegionsAddUpToTheWrench) {
   expect_works();
   Vector force{}, moment{};
   double normal = 0.0, area = 0.0, power = 0.0, peak = 0.0, last = -1.0;
-  EXPECT_GE(wrench.regions, 1);
-  for (int32_t i = 0; i < wrench.regions; ++i) {
+  EXPECT_GE(wrench.region_count, 1);
+  for (int32_t i = 0; i < wrench.region_count; ++i) {
     wrc_region region = wrc_region_default();
     ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
     force = force + vector_of(region.force);
@@ -460,7 +460,7 @@ TEST_F(WheelOnRail, RegionsAddUpToTheWrench) {
   EXPECT_EQ(peak, wrench.peak_pressure);
   wrc_region none = wrc_region_default();
   none.area = 1.0;
-  EXPECT_EQ(wrc_contact_region(contact, wrench.regions, &none), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_region(contact, wrench.region_count, &none), WRC_ERROR_RANGE);
   EXPECT_EQ(none.area, 0.0);
   EXPECT_EQ(wrc_contact_region(contact, -1, &none), WRC_ERROR_RANGE);
 }
@@ -595,11 +595,11 @@ TEST_F(WheelOnRail, ARegionDampedToNothingIsNoRegion) {
   wheel.z = -0.18e-3;
   wheel.roll = 0.0;
   expect_works();
-  ASSERT_EQ(wrench.regions, 2);
+  ASSERT_EQ(wrench.region_count, 2);
   input.damping = 0.5;
   wheel.velocity[1] = -6.0;
   expect_works();
-  ASSERT_EQ(wrench.regions, 1);
+  ASSERT_EQ(wrench.region_count, 1);
   wrc_region region = wrc_region_default();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_EQ(region.area, wrench.area);
@@ -611,7 +611,7 @@ TEST_F(WheelOnRail, ALiftedWheelHasNoContactAndNoError) {
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(length(vector_of(wrench.force)), 0.0);
   EXPECT_EQ(wrench.z, wheel.z);
-  EXPECT_EQ(wrench.regions, 0);
+  EXPECT_EQ(wrench.region_count, 0);
   wheel.z = 1.2e-3;
   expect_works();
 }
@@ -709,7 +709,7 @@ TEST_F(WheelOnRail, NanAndInfinityAreNamedWhereverTheyStand) {
                           {&rail.roll, "rail.roll"},
                           {&rail.y_velocity, "rail.y_velocity"},
                           {&rail.z_velocity, "rail.z_velocity"},
-                          {&rail.roll_velocity, "rail.roll_velocity"},
+                          {&rail.roll_rate, "rail.roll_rate"},
                           {&friction.coefficient, "friction.coefficient"},
                           {&input.vertical_load, "input.vertical_load"},
                           {&input.damping, "input.damping"}};
@@ -760,11 +760,11 @@ TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
   refuse(input.prescribed, {"input.prescribed", "wrc_prescribed"});
   const double at[] = {0.0}, zone[] = {0.2};
-  friction.zones = 1;
+  friction.zone_count = 1;
   friction.zone_y = at;
-  friction.zone_coefficient = zone;
+  friction.zone_coefficients = zone;
   expect_refused(WRC_ERROR_UNSUPPORTED, {"friction.zone_frame", "WRC_ZONES_RAIL_PROFILE"});
-  friction.zones = 0;
+  friction.zone_count = 0;
   expect_works();
 }
 
@@ -778,16 +778,16 @@ TEST_F(WheelOnRail, FrictionMayDependOnThePlaceAndOnTheSlidingSpeed) {
   const wrc_wrench plain = solved();
   const double at[] = {-0.01, 0.01}, same[] = {friction.coefficient, friction.coefficient};
   friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
-  friction.zones = 2;
+  friction.zone_count = 2;
   friction.zone_y = at;
-  friction.zone_coefficient = same;
+  friction.zone_coefficients = same;
   const wrc_wrench zoned = solved();
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(zoned.force[i], plain.force[i], 1e-9 * std::abs(plain.force[2]));
   // none where the contact lies: no creep force
   const double none[] = {0.0, 0.0};
-  friction.zone_coefficient = none;
+  friction.zone_coefficients = none;
   EXPECT_EQ(solved().force[0], 0.0);
-  friction.zones = 0;
+  friction.zone_count = 0;
   friction.zone_frame = WRC_ZONES_CONTACT_FRAME;
   // a wheel that skids: friction at its sliding speed, w = V per cent of slip
   wheel.angular_velocity[1] *= 1.1;
@@ -810,7 +810,7 @@ TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
     for (const double y : {-3e-3, 1e-3, 5e-3}) {
       SCOPED_TRACE(outward * y);
       wheel.y = outward * y;
-      friction.zones = 0;
+      friction.zone_count = 0;
       const auto solved = [&] {
         EXPECT_EQ(step(), WRC_OK) << error();
         return vector_of(wrench.force);
@@ -821,8 +821,8 @@ TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
       const double step_at = region.y_wheel, on_rail = region.y_rail;
       const double wheel_y[] = {step_at - 3e-3, step_at}, coefficient[] = {0.05, 0.4},
                    rail_y[] = {on_rail - 3e-3, on_rail};
-      friction.zones = 2;
-      friction.zone_coefficient = coefficient;
+      friction.zone_count = 2;
+      friction.zone_coefficients = coefficient;
       friction.zone_y = wheel_y;
       friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
       const auto on_wheel = solved();
@@ -1081,7 +1081,7 @@ TEST_F(WheelOnRail, AWarmStartLeadsToTheSameSolution) {
     }
     wrc_contact* const used = contact;
     contact = nullptr;
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
     expect_works();
     wrc_contact_destroy(used);
     EXPECT_LT(length(vector_of(warm.force) - vector_of(wrench.force)), 1e-6 * wrench.normal_force);
@@ -1113,7 +1113,7 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
   single.fill(wrench);
   batch.fill(wrench);
   for (uint32_t i = 0; i < count; ++i) {
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i]), WRC_OK);
+    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i], nullptr, 0), WRC_OK);
     inputs[i] = input;
     inputs[i].wheel.y += 1e-3 * i;
     if (i == 3) inputs[i].wheel.y = 5.0;  // refused
@@ -1147,14 +1147,14 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
                                             rail.roll,
                                             rail.y_velocity,
                                             rail.z_velocity,
-                                            rail.roll_velocity,
+                                            rail.roll_rate,
                                             friction.coefficient,
                                             0.0,
                                             0.0,
                                             0.0,
                                             input.distance,
                                             input.angle,
-                                            input.roller_velocity,
+                                            input.roller_rate,
                                             input.frame.speed,
                                             input.frame.curvature,
                                             input.frame.vertical_curvature,
@@ -1172,7 +1172,7 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
   EXPECT_EQ(out[14], wrench.area);
   EXPECT_EQ(out[15], wrench.peak_pressure);
   EXPECT_EQ(out[16], wrench.power);
-  EXPECT_EQ(out[17], wrench.regions);
+  EXPECT_EQ(out[17], wrench.region_count);
   double bad[WRC_FLAT_WHEEL_INPUTS];
   std::copy(in, in + WRC_FLAT_WHEEL_INPUTS, bad);
   bad[0] = 0.5;
@@ -1225,10 +1225,10 @@ class RidgedRail : public testing::Test, protected PlacedWheel {
 
 TEST_F(RidgedRail, TheLastRegionTakesWhatIsNotListed) {
   ASSERT_EQ(step(), WRC_FLAG_MORE_PATCHES) << error();
-  ASSERT_EQ(wrench.regions, 16);
+  ASSERT_EQ(wrench.region_count, 16);
   Vector force{};
   double area = 0.0;
-  for (int32_t i = 0; i < wrench.regions; ++i) {
+  for (int32_t i = 0; i < wrench.region_count; ++i) {
     wrc_region region = wrc_region_default();
     ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
     force = force + vector_of(region.force);

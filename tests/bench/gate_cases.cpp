@@ -73,11 +73,11 @@ struct AlongTrack {
       section[k].distance = 0.5 * k;
       section[k].z = k % 2 == 0 ? -10e-6 : 10e-6;
     }
-    config.rail_section = section;
-    config.rail_sections = rail ? 9 : 0;
+    config.rail_sections = section;
+    config.rail_section_count = rail ? 9 : 0;
     if (rail) config.roundness = {};
-    wrc_model_create(&config, nullptr, &model);
-    wrc_contact_create(model, methods.side, nullptr, &contact);
+    wrc_model_create(&config, nullptr, &model, nullptr, 0);
+    wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0);
   }
   ~AlongTrack() {
     wrc_contact_destroy(contact);

@@ -97,8 +97,8 @@ constexpr double depth_shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.9
 
 wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
   wrc_config config = wrc_config_default();
-  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
-  config.material.poisson = file(row, "nu");
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
   const Solver solver(config);
   const wrc_ellipse ellipse = ellipse_of(file, row);
   const wrc_creepage creepage = creepage_of(file, row);
@@ -147,8 +147,8 @@ double exact_temperature(const Csv& file, std::size_t row) {
 
 double strip_temperature(const Csv& file, std::size_t row) {
   wrc_config config = wrc_config_default();
-  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
-  config.material.poisson = file(row, "nu");
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
   config.wheel_heat = config.rail_heat = steel_of(file, row);
   const Solver solver(config);
   const wrc_ellipse ellipse = ellipse_of(file, row);

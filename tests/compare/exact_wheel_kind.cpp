@@ -34,7 +34,7 @@ void print(long number, const char* what, const WheelCase& solved, const Vector&
       number, what, 100.0 * length(difference(solved.force(), force)) / scale,
       100.0 * (solved.wrench.peak_pressure / peak - 1.0), 1e6 * (solved.wrench.z - given_z),
       solved.wrench.force[0], solved.wrench.force[1], solved.wrench.force[2], force[0], force[1], force[2],
-      solved.wrench.regions);
+      solved.wrench.region_count);
   std::fflush(stdout);
 }
 

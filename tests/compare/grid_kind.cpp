@@ -12,10 +12,10 @@ namespace {
 wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
                  const std::string& name) {
   wrc_config config = wrc_config_default();
-  config.material.shear_modulus = 1e6 * file(row, "G_MPa");
-  config.material.poisson = file(row, "nu");
-  config.grid.strips = strips;
-  config.grid.cells = cells;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
+  config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
+  config.planar.strips = strips;
+  config.planar.cells = cells;
   const Solver solver(config);
   const Rolling rolling = rolling_of(file, row);
   wrc_planar_forces forces{};
@@ -41,8 +41,8 @@ Report compare_grid(const Csv& file, const Names& only) {
   };
   std::vector<Grid> grids;
   for (int32_t size : sizes) grids.push_back({std::to_string(size) + "x" + std::to_string(size), size, size});
-  report.default_variant = std::to_string(standard.grid.strips) + "x" + std::to_string(standard.grid.cells);
-  grids.push_back({report.default_variant, standard.grid.strips, standard.grid.cells});
+  report.default_variant = std::to_string(standard.planar.strips) + "x" + std::to_string(standard.grid.cells);
+  grids.push_back({report.default_variant, standard.planar.strips, standard.grid.cells});
   grids = chosen(grids, only);
   for (const Grid& grid : grids) report.variants.push_back(grid.name);
 
@@ -50,7 +50,7 @@ Report compare_grid(const Csv& file, const Names& only) {
     const wrc_planar_forces exact = solve(file, row, finest, finest, report, report.default_variant);
     const double limit = file(row, "mu") * 1e3 * file(row, "N_kN");
     for (const Grid& grid : grids) {
-      const wrc_planar_forces forces = solve(file, row, grid.strips, grid.cells, report, grid.name);
+      const wrc_planar_forces forces = solve(file, row, planar.strips, grid.cells, report, grid.name);
       auto& errors = report.errors[grid.name];
       errors["force"].add(row, std::hypot(forces.fx - exact.fx, forces.fy - exact.fy) / limit);
       errors["power"];

@@ -102,7 +102,7 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
 
 Report compare_halfspace_normal(const Csv& file, const Names& only) {
   wrc_config config = wrc_config_default();
-  config.grid.gap_rows = 1024;
+  config.planar.gap_rows = 1024;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   const Solver solver(config);

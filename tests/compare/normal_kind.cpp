@@ -31,7 +31,7 @@ LineLoad computed_line_load(const Solver& solver, int32_t patches) {
   for (int32_t patch = 0; patch < patches; ++patch) {
     const wrc_view y = view_of(solver, patch, WRC_FIELD_STRIP_Y),
                    width = view_of(solver, patch, WRC_FIELD_STRIP_WIDTH);
-    const wrc_view half = view_of(solver, patch, WRC_FIELD_STRIP_HALF);
+    const wrc_view half = view_of(solver, patch, WRC_FIELD_STRIP_HALF_LENGTH);
     const wrc_view peak = view_of(solver, patch, WRC_FIELD_STRIP_PEAK);
     for (uint64_t j = 0; j < y.count[0]; ++j) {
       load.add(y.data[j] - 0.5 * width.data[j], y.data[j] + 0.5 * width.data[j],
@@ -80,7 +80,7 @@ Report compare_normal(const Csv& file, const Names& only) {
       errors["approach"].add(i, normal.approach / (1e-3 * file(head, "pen_mm")) - 1.0);
       const double shift = reference_shift(file, cases[i], point);
       errors["line_load"].add(
-          i, line_load_error(file, cases[i], computed_line_load(solver, normal.patches), shift));
+          i, line_load_error(file, cases[i], computed_line_load(solver, normal.patch_count), shift));
     }
   }
   return report;

@@ -60,8 +60,8 @@ Report compare_sdec(const Csv& file, const Names& only) {
       choose_tangential(config, variant.preset);
       config.tangential.bound = variant.bound;
       config.tangential.flexibility = variant.flexibility;
-      config.material.shear_modulus = 1e6 * file(row, "G_MPa");
-      config.material.poisson = file(row, "nu");
+      config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
       const Solver solver(config);
 
       const Rolling rolling = rolling_of(file, row);

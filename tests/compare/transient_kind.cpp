@@ -174,7 +174,7 @@ class Exact : public Roller {
   char text_[256] = "";
 };
 
-/// wrc_planar_tangential() of a model with config.non_steady.
+/// wrc_planar_tangential() of a model with config.planar.non_steady.
 class Strip : public Roller {
  public:
   explicit Strip(const Sequence& q) : solver_(config(q)) {}
@@ -194,9 +194,9 @@ class Strip : public Roller {
  private:
   static wrc_config config(const Sequence& q) {
     wrc_config config = wrc_config_default();
-    config.material.shear_modulus = q.materials.shear_modulus_1;
-    config.material.poisson = q.materials.poisson_1;
-    config.non_steady = 1;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = q.materials.shear_modulus_1;
+    config.wheel_material.poisson = config.rail_material.poisson = q.materials.poisson_1;
+    config.planar.non_steady = 1;
     return config;
   }
   Solver solver_;

@@ -68,8 +68,8 @@ const Solver& Pairs::of(const PairOptions& options) {
     return profile;
   };
   wrc_config config = wrc_config_default();
-  config.material.shear_modulus = options.shear_modulus;
-  config.material.poisson = options.poisson;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = options.shear_modulus;
+  config.wheel_material.poisson = config.rail_material.poisson = options.poisson;
   config.wheelset.wheel_radius = options.radius;
   config.track.placement = WRC_PLACEMENT_ORIGIN;
   config.track.rail_origin = 0.7605325577;
@@ -133,7 +133,7 @@ WheelCase wheel_case(const Csv& file, std::size_t row) {
 
 std::vector<wrc_region> regions_of(const Solver& solver, const wrc_wrench& wrench) {
   std::vector<wrc_region> regions;
-  for (int32_t i = 0; i < wrench.regions; ++i) {
+  for (int32_t i = 0; i < wrench.region_count; ++i) {
     regions.push_back(wrc_region_default());
     if (wrc_contact_region(solver.contact(), i, &regions.back()) != WRC_OK)
       throw std::runtime_error("no such region");

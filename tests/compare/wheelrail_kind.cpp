@@ -44,8 +44,8 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       config.normal.method = variant.normal;
       choose_tangential(config, variant.tangential);
       config.tangential.bound = variant.bound;
-      config.material.shear_modulus = 1e6 * file(row, "G_MPa");
-      config.material.poisson = file(row, "nu");
+      config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
+      config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
       config.wheel.kind = WRC_PROFILE_S1002;
       config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
       const Solver solver(config);

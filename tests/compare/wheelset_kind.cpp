@@ -163,7 +163,7 @@ void add_case(const Csv& file, const CaseRows& rows, const std::string& variant,
         rows.number, file.text(sep.first, "side").c_str(), angle, differ ? " two" : "    ",
         100.0 * length(off) / separate.scale, 100.0 * length(off_sep) / separate.scale, off_sep[0],
         off_sep[1], off_sep[2], separate.force[0], separate.force[1], separate.force[2],
-        solved.wrench.regions, solved.wrench.iterations,
+        solved.wrench.region_count, solved.wrench.iterations,
         status > 0 ? (std::string(" ") + wrc_status_name(status)).c_str() : "");
   }
 }

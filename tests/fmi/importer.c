@@ -65,7 +65,7 @@ static wrc_wheel_input as_struct(const double in[inputs]) {
   memcpy(input.wheel.velocity, in + 4, 3 * sizeof *in);
   memcpy(input.wheel.angular_velocity, in + 7, 3 * sizeof *in);
   input.rail.y = in[10], input.rail.z = in[11], input.rail.roll = in[12];
-  input.rail.y_velocity = in[13], input.rail.z_velocity = in[14], input.rail.roll_velocity = in[15];
+  input.rail.y_velocity = in[13], input.rail.z_velocity = in[14], input.rail.roll_rate = in[15];
   return input;
 }
 
@@ -126,8 +126,8 @@ int main(int count, char** words) {
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0)
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0)
     return 7;
 
   uint32_t in_number[inputs], out_number[outputs];

@@ -144,8 +144,8 @@ static void leave_unread(wrc_config& config) {
     config.normal.max_iterations = untouched.normal.max_iterations;
     config.normal.load_tolerance = untouched.normal.load_tolerance;
   } else {
-    config.normal.max_sweeps = untouched.normal.max_sweeps;
-    config.normal.warm_start = untouched.normal.warm_start;
+    config.planar.max_sweeps = untouched.planar.max_sweeps;
+    config.planar.start = untouched.planar.start;
   }
   if (config.tangential.method != WRC_TANGENTIAL_FASTSIM) {
     config.tangential.bound = untouched.tangential.bound;
@@ -171,27 +171,27 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   };
   wrc_config config = wrc_config_default();
   config.normal.method = static_cast<std::int32_t>(choices.below(normal_methods));
-  config.tangential.regularisation = static_cast<std::int32_t>(choices.below(2));
+  config.planar.regularisation = static_cast<std::int32_t>(choices.below(2));
   choose_tangential(config, static_cast<std::int32_t>(choices.below(tangential_methods)));
   if (choices.one_in(8)) config.tangential.patch_model = static_cast<std::int32_t>(choices.below(4));
   config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
   config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
-  config.grid.strips = count(member<wrc_config>("grid.strips").low, finest);
-  config.grid.cells = count(member<wrc_config>("grid.cells").low, finest);
-  config.grid.gap_rows = count(member<wrc_config>("grid.gap_rows").low, 8.0 * finest);
-  config.grid.max_patches = static_cast<std::int32_t>(sized(choices, member<wrc_config>("grid.max_patches")));
-  config.normal.warm_start = static_cast<std::int32_t>(choices.below(2));
+  config.planar.strips = count(member<wrc_config>("planar.strips").low, finest);
+  config.planar.cells = count(member<wrc_config>("grid.cells").low, finest);
+  config.planar.gap_rows = count(member<wrc_config>("planar.gap_rows").low, 8.0 * finest);
+  config.planar.max_patches = static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
+  config.planar.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2))
-    config.normal.max_iterations = config.normal.max_sweeps =
-        static_cast<std::int32_t>(sized(choices, member<wrc_config>("normal.max_sweeps")));
+    config.normal.max_iterations = config.planar.max_sweeps =
+        static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_sweeps")));
   if (choices.one_in(4))
-    config.material.shear_modulus = sized(choices, member<wrc_config>("material.shear_modulus"));
-  if (choices.one_in(4)) config.material.poisson = anywhere(choices, member<wrc_config>("material.poisson"));
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = sized(choices, member<wrc_config>("material.shear_modulus"));
+  if (choices.one_in(4)) config.wheel_material.poisson = config.rail_material.poisson = anywhere(choices, member<wrc_config>("material.poisson"));
   if (choices.one_in(2))
     config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
-  if (choices.one_in(2)) config.grid.gap_limit = sized(choices, member<wrc_config>("grid.gap_limit"));
+  if (choices.one_in(2)) config.planar.gap_limit = sized(choices, member<wrc_config>("planar.gap_limit"));
   if (choices.one_in(4))
-    config.material.shear_yield = sized(choices, member<wrc_config>("material.shear_yield"));
+    config.wheel_material.shear_yield = config.rail_material.shear_yield = sized(choices, member<wrc_config>("material.shear_yield"));
   if (choices.one_in(4))
     config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
@@ -273,8 +273,8 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
     if (choices.one_in(12)) somewhere().distance = choices.one_in(2) ? choices.poison() : 0.0;
     if (choices.one_in(12)) somewhere().y = choices.poison();
     if (choices.one_in(12)) somewhere().face = static_cast<std::int32_t>(choices.below(6)) - 1;
-    config.rail_sections = static_cast<std::uint32_t>(made.sections.size());
-    config.rail_section = made.sections.data();
+    config.rail_section_count = static_cast<std::uint32_t>(made.sections.size());
+    config.rail_sections = made.sections.data();
   }
   if (which == 0) return;
   const std::uint32_t angles = 9 + choices.below(choices.one_in(8) ? 4000 : 100), rows = 1 + choices.below(3);
@@ -341,7 +341,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
       far ? sized(choices, member<wrc_rail_state>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.02);
   rail.y_velocity = sized(choices, member<wrc_rail_state>("y_velocity"), 1e-9);
   rail.z_velocity = sized(choices, member<wrc_rail_state>("z_velocity"), 1e-9);
-  rail.roll_velocity = sized(choices, member<wrc_rail_state>("roll_velocity"), 1e-9);
+  rail.roll_rate = sized(choices, member<wrc_rail_state>("roll_rate"), 1e-9);
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
@@ -365,7 +365,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
     input.damping = choices.one_in(2) ? 0.0 : sized(choices, member<wrc_wheel_input>("damping"), 1e-9);
   }
   if (config.roller_curvature != 0.0 && !choices.one_in(4)) {
-    input.roller_velocity = choices.signed_magnitude(1e-9, 2000.0);
+    input.roller_rate = choices.signed_magnitude(1e-9, 2000.0);
     input.distance = choices.signed_magnitude(1e-9, 0.25);
   }
   if (config.rail_sections > 0) {  // near a section, somewhere, or far outside
@@ -373,7 +373,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
                      choices.signed_magnitude(1e-9, 10.0);
     if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
   }
-  if (config.roundness.angles > 0)
+  if (config.roundness.angle_count > 0)
     input.angle = choices.one_in(8) ? anywhere(choices, member<wrc_wheel_input>("angle"))
                                     : choices.between(-10.0, 10.0);
   if (choices.one_in(40)) input.angle = choices.poison();
@@ -489,14 +489,14 @@ void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArr
   poison_one(choices, arrays.y);
   poison_one(choices, arrays.coefficient);
   if (choices.one_in(24)) std::reverse(arrays.y.begin(), arrays.y.end());
-  friction.zones = count;
+  friction.zone_count = count;
   friction.zone_y = arrays.y.data();
-  friction.zone_coefficient = arrays.coefficient.data();
+  friction.zone_coefficients = arrays.coefficient.data();
   friction.zone_frame = static_cast<std::int32_t>(choices.below(3));
 }
 
 double FrictionArrays::most() const {
-  return friction.zones > 0 ? *std::max_element(coefficient.begin(), coefficient.end())
+  return friction.zone_count > 0 ? *std::max_element(coefficient.begin(), coefficient.end())
                             : friction.coefficient;
 }
 

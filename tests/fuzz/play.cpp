@@ -108,7 +108,7 @@ class Case {
     side_ = static_cast<std::int32_t>(choices_.below(2));
     if (size_.shallow && config_.tangential.method == WRC_TANGENTIAL_COARSE_HALFSPACE && !choices_.one_in(16))
       config_.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
-    const std::int32_t status = hand_over([&] { return wrc_model_create(&config_, nullptr, &model_); });
+    const std::int32_t status = hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
     if (status != WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
       expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
@@ -117,7 +117,7 @@ class Case {
       return verdict_;
     }
     verdict_.model_made = true;
-    if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_) == WRC_OK, "a contact can be made"))
+    if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_, nullptr, 0) == WRC_OK, "a contact can be made"))
       return verdict_;
     check_profiles();
 
@@ -126,7 +126,7 @@ class Case {
     for (std::uint32_t i = 0; i < calls; ++i) call();
     const std::vector<double> again = good_step();
     // A warm start may come from another patch: then the last digits depend on the past.
-    if (config_.normal.warm_start == 0)
+    if (config_.planar.start == 0)
       expect(same_bits(good, again), "a later good step gives the same bits");
     return verdict_;
   }
@@ -282,7 +282,7 @@ class Case {
     input.pose = make_pose(choices_);
     GapArrays gap;
     if (!with_pose) {
-      make_gap(choices_, config_.grid.gap_rows, gap);
+      make_gap(choices_, config_.planar.gap_rows, gap);
       input.gap = &gap.gap;
       input.pose = wrc_planar_pose_default();
     }
@@ -316,10 +316,10 @@ class Case {
                std::isfinite(damage.peak_power_density) && std::isfinite(damage.fatigue_index),
            "ellipse and damage of a region are finite");
     expect(std::fabs(ellipse.psi) <= 0.95 && ellipse.a > 0.0 && ellipse.b > 0.0, "an ellipse is one");
-    const auto which = static_cast<std::int32_t>(choices_.below(WRC_REGION_TEMPERATURE_RISE + 1));
-    const auto strips = static_cast<std::size_t>(region.strips),
-               cells = static_cast<std::size_t>(region.cells);
-    const bool of_cells = which < WRC_REGION_STRIP_S || which == WRC_REGION_TEMPERATURE_RISE;
+    const auto which = static_cast<std::int32_t>(choices_.below(WRC_FIELD_TEMPERATURE_RISE + 1));
+    const auto strips = static_cast<std::size_t>(region.strip_count),
+               cells = static_cast<std::size_t>(region.cell_count);
+    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     std::vector<double> values(of_cells ? strips * cells : strips);
     const std::int32_t shown = wrc_contact_region_field(contact_, index, which, values.data(), values.size());
     expect(shown == WRC_OK ||
@@ -343,7 +343,7 @@ class Case {
     expect(all_finite(all), "every output is finite");
     const auto zero = [](double value) { return value == 0.0; };
     if (status < 0) {
-      expect(std::all_of(all.begin(), all.end(), zero) && wrench.regions == 0,
+      expect(std::all_of(all.begin(), all.end(), zero) && wrench.region_count == 0,
              "outputs of a failed call are zero");
       char text[256] = "";
       expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
@@ -353,14 +353,14 @@ class Case {
     expect(wrench.power >= 0.0 && wrench.area >= 0.0 && wrench.peak_pressure >= 0.0 &&
                wrench.normal_force >= 0.0,
            "areas, pressures and power are not negative");
-    expect((wrench.regions > 0) == (status != WRC_FLAG_NO_CONTACT) || status == WRC_FLAG_CLIMBING,
+    expect((wrench.region_count > 0) == (status != WRC_FLAG_NO_CONTACT) || status == WRC_FLAG_CLIMBING,
            "bodies that touch do so in regions");
-    if (wrench.regions == 0) {
+    if (wrench.region_count == 0) {
       expect(std::all_of(wrench.force, wrench.force + 3, zero), "apart there is no force");
     }
     if (wrench.normal_force > 0.0) ++verdict_.solved;
     double force[3] = {};
-    for (std::int32_t i = 0; i < wrench.regions; ++i) {
+    for (std::int32_t i = 0; i < wrench.region_count; ++i) {
       wrc_region region = wrc_region_default();
       expect(wrc_contact_region(contact_, i, &region) == WRC_OK, "every region can be seen");
       expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
@@ -398,7 +398,7 @@ class Case {
   void caller_strips() {
     where_ = "strips of the caller";
     StripArrays strips;
-    make_strips(choices_, config_.grid.strips, strips);
+    make_strips(choices_, config_.planar.strips, strips);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
     make_friction(choices_, config_.tangential.method, given);
@@ -493,7 +493,7 @@ class Case {
   double share_with_friction(std::int32_t patch) const {
     const std::vector<double> friction = field_of_patch(contact_, patch, WRC_FIELD_STRIP_FRICTION),
                               width = field_of_patch(contact_, patch, WRC_FIELD_STRIP_WIDTH),
-                              half_length = field_of_patch(contact_, patch, WRC_FIELD_STRIP_HALF);
+                              half_length = field_of_patch(contact_, patch, WRC_FIELD_STRIP_HALF_LENGTH);
     double area = 0.0, with_friction = 0.0;
     for (std::size_t j = 0; j < friction.size(); ++j) {
       area += width[j] * half_length[j];

@@ -96,13 +96,13 @@ class WrcElement : public Element {
  public:
   WrcElement() {
     wrc_config config = wrc_config_default();
-    config.material.shear_modulus = shear_modulus;
-    config.material.poisson = poisson;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = shear_modulus;
+    config.wheel_material.poisson = config.rail_material.poisson = poisson;
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    if (wrc_model_create(&config, nullptr, &model_) < 0) throw std::runtime_error("no model");
+    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0) throw std::runtime_error("no model");
     for (int side = 0; side < 2; ++side)
-      if (wrc_contact_create(model_, side, nullptr, &contact_[side]) < 0)
+      if (wrc_contact_create(model_, side, nullptr, &contact_[side], nullptr, 0) < 0)
         throw std::runtime_error("no contact");
   }
   ~WrcElement() override {

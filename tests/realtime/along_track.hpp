@@ -28,8 +28,8 @@ struct AlongTrackBodies {
     }
   }
   void give(wrc_config& config) const {
-    config.rail_sections = 7;
-    config.rail_section = section;
+    config.rail_section_count = 7;
+    config.rail_sections = section;
     config.roundness = {angles, 1, angle, nullptr, deviation};
   }
 };

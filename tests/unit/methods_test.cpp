@@ -56,14 +56,14 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
     Option option;
     const char* members;
   } options[] = {{Option::max_iterations, "`config.normal.max_iterations`"},
-                 {Option::max_sweeps, "`config.normal.max_sweeps`"},
+                 {Option::max_sweeps, "`config.planar.max_sweeps`"},
                  {Option::load_tolerance, "`config.normal.load_tolerance`"},
-                 {Option::warm_start, "`config.normal.warm_start`"},
+                 {Option::warm_start, "`config.planar.start`"},
                  {Option::patch_model, "`config.tangential.patch_model`"},
                  {Option::traction_bound, "`config.tangential.bound`"},
                  {Option::flexibility, "`config.tangential.flexibility`"},
                  {Option::force_table, "`config.tangential.force_table`"},
-                 {Option::non_steady, "`config.non_steady`"},
+                 {Option::non_steady, "`config.planar.non_steady`"},
                  {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"}};
   ASSERT_EQ(std::size(options), static_cast<std::size_t>(Option::count));
   std::ifstream file(WRC_DOCS "/embedding.md");

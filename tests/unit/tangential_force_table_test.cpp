@@ -342,7 +342,7 @@ std::string complaint(const std::vector<char>& bytes, std::int32_t status = WRC_
   char text[256];
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), status) << text;
   wrc_model* model = nullptr;
-  EXPECT_EQ(wrc_model_create(&config, nullptr, &model), status);
+  EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), status);
   EXPECT_EQ(model, nullptr);
   return text;
 }
@@ -440,8 +440,8 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   const wrc_config config = configuration(WRC_FORCE_TABLE);
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  ASSERT_EQ(wrc_model_create(&config, nullptr, &model), WRC_OK);
-  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact), WRC_OK);
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
   wrc_ellipse sdec = wrc_ellipse_default();
   sdec.a = patch.a;
   sdec.b = patch.b;
@@ -493,8 +493,8 @@ TEST(ForceTableMethod, WorksInMemoryOfTheCaller) {
   std::size_t room = memory.size();
   ASSERT_NE(std::align(alignment, bytes, start, room), nullptr);
   wrc_model* model = nullptr;
-  EXPECT_EQ(wrc_model_init(&config, start, bytes - 1, &model), WRC_ERROR_BUFFER);
-  EXPECT_EQ(wrc_model_init(&config, start, bytes, &model), WRC_OK);
+  EXPECT_EQ(wrc_model_init(&config, start, bytes - 1, &model, nullptr, 0), WRC_ERROR_BUFFER);
+  EXPECT_EQ(wrc_model_init(&config, start, bytes, &model, nullptr, 0), WRC_OK);
   EXPECT_NE(model, nullptr);
 }
 

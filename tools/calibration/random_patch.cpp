@@ -16,13 +16,13 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.material.shear_modulus = p.shear_modulus;
-  config.material.poisson = p.poisson;
-  config.grid.strips = 48;
+  config.wheel_material.shear_modulus = config.rail_material.shear_modulus = p.shear_modulus;
+  config.wheel_material.poisson = config.rail_material.poisson = p.poisson;
+  config.planar.strips = 48;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  if (wrc_model_create(&config, nullptr, &model) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact) < 0) {
+  if (wrc_model_create(&config, nullptr, &model, nullptr, 0) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0) < 0) {
     throw std::runtime_error("the wheel on the rail cannot be made");
   }
   wrc_planar_pose pose = wrc_planar_pose_default();
@@ -33,7 +33,7 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
   wrc_planar_normal_solution normal{};
   const bool solved = wrc_planar_geometry(contact, &pose, nullptr) == WRC_OK &&
                       wrc_planar_normal(contact, nullptr, &press, &normal) == WRC_OK;
-  if (solved && normal.patches == 1) {
+  if (solved && normal.patch_count == 1) {
     p.a = normal.ellipse.a;
     p.b = normal.ellipse.b;
     p.psi = normal.ellipse.psi;
@@ -46,7 +46,7 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
     };
     for (std::int32_t j = 0; j < normal.strips; ++j) {
       p.strips.push_back({value(WRC_FIELD_STRIP_Y, j), value(WRC_FIELD_STRIP_WIDTH, j),
-                          value(WRC_FIELD_STRIP_CENTRE, j), value(WRC_FIELD_STRIP_HALF, j),
+                          value(WRC_FIELD_STRIP_CENTRE, j), value(WRC_FIELD_STRIP_HALF_LENGTH, j),
                           value(WRC_FIELD_STRIP_PEAK, j)});
     }
   }

@@ -127,9 +127,9 @@ class Timed {
     wrc_config config = wrc_config_default();
     config.tangential.method = method;
     if (method == WRC_TANGENTIAL_FORCE_TABLE) config.tangential.force_table = file;
-    config.grid.strips = config.grid.cells = 32;
-    if (wrc_model_create(&config, nullptr, &model_) < 0 ||
-        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_) < 0) {
+    config.planar.strips = config.planar.cells = 32;
+    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0 ||
+        wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) < 0) {
       std::exit(1);
     }
   }

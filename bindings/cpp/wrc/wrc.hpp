@@ -286,7 +286,7 @@ class model_ref : public detail::model_calls {
   /** wrc_model_init(): in the caller's memory. */
   static expected<model_ref> init(const wrc_config& config, span<std::byte> memory) noexcept {
     wrc_model* made = nullptr;
-    const status how = wrc_model_init(&config, memory.data(), memory.size(), &made);
+    const status how = wrc_model_init(&config, memory.data(), memory.size(), &made, nullptr, 0);
     if (how.failed()) return failure(how);
     return model_ref(made);
   }
@@ -299,7 +299,7 @@ class model : public model_ref {
   /** wrc_model_create(); `allocator` nullptr: malloc and free. */
   static expected<model> make(const wrc_config& config, const wrc_allocator* allocator = nullptr) noexcept {
     model made;
-    const status how = wrc_model_create(&config, allocator, &made.owned_);
+    const status how = wrc_model_create(&config, allocator, &made.owned_, nullptr, 0);
     made.handle_ = made.owned_;
     if (how.failed()) return failure(how);
     return made;
@@ -307,7 +307,7 @@ class model : public model_ref {
 #ifdef WRC_EXCEPTIONS
   /** The same; throws an error with the sentence of wrc_config_check(). */
   explicit model(const wrc_config& config, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_model_create(&config, allocator, &owned_);
+    const status how = wrc_model_create(&config, allocator, &owned_, nullptr, 0);
     handle_ = owned_;
     if (how.failed()) {
       char sentence[512] = "";
@@ -347,7 +347,7 @@ class contact_ref : public detail::contact_calls {
   /** wrc_contact_init(): in the caller's memory. */
   static expected<contact_ref> init(model_ref model, std::int32_t side, span<std::byte> memory) noexcept {
     wrc_contact* made = nullptr;
-    const status how = wrc_contact_init(model.get(), side, memory.data(), memory.size(), &made);
+    const status how = wrc_contact_init(model.get(), side, memory.data(), memory.size(), &made, nullptr, 0);
     if (how.failed()) return failure(how);
     return contact_ref(made);
   }
@@ -369,14 +369,14 @@ class contact : public contact_ref {
   static expected<contact> make(model_ref model, std::int32_t side,
                                 const wrc_allocator* allocator = nullptr) noexcept {
     contact made;
-    const status how = wrc_contact_create(model.get(), side, allocator, &made.handle_);
+    const status how = wrc_contact_create(model.get(), side, allocator, &made.handle_, nullptr, 0);
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
   /** The same; throws an error. */
   contact(model_ref model, std::int32_t side, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_contact_create(model.get(), side, allocator, &handle_);
+    const status how = wrc_contact_create(model.get(), side, allocator, &handle_, nullptr, 0);
     if (how.failed()) detail::raise(nullptr, how);
   }
 #endif

@@ -108,7 +108,7 @@ def test_wrenches_regions_and_their_derivatives(model):
     region = contact.regions()[0]
     assert region.normal_force > 0
     fields = contact.region_fields(0)
-    assert fields["PRESSURE"].shape == (region.cells, region.strips) and fields["STRIP_S"].shape == (region.strips,)
+    assert fields["PRESSURE"].shape == (region.cell_count, region.strip_count) and fields["STRIP_S"].shape == (region.strip_count,)
     assert fields["PRESSURE"].max() == pytest.approx(region.peak_pressure, rel=0.05) and np.isfinite(fields["SLIP_X"]).all()
     portable = contact.save(portable=True)
     other = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact("LEFT")  # another model of an equal configuration

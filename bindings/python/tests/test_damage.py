@@ -103,7 +103,7 @@ def test_sections_rollers_and_check_rails_by_dicts(model):
     contact = wrc.Model(changing).contact()
     load = [-contact.wrench(wrc.WheelInput(wheel={"z": 3e-4}, distance=at)).force[2] for at in (0.01, 1.5)]
     assert load[0] > 1.3 * load[1] > 0  # the rail lies 0.1 mm lower there
-    changing.rail_section = None
+    changing.rail_sections = None
     assert changing.rail_sections == 0 and changing.rail_section == []
     flat = model.contact().wrench(wrc.WheelInput(wheel={"z": 3e-4}))
     roller = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", roller_curvature=1.0).contact().wrench(wrc.WheelInput(wheel={"z": 3e-4}))

@@ -121,7 +121,7 @@ def test_arrays_of_structs_share_memory():
     overwrite(2)
     second = wrc.Input.of(inputs, 2)
     assert second.pose.lateral == 2e-3 and second.load.normal_force == 80e3
-    assert second.friction.zone_coefficient.tolist() == [0.1, 0.3]
+    assert second.friction.zone_coefficients.tolist() == [0.1, 0.3]
     second.pose.lateral = 5e-3
     assert inputs["pose"]["lateral"][2] == 5e-3
 

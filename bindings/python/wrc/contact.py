@@ -392,8 +392,8 @@ def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: i
     threads: 0: as many as there are processors. The bits are the same whatever their number
     progress: called with the fraction done; what it raises ends the sweep
     """
-    if model.config.normal.warm_start:
-        raise ValueError("with normal.warm_start results depend on the order of calls: a sweep has none")
+    if model.config.planar.start:
+        raise ValueError("with planar.start results depend on the order of calls: a sweep has none")
     if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.WheelStart.ANEW).any():
         inputs = inputs.copy()  # the caller's stays what it is
         inputs["start"] = i.WheelStart.ANEW

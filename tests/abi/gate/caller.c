@@ -13,12 +13,12 @@ int main(void) {
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.grid.strips = 40;
+  config.planar.strips = 40;
   config.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model) < 0 ||
-      api->contact_create(model, WRC_SIDE_LEFT, NULL, &contact) < 0)
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
+      api->contact_create(model, WRC_SIDE_LEFT, NULL, &contact, NULL, 0) < 0)
     return 3;
 
   wrc_planar_input input = wrc_planar_input_default();

@@ -269,7 +269,7 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.peak_pressure, wrench.power,
                           wrench.steepest_angle})
       hash.add(number);
-    for (int32_t k = 0; k < wrench.regions; ++k) {
+    for (int32_t k = 0; k < wrench.region_count; ++k) {
       wrc_region region = wrc_region_default();
       hash.add(wrc_contact_region(contact, k, &region));
       for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
@@ -287,7 +287,7 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
-    for (int32_t k = 0; k < wrench.regions; ++k) {
+    for (int32_t k = 0; k < wrench.region_count; ++k) {
       wrc_region region = wrc_region_default();
       wrc_ellipse ellipse = wrc_ellipse_default();
       wrc_damage damage{};
@@ -297,9 +297,9 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
       for (double number : {ellipse.a, ellipse.b, ellipse.psi, ellipse.y, ellipse.normal_force})
         hash.add(number);
       hash_damage(damage, hash);
-      std::vector<double> values(static_cast<std::size_t>(region.strips) *
-                                 static_cast<std::size_t>(region.cells));
-      for (int32_t field = 0; field <= WRC_REGION_STRIP_ANGLE; ++field) {
+      std::vector<double> values(static_cast<std::size_t>(region.strip_count) *
+                                 static_cast<std::size_t>(region.cell_count));
+      for (int32_t field = 0; field <= WRC_FIELD_STRIP_ANGLE; ++field) {
         hash.add(wrc_contact_region_field(contact, k, field, values.data(), values.size()));
         for (double value : values) hash.add(value);
       }
@@ -313,9 +313,9 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 24; ++i) {
     wrc_wheel_input input = wheel_on_rail(i, numbers);
-    input.friction.zones = 4;
+    input.friction.zone_count = 4;
     input.friction.zone_y = zone_y;
-    input.friction.zone_coefficient = zone_coefficient;
+    input.friction.zone_coefficients = zone_coefficient;
     input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wrc_wrench wrench = wrc_wrench_default();
@@ -412,7 +412,7 @@ void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_wheel_input input = wheel_on_rail(i, numbers);
     input.start = i % 4 == 0 ? WRC_START_WARM : WRC_START_COLD;
     input.distance = numbers.between(-5e-3, 5e-3);
-    input.roller_velocity = -input.wheel.angular_velocity[1] * numbers.between(0.99, 1.01);
+    input.roller_rate = -input.wheel.angular_velocity[1] * numbers.between(0.99, 1.01);
     input.frame.speed = i % 2 == 0 ? 0.0 : numbers.between(-2.0, 2.0);
     input.frame.curvature = numbers.between(-0.01, 0.01);
     input.frame.vertical_curvature = numbers.between(-1e-3, 1e-3);
@@ -433,10 +433,10 @@ void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     add_forces(wrench, hash);
-    for (int32_t k = 0; k < wrench.regions; ++k) {
+    for (int32_t k = 0; k < wrench.region_count; ++k) {
       wrc_region region = wrc_region_default();
       hash.add(wrc_contact_region(contact, k, &region));
-      hash.add(region.face);
+      hash.add(region.surface);
       hash.add(region.normal_force);
     }
   }
@@ -510,7 +510,7 @@ void add_plain_calls(Plan& plan) {
     other.rail = plan.profiles[1];
     other.normal.method = normal;
     choose_tangential(other, tangential);
-    other.grid.strips = 28;
+    other.planar.strips = 28;
     other.grid.cells = 16;
     const bool of_normal = tangential == preset_strip_fastsim;
     plan.jobs.push_back(

@@ -59,8 +59,8 @@ wrc_config& add_model(Plan& plan, int32_t normal, int32_t tangential) {
   wrc_config& config = plan.models.emplace_back(wrc_config_default());
   config.normal.method = normal;
   choose_tangential(config, tangential);
-  config.grid.strips = 45;
-  config.grid.cells = 24;
+  config.planar.strips = 45;
+  config.planar.cells = 24;
   return config;
 }
 

@@ -13,9 +13,9 @@ wrc_friction friction_number(int i, int32_t tangential) {
   friction.kind = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(tangential);
-  friction.zones = i % 2 == 1 ? 4 : 0;
+  friction.zone_count = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
-  friction.zone_coefficient = zone_coefficient;
+  friction.zone_coefficients = zone_coefficient;
   friction.zone_frame = i % 4 == 1 ? WRC_ZONES_RAIL_PROFILE : WRC_ZONES_CONTACT_FRAME;
   return friction;
 }
@@ -93,8 +93,8 @@ void add_laws(Plan& plan) {
     wrc_config& config = plan.models.emplace_back(wrc_config_default());
     config.normal.method = WRC_NORMAL_EKP;
     choose_tangential(config, tangential);
-    config.grid.strips = 26;
-    config.grid.cells = 18;
+    config.planar.strips = 26;
+    config.planar.cells = 18;
     config.wheel = plan.profiles[0];
     config.rail = plan.profiles[1];
     const std::vector<Step> steps = steps_with_laws(tangential);
@@ -105,6 +105,6 @@ void add_laws(Plan& plan) {
          }});
   }
   wrc_config& config = plan.models.emplace_back(wrc_config_default());
-  config.non_steady = 1;
+  config.planar.non_steady = 1;
   plan.jobs.push_back({"rolling with memory", plan.models.size() - 1, {}, run_memory});
 }

@@ -90,7 +90,7 @@ void add_methods(Plan& plan) {
   for (int32_t normal = 0; normal < normal_methods; ++normal) {
     wrc_config& config = add_model(plan);
     config.normal.method = normal;
-    config.tangential.regularisation = normal % 2;
+    config.planar.regularisation = normal % 2;
     add_job(plan, std::string("normal ") + normal_names[normal], poses);
   }
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
@@ -101,9 +101,9 @@ void add_methods(Plan& plan) {
       wrc_config& config = add_model(plan);
       config.normal.method = normal;
       choose_tangential(config, tangential);
-      config.grid.strips = 28;
-      config.grid.cells = 16;
-      config.grid.gap_rows = 128;
+      config.planar.strips = 28;
+      config.planar.cells = 16;
+      config.planar.gap_rows = 128;
       add_job(plan, group, few);
     }
     for (int32_t bound : {WRC_BOUND_PARABOLIC, WRC_BOUND_ELLIPTIC}) {
@@ -113,8 +113,8 @@ void add_methods(Plan& plan) {
       config.tangential.bound = bound;
       if (wrc_config_check(&config, nullptr, 0) != WRC_OK)
         config.tangential.bound = WRC_BOUND_PARABOLIC;  // the method has a bound of its own
-      config.grid.strips = 37;
-      config.grid.cells = 21;
+      config.planar.strips = 37;
+      config.planar.cells = 21;
       add_job(plan, group, few);
     }
   }
@@ -143,7 +143,7 @@ void add_creepages(Plan& plan) {
   for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
     wrc_config& config = add_model(plan);
     choose_tangential(config, tangential);
-    config.material.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
+    config.wheel_material.poisson = config.rail_material.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
     // Contacts of one model, so that threads have something to share.
     for (std::size_t first = 0; first < steps.size(); first += 7)
       add_job(plan, "creepage",
@@ -159,8 +159,8 @@ void add_grids(Plan& plan) {
     for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
       wrc_config& config = add_model(plan);
       choose_tangential(config, tangential);
-      config.grid.strips = strips;
-      config.grid.cells = cells;
+      config.planar.strips = strips;
+      config.planar.cells = cells;
       add_job(plan, "grids", {poses[0], poses[3]});
     }
   }
@@ -168,7 +168,7 @@ void add_grids(Plan& plan) {
 
 void add_warm_start(Plan& plan) {
   wrc_config& config = add_model(plan);
-  config.normal.warm_start = 1;
+  config.planar.start = WRC_START_WARM;
   std::vector<Step> steps;
   for (int i = 0; i < 24; ++i) {
     Step step = at(0.3e-3 * i - 1e-3, 0.0, 0.4e-3 * i, 80e3 + 1e3 * (i % 5));

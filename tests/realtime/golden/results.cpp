@@ -63,7 +63,7 @@ void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& ou
   hash_forces(output.forces, hash);
   hash_damage(output.damage, hash);
   hash_fields(contact, hash);
-  for (int32_t k = 0; k < output.normal.patches; ++k) {
+  for (int32_t k = 0; k < output.normal.patch_count; ++k) {
     wrc_patch one = wrc_patch_default();
     if (wrc_contact_patch(contact, k, &one) < 0) break;
     hash_loaded(output.normal, one.strips, one.ellipse, one.ellipse.normal_force,

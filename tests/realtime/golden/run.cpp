@@ -8,7 +8,7 @@ Models::Models(const Plan& plan, int32_t instruction_set) {
   for (wrc_config config : plan.models) {
     config.instruction_set = instruction_set;
     wrc_model* model = nullptr;
-    if (wrc_model_create(&config, nullptr, &model) < 0) {
+    if (wrc_model_create(&config, nullptr, &model, nullptr, 0) < 0) {
       char text[256];
       wrc_config_check(&config, text, sizeof text);
       for (wrc_model* made_before : models_) wrc_model_destroy(made_before);
@@ -28,7 +28,7 @@ namespace {
 class Running {
  public:
   Running(const Job& job, const wrc_model* model) : job_(&job) {
-    if (wrc_contact_create(model, job.side, nullptr, &contact_) < 0) throw std::runtime_error("no contact");
+    if (wrc_contact_create(model, job.side, nullptr, &contact_, nullptr, 0) < 0) throw std::runtime_error("no contact");
   }
   ~Running() { wrc_contact_destroy(contact_); }
   Running(Running&& other) noexcept : hash(other.hash), job_(other.job_), contact_(other.contact_) {
@@ -127,7 +127,7 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
     if (each.job().calls) each.job().calls(each.contact(), each.hash);
     if (each.job().calls_of_both) {
       wrc_contact* left = nullptr;
-      if (wrc_contact_create(models[each.job().model], WRC_SIDE_LEFT, nullptr, &left) < 0)
+      if (wrc_contact_create(models[each.job().model], WRC_SIDE_LEFT, nullptr, &left, nullptr, 0) < 0)
         throw std::runtime_error("no contact");
       each.job().calls_of_both(each.contact(), left, each.hash);
       wrc_contact_destroy(left);

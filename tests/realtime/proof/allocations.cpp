@@ -75,10 +75,10 @@ struct Outcome {
 int32_t create_all(const wrc_config& config, const wrc_allocator* allocator, bool& left_a_handle) {
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  int32_t status = wrc_model_create(&config, allocator, &model);
+  int32_t status = wrc_model_create(&config, allocator, &model, nullptr, 0);
   left_a_handle = status < 0 && model != nullptr;
   if (status >= 0) {
-    status = wrc_contact_create(model, WRC_SIDE_RIGHT, allocator, &contact);
+    status = wrc_contact_create(model, WRC_SIDE_RIGHT, allocator, &contact, nullptr, 0);
     left_a_handle = status < 0 && contact != nullptr;
   }
   wrc_contact_destroy(contact);

@@ -42,9 +42,9 @@ constexpr Case cases[] = {
        static const double zone_y[] = {-1e-3, 1e-3};
        static double zone_coefficient[] = {0.3, 0.0};
        zone_coefficient[1] = tiny;
-       wheel.friction.zones = 2;
+       wheel.friction.zone_count = 2;
        wheel.friction.zone_y = zone_y;
-       wheel.friction.zone_coefficient = zone_coefficient;
+       wheel.friction.zone_coefficients = zone_coefficient;
      }},
     {"damping", false,
      [](Wheel& wheel, Gap&, double tiny) {

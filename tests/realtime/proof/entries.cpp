@@ -194,7 +194,7 @@ int32_t portable_state(Wheel& wheel) {
 /// A contact in the wheel's spare memory.
 int32_t contact_init(Wheel& wheel) {
   wrc_contact* another = nullptr;
-  return wrc_contact_init(wheel.model, wheel.methods.side, wheel.spare, wheel.contact_bytes, &another);
+  return wrc_contact_init(wheel.model, wheel.methods.side, wheel.spare, wheel.contact_bytes, &another, nullptr, 0);
 }
 
 int32_t regularise_strips(Wheel& wheel) {
@@ -305,8 +305,8 @@ struct AlongTrack {
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 0.025;
     bodies.give(config);
-    wrc_model_create(&config, nullptr, &model);
-    wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact);
+    wrc_model_create(&config, nullptr, &model, nullptr, 0);
+    wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
   }
   ~AlongTrack() {
     wrc_contact_destroy(contact);
@@ -350,7 +350,7 @@ int32_t wheel_region_results(Wheel& wheel) {
   if (status >= 0) status = of(wrc_contact_region_damage(wheel.contact, 0, &damage));
   wrc_temperature temperature = wrc_temperature_default();
   if (status >= 0) status = of(wrc_contact_region_temperature(wheel.contact, 0, nullptr, &temperature));
-  for (int32_t field = 0; status >= 0 && field <= WRC_REGION_TEMPERATURE_RISE; ++field)
+  for (int32_t field = 0; status >= 0 && field <= WRC_FIELD_TEMPERATURE_RISE; ++field)
     status = of(wrc_contact_region_field(wheel.contact, 0, field, values, 256 * 32));
   // Methods that give forces alone have no damage and fields over a region.
   return wheel.methods.tangential != preset_strip_fastsim && status == WRC_ERROR_UNSUPPORTED ? WRC_OK

@@ -147,7 +147,7 @@ class EightWheels : public Subject {
     wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_planar_input), outputs_.data(),
                            sizeof(wrc_planar_output), nullptr);
     ++cycles_;
-    for (const wrc_planar_output& output : outputs_) patches_ += output.normal.patches;
+    for (const wrc_planar_output& output : outputs_) patches_ += output.normal.patch_count;
   }
   void save() override {
     for (const auto& wheel : wheels_) wheel->save();

@@ -23,7 +23,7 @@ bool prove_restore() {
   for (const Methods& methods : all_methods()) {
     Wheel wheel(methods);
     wrc_contact* second = nullptr;
-    if (wrc_contact_create(wheel.model, wheel.methods.side, nullptr, &second) < 0) return false;
+    if (wrc_contact_create(wheel.model, wheel.methods.side, nullptr, &second, nullptr, 0) < 0) return false;
     for (int i = 0; i < 20; ++i) {
       wheel.save();
       const std::uint64_t first_time = hash_of_step(wheel, 401 * i);

@@ -32,7 +32,7 @@ void refuse_configuration() {
   wrc_config config = wrc_config_default();
   char text[256];
   for (double wrong : {std::numeric_limits<double>::signaling_NaN(), 1.0 / 3.0, 1e300}) {
-    config.material.shear_modulus = wrong;
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = wrong;
     wrc_config_check(&config, text, sizeof text);
   }
 }

@@ -44,25 +44,25 @@ Wheel::Wheel(const Methods& with) : methods(with) {
   wrc_config config = wrc_config_default();
   config.normal.method = methods.normal;
   choose_tangential(config, methods.tangential);
-  config.grid.strips = methods.strips;
-  config.grid.cells = methods.cells;
+  config.planar.strips = methods.strips;
+  config.planar.cells = methods.cells;
   config.instruction_set = methods.instruction_set;
   config.tangential.bound = methods.bound;
   config.tangential.flexibility = methods.flexibility;
-  config.normal.warm_start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
+  config.planar.start = methods.normal == WRC_NORMAL_STRIP_HALFSPACE ? 1 : 0;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   std::uint64_t alignment = 0, state_bytes = 0;
-  if (wrc_model_create(&config, nullptr, &model) < 0 ||
-      wrc_contact_create(model, methods.side, nullptr, &contact) < 0 ||
+  if (wrc_model_create(&config, nullptr, &model, nullptr, 0) < 0 ||
+      wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0) < 0 ||
       wrc_contact_size(model, &contact_bytes, &alignment) < 0 ||
       wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
   wrc_config of_memory = wrc_config_default();
   of_memory.non_steady = 1;
   of_memory.instruction_set = methods.instruction_set;
-  if (wrc_model_create(&of_memory, nullptr, &remembering_model) < 0 ||
-      wrc_contact_create(remembering_model, methods.side, nullptr, &remembering) < 0)
+  if (wrc_model_create(&of_memory, nullptr, &remembering_model, nullptr, 0) < 0 ||
+      wrc_contact_create(remembering_model, methods.side, nullptr, &remembering, nullptr, 0) < 0)
     throw std::runtime_error("no model that remembers");
   state.resize(state_bytes);
   spare_memory_.resize(contact_bytes + alignment);
@@ -94,9 +94,9 @@ void Wheel::vary_laws(int i) {
   friction.kind = i % 3;
   friction.slope_reduction = i % 5 == 4 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(methods.tangential);
-  friction.zones = i % 2 == 1 ? 4 : 0;
+  friction.zone_count = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
-  friction.zone_coefficient = zone_coefficient;
+  friction.zone_coefficients = zone_coefficient;
   friction.zone_frame = i % 7 < 3   ? WRC_ZONES_RAIL_PROFILE
                         : i % 7 < 5 ? WRC_ZONES_WHEEL_PROFILE
                                     : WRC_ZONES_CONTACT_FRAME;

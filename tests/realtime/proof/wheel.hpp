@@ -59,7 +59,7 @@ class Wheel {
   const Methods methods;
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
-  wrc_model* remembering_model = nullptr;  ///< one with config.non_steady, without profiles
+  wrc_model* remembering_model = nullptr;  ///< one with config.planar.non_steady, without profiles
   wrc_contact* remembering = nullptr;
   wrc_planar_input input = wrc_planar_input_default();
   wrc_planar_pose& pose = input.pose;
