@@ -40,7 +40,7 @@ extern "C" int32_t wrc_contact_stresses(wrc_contact* handle, int32_t body, const
   const wrc::Fault of_count = abi::check(count, "count", "", 1.0, abi::most_depths);
   const std::uint32_t known = of_count.failed() ? 0 : count;
   for (std::uint32_t k = 0; levels != nullptr && k < known; ++k) levels[k] = {};
-  return abi::call(handle, abi::clear(stresses), [&](wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(stresses), [&](wrc::Contact& contact) {
     wrc::Fault outcome = of_count;
     if (!outcome.failed()) outcome = abi::check_depths(body, depths, count);
     if (outcome.failed()) return outcome;

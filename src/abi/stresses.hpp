@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "damage/stress.hpp"
-#include "wrc/wrc.h"
+#include "wrc/wrc_damage.h"
 
 namespace wrc::abi {
 
 inline wrc_stress_peaks peaks_of(const StressPeaks& found) {
-  const auto one = [](const StressPeak& peak) { return wrc_stress_peak{peak.value, peak.x, peak.y, peak.z}; };
-  return {one(found.von_mises), one(found.shear), one(found.tension)};
+  const auto one = [](const StressPeak& peak) { return wrc_stress_peak{peak.value, peak.x, peak.y, peak.z, {}}; };
+  return {one(found.von_mises), one(found.shear), one(found.tension), {}};
 }
 
 /// `body`: enum wrc_body.

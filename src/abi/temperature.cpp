@@ -50,7 +50,7 @@ extern "C" {
 int32_t wrc_contact_temperature(wrc_contact* handle, const wrc_bulk_temperatures* bulk,
                                 wrc_temperature* temperature) {
   namespace abi = wrc::abi;
-  return abi::call(handle, abi::clear(temperature), [&](wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(temperature), [&](wrc::Contact& contact) {
     wrc_bulk_temperatures ours;
     wrc::TemperatureNumbers numbers;
     wrc::Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);

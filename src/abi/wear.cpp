@@ -65,7 +65,7 @@ Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& la
 
 extern "C" int32_t wrc_contact_wear(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
   namespace abi = wrc::abi;
-  return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(wear), [&](wrc::Contact& contact) {
     wrc::WearLaws ours;
     wrc::WearNumbers numbers;
     wrc::Fault outcome = abi::read_wear_laws(laws, "laws", ours);

@@ -239,7 +239,7 @@ Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes
 }
 
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
-  return call(handle, clear(wrench), [&](Contact& contact) {
+  return call("wrc_contact_wrench", handle, clear(wrench), [&](Contact& contact) {
     const Fault outcome = solve(contact, input);
     if (!outcome.failed()) write(wrench_of(contact.wheel), wrench);
     return outcome;
@@ -260,7 +260,7 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
 int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input,
                                          wrc_wrench* wrench, wrc_wrench_derivatives* sensitivities) {
   return abi::call(
-      handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}), [&](wrc::Contact& contact) {
+      __func__, handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}), [&](wrc::Contact& contact) {
         wrc::HostedSlopes slopes;
         const wrc::Fault outcome = abi::solve(contact, input, sensitivities == nullptr ? nullptr : &slopes);
         if (outcome.failed()) return outcome;
@@ -355,7 +355,7 @@ int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, c
 
 int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* out) {
   if (out != nullptr) std::fill_n(out, WRC_FLAT_WHEEL_OUTPUTS, 0.0);
-  return abi::call(handle, {}, [&](wrc::Contact& contact) -> wrc::Fault {
+  return abi::call(__func__, handle, {}, [&](wrc::Contact& contact) -> wrc::Fault {
     if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
     if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
     for (const int32_t k : {0, 18}) {

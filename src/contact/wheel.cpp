@@ -118,7 +118,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   const bool same_everywhere = surface.varying.faces == 0 || model.options.check_rail;
   if (hosted.distance != 0.0 && same_everywhere && !roller)
     return not_read("input.distance", hosted.distance, "m",
-                    "the rail is the same everywhere: give config.rail_section, or leave it 0");
+                    "the rail is the same everywhere: give config.rail_sections, or leave it 0");
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
     return not_read("input.angle", hosted.angle, "rad",
                     "the wheel is round: give config.roundness, or leave it 0");
@@ -188,7 +188,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   }
   if (model.options.non_steady) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.non_steady",
+            .field = "config.planar.non_steady",
             .cause = "wrc_contact_wrench rolls steadily: use a model without it"};
   }
 
@@ -200,7 +200,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state,
                               array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr,
                               slopes ? &by_track : nullptr);
-  const bool touching = wrench.regions > 0 || fault.status == WRC_FLAG_CLIMBING;
+  const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
     if (fault.failed()) return fault;

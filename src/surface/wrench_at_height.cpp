@@ -334,7 +334,7 @@ constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
                             .field = "contact behind the flange's tip",
                             .cause =
                                 "the flange's back is against the rail's field side: is the wheel beside "
-                                "its rail (input.wheel.y, config.wheelset.flange_back_distance)?"};
+                                "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?"};
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
