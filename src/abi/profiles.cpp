@@ -61,7 +61,7 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
   const Fault fault = first_of({read(conicity, "conicity", into), read(theirs, "problem", problem)});
   if (fault.failed()) return fault;
   for (double* each : {into.conicity, into.wavelength, into.centre})
-    if (each != nullptr) std::fill_n(each, problem.amplitudes, 0.0);
+    if (each != nullptr) std::fill_n(each, problem.amplitude_count, 0.0);
   for (std::uint32_t i = 1; i < problem.count; ++i) {
     if (!(problem.lateral[i] > problem.lateral[i - 1]))
       return {.status = WRC_ERROR_RANGE,
