@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
     if (random() % 4 == 0) {
-      c.input.friction.kind = WRC_FRICTION_FALLING;
+      c.input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
       c.input.friction.kinetic_ratio = 0.4;
       c.input.friction.fall_rate = between(0.1, 1.0);
     } else if (random() % 4 == 0) {
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
     if (heated) {
       c.input.friction = wrc_friction_default();
       c.input.friction.coefficient = 0.4;
-      c.input.friction.kind = WRC_FRICTION_TEMPERATURE;
+      c.input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     }
     // the height for a load, as if without friction: that always has an equilibrium
     wrc_wrench wrench = wrc_wrench_default();

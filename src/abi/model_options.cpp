@@ -136,8 +136,8 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
        static_cast<double>(untouched.tangential.bound)},
       {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
        static_cast<double>(untouched.tangential.flexibility)},
-      {Option::non_steady, "config.planar.non_steady", static_cast<double>(config.planar.non_steady),
-       static_cast<double>(untouched.non_steady)},
+      {Option::non_steady, "config.planar.non_steady", static_cast<double>(planar.non_steady),
+       static_cast<double>(untouched.planar.non_steady)},
   };
   const auto read = [&](Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);

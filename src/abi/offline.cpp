@@ -447,12 +447,12 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (fault.failed()) return fault;
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
-  if (placed.problem.law && placed.problem.law->fall == FrictionLaw::Fall::heat) {
+  if (placed.problem.law && placed.problem.law->heated()) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.kind",
-            .value = static_cast<double>(WRC_FRICTION_TEMPERATURE),
+            .field = "input.friction.temperature_law",
+            .value = static_cast<double>(WRC_TEMPERATURE_LAW_LINEAR),
             .unit = "",
-            .cause = "the exact solution has no temperatures: take another law"};
+            .cause = "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE"};
   }
   const SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;

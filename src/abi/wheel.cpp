@@ -123,7 +123,7 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
 Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
-  hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
+  hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
   if (fault.failed()) return fault;

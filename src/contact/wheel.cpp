@@ -148,7 +148,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   problem.vertical_load = hosted.vertical_load;
   const FrictionLaw& law = hosted.friction.law;
   problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
-  if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
+  if (!law.is_one_number()) problem.law = &law;
   problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;

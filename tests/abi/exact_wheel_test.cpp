@@ -149,7 +149,7 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
 /// A wheel that slides as a whole by a fifth of its speed: Polach's law at the speed of sliding.
 TEST_F(ExactWheel, FrictionFallsWithTheSlidingSpeed) {
   friction = wrc_friction_default();
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   const double sliding = 4.0, A = friction.kinetic_ratio, B = friction.fall_rate;
   wheel.angular_velocity[1] *= 0.8;
   prescribe_height();
@@ -164,7 +164,7 @@ TEST_F(ExactWheel, FrictionFallsWithTheSlidingSpeed) {
 /// x, yaw and the turning about y and z change sign in a mirror across the axle.
 TEST_F(ExactWheel, BackwardsIsTheMirrorImageOfForwards) {
   friction = wrc_friction_default();
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   wheel.y = 5e-3;
   wheel.yaw = 4e-3;
   wheel.velocity[1] = 0.02;
@@ -276,9 +276,9 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   expect(WRC_ERROR_UNSUPPORTED, {"options.influence = 2", "WRC_INFLUENCE_TURNED (0), _PLAIN (1)"});
   options.influence = WRC_INFLUENCE_TURNED;
   friction = wrc_friction_default();
-  friction.slope_fall = 0.5;
-  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.slope_fall = 0.5", "WRC_TANGENTIAL_FASTSIM"});
-  friction.slope_fall = 0.0;
+  friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.temperature_law = 1", "no temperatures"});
+  friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;
   wheel.y = 0.2;
   expect(WRC_ERROR_LOAD, {"input.vertical_load", "80000 N", "no rail"});
   wheel.y = 0.0;

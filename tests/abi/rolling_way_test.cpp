@@ -68,7 +68,7 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
 };
 
 TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   for (int32_t method = 0; method < tangential_methods; ++method) {
     create_with(method);
     for (const double size : {0.2, 1.0, 30.0}) {

@@ -792,11 +792,11 @@ TEST_F(WheelOnRail, FrictionMayDependOnThePlaceAndOnTheSlidingSpeed) {
   // a wheel that skids: friction at its sliding speed, w = V per cent of slip
   wheel.angular_velocity[1] *= 1.1;
   const double before = solved().force[0];
-  friction.kind = WRC_FRICTION_STATIC_KINETIC;
+  friction.speed_law = WRC_SPEED_LAW_HYPERBOLIC;
   friction.kinetic_ratio = 0.5;
   friction.half_speed = 1e-6;
   EXPECT_NEAR(solved().force[0], 0.5 * before, 0.01 * std::abs(before));
-  friction.kind = WRC_FRICTION_CONSTANT;
+  friction.speed_law = WRC_SPEED_LAW_NONE;
 }
 
 /// A greased flange and a dry tread: zones on the wheel go with it, and where one region is in contact they

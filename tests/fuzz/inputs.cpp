@@ -346,11 +346,12 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   if (choices.one_in(3)) rail = wrc_rail_state_default();
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(6) && friction.coefficient > 0.0) {
-    friction.kind = WRC_FRICTION_TEMPERATURE;
+    friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     friction.hot_ratio = choices.between(0.0, 1.0);
     friction.hot_temperature = choices.between(0.0, 1000.0);
     friction.bulk.rail = choices.between(-273.0, 2000.0);
   }
+  if (choices.one_in(4)) friction.speed_law = 1 + static_cast<std::int32_t>(choices.below(2));
   input.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(4)) {
     input.frame.speed = sized(choices, member<wrc_frame_motion>("speed"), 1e-9);
@@ -448,30 +449,25 @@ wrc_creepage make_creepage(Choices& choices) {
   return creepage;
 }
 
-void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& arrays) {
+void make_friction(Choices& choices, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
   friction = wrc_friction_default();
   friction.coefficient =
       choices.one_in(40) ? choices.poison() : sized(choices, member<wrc_friction>("coefficient"));
-  friction.kind = static_cast<std::int32_t>(choices.below(4));
-  if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 4 : -1;
-  // What neither the kind nor the method reads is refused: seldom here.
-  const bool stray = choices.one_in(16);
-  const bool heat = friction.kind == WRC_FRICTION_TEMPERATURE;
-  if (stray || heat) {
-    friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
-    friction.hot_temperature = choices.between(0.0, 1000.0);
-    if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
-  }
-  if (stray || (friction.kind != WRC_FRICTION_CONSTANT && !heat))
-    friction.kinetic_ratio =
-        choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
-  if (stray || friction.kind == WRC_FRICTION_FALLING)
-    friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
-  if (stray || friction.kind == WRC_FRICTION_STATIC_KINETIC)
-    friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
+  friction.speed_law = static_cast<std::int32_t>(choices.below(3));
+  friction.temperature_law = choices.one_in(4) ? WRC_TEMPERATURE_LAW_LINEAR : WRC_TEMPERATURE_LAW_NONE;
+  if (choices.one_in(40)) friction.speed_law = choices.one_in(2) ? 3 : -1;
+  if (choices.one_in(40)) friction.temperature_law = choices.one_in(2) ? 2 : -1;
+  // with members of laws that are not chosen
+  friction.kinetic_ratio =
+      choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
+  friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
+  friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
+  friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
+  friction.hot_temperature = choices.between(0.0, 1000.0);
+  if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
   if (choices.one_in(2)) friction.slope_reduction = sized(choices, member<wrc_friction>("slope_reduction"));
-  if (stray || (tangential_method == WRC_TANGENTIAL_FASTSIM && choices.one_in(2))) {
+  if (choices.one_in(2)) {
     friction.slope_limit =
         choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_limit"), 1e-6);
     friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_fall"), 1e-6);

@@ -289,7 +289,7 @@ class Case {
     input.load = make_load(choices_);
     input.creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     input.friction = given.friction;
     wrc_planar_output results = wrc_planar_output_default();
     const std::int32_t status = hand_over([&] { return wrc_planar_step(contact_, &input, &results); });
@@ -386,7 +386,7 @@ class Case {
     const wrc_ellipse ellipse = make_ellipse(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     const wrc_friction& friction = given.friction;
     wrc_planar_output results = wrc_planar_output_default();
     std::int32_t status = hand_over(
@@ -401,7 +401,7 @@ class Case {
     make_strips(choices_, config_.planar.strips, strips);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     const wrc_friction& friction = given.friction;
     wrc_planar_output results = wrc_planar_output_default();
     std::int32_t status =
@@ -423,7 +423,7 @@ class Case {
       const wrc_planar_load load = make_load(choices_);
       const wrc_creepage creepage = make_creepage(choices_);
       FrictionArrays given;
-      make_friction(choices_, config_.tangential.method, given);
+      make_friction(choices_, given);
       const wrc_friction& friction = given.friction;
       wrc_planar_output results = wrc_planar_output_default();
       std::int32_t status = WRC_OK;

@@ -176,7 +176,7 @@ void run_heated(wrc_contact* contact, Hash& hash) {
     input.creepage.longitudinal = 6e-3;
     input.creepage.spin = -0.4;
     input.creepage.speed = 55.0;
-    input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     input.friction.bulk.wheel = 80.0;
     wrc_planar_output output = wrc_planar_output_default();
     const int32_t status = wrc_planar_step(contact, &input, &output);
@@ -330,12 +330,13 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
-/// Whose friction falls with the temperature it makes.
-void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
+/// Whose friction falls with the temperature it makes, and by the speed laws in turn with the sliding speed.
+void run_heated_wheels(bool by_speed, wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 24; ++i) {
     wrc_wheel_input input = wheel_on_rail(i, numbers);
-    if (input.friction.coefficient > 0.0) input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    if (input.friction.coefficient > 0.0) input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+    if (by_speed) input.friction.speed_law = i % 4 < 2 ? WRC_SPEED_LAW_EXPONENTIAL : WRC_SPEED_LAW_HYPERBOLIC;
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     wrc_wrench wrench = wrc_wrench_default();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
@@ -484,7 +485,15 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
-  plan.jobs.push_back({"wheel on rail, friction over temperature", model, {}, {}, run_heated_wheels});
+  for (const bool by_speed : {false, true}) {
+    plan.jobs.push_back({by_speed ? "friction factors" : "wheel on rail, friction over temperature",
+                         model,
+                         {},
+                         {},
+                         [by_speed](wrc_contact* right, wrc_contact* left, Hash& hash) {
+                           run_heated_wheels(by_speed, right, left, hash);
+                         }});
+  }
   plan.jobs.push_back({"wheel on rail, zones on the wheel", model, {}, {}, run_greased_wheels});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});

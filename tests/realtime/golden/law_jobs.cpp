@@ -7,10 +7,10 @@ namespace {
 constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3};
 constexpr double zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
 
-/// Friction number i: the three kinds in turn, every other time with zones, in the one frame and the other.
+/// Friction number i: the speed laws in turn, every other time with zones, in the one frame and the other.
 wrc_friction friction_number(int i, int32_t tangential) {
   wrc_friction friction = wrc_friction_default();
-  friction.kind = i % 3;
+  friction.speed_law = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(tangential);
   friction.zone_count = i % 2 == 1 ? 4 : 0;
@@ -38,6 +38,15 @@ std::vector<Step> steps_with_laws(int32_t tangential) {
     step.creepage.speed = 40.0;
     step.friction = friction_number(i, tangential);
     steps.push_back(step);
+  }
+  return steps;
+}
+
+/// The same with both factors.
+std::vector<Step> with_temperature(std::vector<Step> steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    steps[i].friction.speed_law = i % 2 == 0 ? WRC_SPEED_LAW_EXPONENTIAL : WRC_SPEED_LAW_HYPERBOLIC;
+    steps[i].friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   }
   return steps;
 }
@@ -99,6 +108,8 @@ void add_laws(Plan& plan) {
     config.rail = plan.profiles[1];
     const std::vector<Step> steps = steps_with_laws(tangential);
     plan.jobs.push_back({"friction", plan.models.size() - 1, steps, {}});
+    if (presets[tangential].method != WRC_TANGENTIAL_FORCE_TABLE)  // it has no tractions that heat
+      plan.jobs.push_back({"friction factors", plan.models.size() - 1, with_temperature(steps), {}});
     plan.jobs.push_back(
         {"sensitivities", plan.models.size() - 1, {}, [steps](wrc_contact* contact, Hash& hash) {
            run_sensitivities(steps, contact, hash);

@@ -274,7 +274,8 @@ int32_t wheel_step(Wheel& wheel) {
 
 int32_t wheel_heated(Wheel& wheel) {
   wrc_wheel_input input = wheel_input(wheel);
-  input.friction.kind = WRC_FRICTION_TEMPERATURE;
+  input.friction.speed_law = wheel.friction.speed_law;
+  input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   wrc_wrench wrench = wrc_wrench_default();
   wrc_wrench_derivatives found{};
   int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);

@@ -91,7 +91,7 @@ void Wheel::vary(int i) {
 
 void Wheel::vary_laws(int i) {
   static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
-  friction.kind = i % 3;
+  friction.speed_law = i % 3;
   friction.slope_reduction = i % 5 == 4 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(methods.tangential);
   friction.zone_count = i % 2 == 1 ? 4 : 0;
