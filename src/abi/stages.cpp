@@ -1,13 +1,13 @@
-/// The stages, the step and the field views: arguments checked and translated, outputs zeroed on failure.
+/// The stages and the step: arguments checked and translated, outputs zeroed on failure.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "abi/results.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
-#include "contact/fields.hpp"
 #include "wrc/wrc_planar.h"
 
 namespace wrc::abi {
@@ -175,16 +175,6 @@ wrc_planar_point point_of(const Contact& contact) {
   return ours;
 }
 
-/// The equivalent double ellipse of one patch, with its load.
-wrc_ellipse ellipse_of(const Patch& patch) {
-  return {.a = patch.sdec.a,
-          .b = patch.sdec.b,
-          .psi = patch.sdec.psi,
-          .y = patch.y_contact,
-          .normal_force = patch.extent.normal_force,
-          .reserved = {}};
-}
-
 wrc_planar_normal_solution normal_of(const Contact& contact) {
   wrc_planar_normal_solution ours{};
   ours.approach = contact.normal.approach;
@@ -193,7 +183,8 @@ wrc_planar_normal_solution normal_of(const Contact& contact) {
   ours.patch_count = contact.patches;
   ours.strip_count = contact.strips;
   ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
-  ours.ellipse = ellipse_of(contact.patch[contact.main_patch]);
+  const Patch& main = contact.patch[contact.main_patch];
+  ours.ellipse = ellipse_of(main.sdec, main.y_contact, main.extent.normal_force);
   ours.normal_force = extent.normal_force;
   ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
   ours.stiffness = contact.normal.stiffness;
@@ -226,56 +217,6 @@ wrc_planar_forces forces_of(const Contact& contact, const TangentialForces& forc
 
 wrc_planar_forces forces_of(const Contact& contact) {
   return forces_of(contact, contact.forces, contact.extent.normal_force);
-}
-
-/// One patch; its place is in the track frame, where the contact plane is the tangent plane at the contact
-/// point.
-wrc_patch patch_of(const Contact& contact, const Patch& patch) {
-  wrc_patch ours = empty<wrc_patch>();
-  ours.strips = patch.count;
-  ours.ellipse = ellipse_of(patch);
-  if (contact.reached >= Stage::tangential)
-    ours.forces = forces_of(contact, patch.forces, patch.extent.normal_force);
-  ours.peak_pressure = patch.extent.peak_pressure;
-  ours.area = patch.extent.area;
-  ours.length = patch.extent.length;
-  ours.width = patch.extent.y_max - patch.extent.y_min;
-  ours.y_min = patch.extent.y_min;
-  ours.y_max = patch.extent.y_max;
-  if (contact.posed && contact.pressed) {
-    const auto [sine, cosine] = sine_cosine(contact.point.angle);
-    ours.available = WRC_AVAILABLE_PLACE;
-    ours.point[0] = contact.point.x;
-    ours.point[1] = contact.point.y + cosine * patch.y_contact;
-    ours.point[2] = contact.point.z + sine * patch.y_contact;
-    ours.normal[1] = -sine;
-    ours.normal[2] = cosine;
-  }
-  return ours;
-}
-
-/// A result with the flags of the call that made it.
-template <typename Result>
-Result with_flags(Result result, const Fault& outcome) {
-  result.flags = outcome.all_flags();
-  return result;
-}
-
-wrc_damage damage_of(const Contact& contact) {
-  wrc_damage ours{};
-  if (!contact.touching) return ours;
-  ours.power = contact.damage.power;
-  ours.t_gamma = contact.damage.t_gamma;
-  ours.t_gamma_no_spin = contact.damage.t_gamma_no_spin;
-  ours.utilisation = contact.damage.utilisation;
-  ours.load_factor = contact.damage.load_factor;
-  ours.shakedown_limit = contact.damage.shakedown_limit;
-  ours.fatigue_index = contact.damage.fatigue_index;
-  ours.available = of_tractions(contact);
-  if (ours.available == 0) return ours;
-  ours.peak_power_density = contact.damage.peak_power_density;
-  ours.local_fatigue_index = contact.damage.local_fatigue_index;
-  return ours;
 }
 
 // ----------------------------------------------------------------------------------------------------------
@@ -312,7 +253,7 @@ std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar
     ours.flags = outcome.all_flags();
     ours.normal = with_flags(normal_of(contact), outcome);
     ours.forces = with_flags(forces_of(contact), outcome);
-    ours.damage = damage_of(contact);
+    if (contact.touching) ours.damage = damage_of(contact.damage, gives_fields(contact));
     write(ours, output);
     return outcome;
   });
@@ -425,50 +366,8 @@ int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, c
   });
 }
 
-int32_t wrc_contact_damage(wrc_contact* handle, wrc_damage* damage) {
-  return abi::call(__func__, handle, abi::clear(damage), [&](Contact& contact) {
-    const Fault outcome = wrc::assess_damage(contact);
-    if (!outcome.failed()) abi::write(abi::damage_of(contact), damage);
-    return outcome;
-  });
-}
-
 int32_t wrc_planar_step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
   return abi::step(handle, input, output);
-}
-
-int32_t wrc_contact_patch(const wrc_contact* handle, int32_t index, wrc_patch* patch) {
-  return abi::look(handle, abi::clear(patch), [&](const Contact& contact) -> int32_t {
-    if (patch == nullptr) return WRC_ERROR_NULL;
-    if (contact.patches == 0) return WRC_ERROR_SEQUENCE;
-    if (index < 0 || index >= contact.patches) return WRC_ERROR_RANGE;
-    abi::write(abi::patch_of(contact, contact.patch[index]), patch);
-    return WRC_OK;
-  });
-}
-
-int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
-  return abi::look(handle, abi::clear(view), [&](const Contact& contact) -> int32_t {
-    if (view == nullptr) return WRC_ERROR_NULL;
-    if (field < 0 || field >= static_cast<int32_t>(std::size(wrc::field_rows))) return WRC_ERROR_UNSUPPORTED;
-    const wrc::FieldRow& row = wrc::field_rows[field];
-    if (!gives_fields(contact) && row.is_of_tractions()) return WRC_ERROR_UNSUPPORTED;
-    const bool of_patch = row.grid != wrc::FieldGrid::gap_rows && contact.patches > 0;
-    if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
-    const wrc::Field found = find_field(contact, of_patch ? &contact.patch[patch] : nullptr, row);
-    if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
-    const bool cells = found.cells > 0;
-    const auto elements = static_cast<uint64_t>(found.elements);
-    wrc_view ours{};
-    ours.data = found.data;
-    ours.rank = cells ? 2 : 1;
-    ours.count[0] = cells ? static_cast<uint64_t>(found.cells) : elements;
-    ours.count[1] = cells ? elements : 1;
-    ours.stride[0] = cells ? elements : 1;
-    ours.stride[1] = 1;
-    abi::write(ours, view);
-    return WRC_OK;
-  });
 }
 
 }  // extern "C"

@@ -414,8 +414,9 @@ Fault press(const SurfaceModel& model, WheelWork& w, SurfaceStart& start, const 
     const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
                                                     *model.kernels, w.planar, w.pressure);
     out.sweeps += planar.iterations;
-    out.leaps = planar.leaps ? 1 : 0;
-    return planar.fault;
+    Fault fault = planar.fault;
+    if (planar.jumps) keep_worst(fault, {.status = WRC_FLAG_FORCE_JUMPS, .field = "config.normal.method"});
+    return fault;
   }
   const SurfaceNormalResult normal =
       solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
