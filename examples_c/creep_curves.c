@@ -11,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
 #define POINTS 40     /* of a curve */

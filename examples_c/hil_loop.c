@@ -20,7 +20,7 @@
 #include <sys/mman.h>
 #include <time.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_planar.h"
 
 enum { wheels = 8, period = 1000000 /* ns */ };
 

@@ -19,6 +19,7 @@
 #include <random>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 #include "wrench_inputs.hpp"
 
@@ -82,7 +83,7 @@ int main(int argc, char** argv) {
       seed = static_cast<unsigned>(std::atol(argv[i]));
     }
   }
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
@@ -138,7 +139,7 @@ int main(int argc, char** argv) {
       c.input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     }
     // the height for a load, as if without friction: that always has an equilibrium
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     Case loaded = c;
     loaded.input.friction.coefficient = 0.0;
     loaded.input.damping = 0.0;

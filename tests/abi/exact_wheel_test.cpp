@@ -9,6 +9,7 @@
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -17,7 +18,7 @@ namespace {
 class ExactWheel : public testing::Test, protected PlacedWheel {
  protected:
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-  wrc_wrench fast = wrc_wrench_default();
+  wrc_wrench fast = sized<wrc_wrench>();
 
   ExactWheel() {
     take_reference_bodies();
@@ -135,7 +136,7 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
         0.1 * 24e3);
   }
   // those on the wheel are those on the rail that lie under them
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   const wrc_wrench on_rail = wrench;
   const double apart = region.y_wheel - region.y_rail, wheel_y[] = {y[0] + apart, y[1] + apart};

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 #include "presets.hpp"
 #include "wheel_on_rail.hpp"
@@ -97,7 +98,7 @@ class FrictionFactors : public LoadedEllipse {
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
   double at_entry() {
-    wrc_temperature found = wrc_temperature_default();
+    wrc_temperature found = sized<wrc_temperature>();
     EXPECT_EQ(wrc_contact_temperature(contact, &friction.bulk, &found), WRC_OK);
     return found.at_entry;
   }
@@ -256,7 +257,7 @@ class WheelFrictionFactors : public testing::Test, protected PlacedWheel {
     ASSERT_GE(step(), WRC_OK) << error();
   }
   Numbers field(int32_t index, int32_t which) {
-    wrc_region shown = wrc_region_default();
+    wrc_region shown = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     Numbers values(static_cast<std::size_t>(shown.strips * (of_cells ? shown.cells : 1)));
@@ -293,7 +294,7 @@ TEST_F(WheelFrictionFactors, CoefficientsAreTheProductOfTheirFactors) {
         ASSERT_EQ(static_cast<std::size_t>(wrench.region_count), cold.size());
         for (int32_t r = 0; r < wrench.region_count; ++r) {
           const Numbers& by_speed = cold[static_cast<std::size_t>(r)];
-          wrc_temperature temperature = wrc_temperature_default();
+          wrc_temperature temperature = sized<wrc_temperature>();
           ASSERT_EQ(wrc_contact_region_temperature(contact, r, &friction.bulk, &temperature), WRC_OK);
           const Numbers rise = field(r, WRC_FIELD_TEMPERATURE_RISE),
                         found = field(r, WRC_FIELD_STRIP_FRICTION);

@@ -9,6 +9,7 @@
 
 #include "presets.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -175,7 +176,7 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
   EXPECT_NEAR(right.forces.fy, fy, 1e-9 * 80e3);
   EXPECT_NEAR(left.forces.fx, fx, 1e-6 * 80e3);
 
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 5e-3;
   own.b = 6e-3;
   own.normal_force = 80e3;
@@ -299,7 +300,7 @@ TEST(FrictionInterface, ExactCheckUsesTheStripsFriction) {
   wheel.creepage.longitudinal = -2e-3;
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);
-  wrc_exact_check_result result = wrc_exact_check_result_default();
+  wrc_exact_check_result result = sized<wrc_exact_check_result>();
   ASSERT_EQ(wrc_exact_check(wheel.contact, 32, 40, nullptr, nullptr, &result), WRC_OK) << wheel.error();
   EXPECT_LT(result.force_error, 0.04);  // constant 0.35 would be 0.2 off
 }

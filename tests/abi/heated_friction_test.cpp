@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 
 namespace {
@@ -32,7 +33,7 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
     creepage.longitudinal = slip;
     creepage.spin = 0.4;
     ASSERT_EQ(solve(), WRC_OK) << slip;
-    wrc_temperature temperature = wrc_temperature_default();
+    wrc_temperature temperature = sized<wrc_temperature>();
     ASSERT_EQ(wrc_contact_temperature(contact, &friction.bulk, &temperature), WRC_OK);
     const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
     const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);
@@ -63,7 +64,7 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   wrc_friction constant = wrc_friction_default();
   constant.coefficient = friction.coefficient;
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_temperature temperature = sized<wrc_temperature>();
   ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_OK);
   const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
   ASSERT_EQ(solve(), WRC_OK);

@@ -6,6 +6,7 @@
 
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -27,7 +28,7 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
   void slide(double share) { wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * (1.0 + share); }
   void solve() { ASSERT_GE(step(), WRC_OK) << error(); }
   Numbers field(int32_t index, int32_t which) {
-    wrc_region shown = wrc_region_default();
+    wrc_region shown = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     Numbers values(static_cast<std::size_t>(shown.strips * (of_cells ? shown.cells : 1)));
@@ -35,7 +36,7 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
     return values;
   }
   wrc_temperature temperature(int32_t index) {
-    wrc_temperature found = wrc_temperature_default();
+    wrc_temperature found = sized<wrc_temperature>();
     EXPECT_EQ(wrc_contact_region_temperature(contact, index, &friction.bulk, &found), WRC_OK);
     return found;
   }
@@ -78,7 +79,7 @@ TEST_F(HeatedWheel, WithoutAFallItIsConstant) {
   for (const int32_t method :
        {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
     config.tangential.method = method;
-    if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) config.tangential = wrc_config_default().tangential;
+    if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) config.tangential = test_config().tangential;
     config.tangential.method = method;
     create();
     for (const double speed : {40.0, -0.02}) {  // the latter is both ways at once
@@ -126,7 +127,7 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         friction.temperature_law = law;
         solve();
         ASSERT_EQ(wrench.region_count, 1);
-        wrc_region region = wrc_region_default();
+        wrc_region region = sized<wrc_region>();
         ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
         wrc_planar_input planar = wrc_planar_input_default();
         planar.pose.lateral = y;
@@ -136,9 +137,9 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         planar.creepage.spin = region.creepage[2];
         planar.creepage.speed = 40.0;
         planar.friction = friction;
-        wrc_planar_output output = wrc_planar_output_default();
+        wrc_planar_output output = sized<wrc_planar_output>();
         ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
-        wrc_temperature found = wrc_temperature_default();
+        wrc_temperature found = sized<wrc_temperature>();
         ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &found), WRC_OK);
         on_surface[law] = wrench.force[0];
         flat[law] = output.forces.fx;
@@ -162,7 +163,7 @@ TEST_F(HeatedWheel, HeatIsThePower) {
     double heat = 0.0;
     for (int32_t r = 0; r < wrench.region_count; ++r) {
       const wrc_temperature found = temperature(r);
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       ASSERT_EQ(wrc_contact_region(contact, r, &region), WRC_OK);
       EXPECT_EQ(found.wheel_heat, found.rail_heat);
       heat += found.wheel_heat + found.rail_heat;
@@ -257,7 +258,7 @@ TEST_F(HeatedWheel, RefusesWhatItCannot) {
   config.tangential.method = WRC_TANGENTIAL_COARSE_HALFSPACE;
   create();
   solve();
-  wrc_temperature found = wrc_temperature_default();
+  wrc_temperature found = sized<wrc_temperature>();
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "abi/reference_contact.hpp"
 #include "presets.hpp"
 
@@ -81,7 +82,7 @@ TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
 }
 
 TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;

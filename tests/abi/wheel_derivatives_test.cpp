@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrench_inputs.hpp"
 
@@ -202,7 +203,7 @@ TEST_P(WheelDerivatives, FiniteAtAnyPose) {
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
-  wrc_wrench alone = wrc_wrench_default();
+  wrc_wrench alone = sized<wrc_wrench>();
   for (int i = 0; i < 300; ++i) {
     wheel.y = between(-15e-3, 15e-3);
     wheel.z = between(-3e-3, 3e-3);
@@ -281,7 +282,7 @@ TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
 
 TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
   press(1e-3, 80e3);
-  wrc_wrench alone = wrc_wrench_default();
+  wrc_wrench alone = sized<wrc_wrench>();
   ASSERT_EQ(wrc_contact_wrench(contact, &input, &alone), WRC_OK);
   ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, nullptr), WRC_OK);
   for (int i = 0; i < 3; ++i) {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "choices.hpp"
-#include "wrc/wrc.h"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_planar.h"
 
 namespace hostile {
 

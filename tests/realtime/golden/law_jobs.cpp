@@ -1,5 +1,6 @@
 /// What bends the creep curve, and its slopes: friction over place and sliding speed, a layer between the
 /// bodies, damping of the approach, and the derivatives of the forces, with every tangential method.
+#include "test_config.hpp"
 #include "golden/plan.hpp"
 
 namespace {
@@ -58,7 +59,7 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     wrc_planar_derivatives slopes{};
     wrc_step_sensitivity of_step{};
     hash.add(wrc_planar_step(contact, &input, &output));
@@ -76,7 +77,7 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
 void run_memory(wrc_contact* contact, Hash& hash) {
   Numbers numbers(19);
   for (int i = 0; i < 40; ++i) {
-    wrc_ellipse ellipse = wrc_ellipse_default();
+    wrc_ellipse ellipse = sized<wrc_ellipse>();
     ellipse.a = numbers.between(5e-3, 6e-3);
     ellipse.b = numbers.between(4e-3, 5e-3);
     ellipse.psi = numbers.between(-0.4, 0.4);
@@ -99,7 +100,7 @@ void run_memory(wrc_contact* contact, Hash& hash) {
 
 void add_laws(Plan& plan) {
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
-    wrc_config& config = plan.models.emplace_back(wrc_config_default());
+    wrc_config& config = plan.models.emplace_back(test_config());
     config.normal.method = WRC_NORMAL_EKP;
     choose_tangential(config, tangential);
     config.planar.strips = 26;
@@ -115,7 +116,7 @@ void add_laws(Plan& plan) {
            run_sensitivities(steps, contact, hash);
          }});
   }
-  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  wrc_config& config = plan.models.emplace_back(test_config());
   config.planar.non_steady = 1;
   plan.jobs.push_back({"rolling with memory", plan.models.size() - 1, {}, run_memory});
 }
