@@ -1,5 +1,5 @@
 /* One wheel on its rail as a block of plain numbers: 16 in, 6 out, and their derivatives. What the Simulink
- * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc_wheel.h): y, z,
+ * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc.h): y, z,
  * roll, yaw, velocity x y z, angular velocity x y z in track axes, rail y, z, roll and their rates. Outputs:
  * force x y z, moment x y z on the wheel about the middle of the wheelset, track axes. Every call starts
  * anew: the same inputs have the same outputs. */
