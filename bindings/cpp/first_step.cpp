@@ -1,5 +1,5 @@
-// The smallest complete use of wrc from C++17: a wheelset, S1002 on 60E1, 80 kN on each wheel. First the height at
-// which it stands, then the wrench on both wheels while it rolls with a yaw of 2 mrad.
+// The smallest complete use of wrc from C++17: a wheelset, S1002 on 60E1, 80 kN on each wheel. First the
+// height at which it stands, then the wrench on both wheels while it rolls with a yaw of 2 mrad.
 //
 //   c++ -std=c++17 first_step.cpp -lwrc -o first_step && ./first_step
 #include <cstdio>
@@ -29,12 +29,20 @@ int main() try {
   input.wheel.yaw = 2e-3;  // rad
   input.wheel.velocity[0] = speed;
   input.wheel.pitch_rate = -speed / config.wheelset.wheel_radius;  // rad/s, about the axle
-  for (wrc::contact& wheel : wheels) {
-    const auto wrench = wheel.wrench(input);  // allocates nothing
-    std::printf("Fx %6.0f N, Fy %6.0f N, Fz %6.0f N, peak pressure %.0f MPa, frictional power %.0f W, %s\n",
-                wrench.force[0], wrench.force[1], wrench.force[2], 1e-6 * wrench.peak_pressure, wrench.power,
-                wrench.flag.name());
+  double force[3] = {}, moment[3] = {};
+  for (int side = 0; side < 2; ++side) {
+    const auto wrench = wheels[side].wrench(input);  // allocates nothing
+    std::printf(
+        "%-6s Fx %6.0f N, Fy %6.0f N, Fz %6.0f N, peak pressure %.0f MPa, frictional power %.0f W, %s\n",
+        side == WRC_SIDE_RIGHT ? "right" : "left", wrench.force[0], wrench.force[1], wrench.force[2],
+        1e-6 * wrench.peak_pressure, wrench.power, wrench.flag.name());
+    for (int i = 0; i < 3; ++i) {
+      force[i] += wrench.force[i];
+      moment[i] += wrench.moment[i];
+    }
   }
+  std::printf("both   Fx %6.0f N, Fy %6.0f N, Fz %6.0f N, moment about z %.0f N m\n", force[0], force[1],
+              force[2], moment[2]);
 } catch (const wrc::error& error) {
   std::fprintf(stderr, "%s: %s\n", error.why().name(), error.what());
   return 1;
