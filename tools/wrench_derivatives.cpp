@@ -19,6 +19,7 @@
 #include <random>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 #include "wrench_inputs.hpp"
 
@@ -82,7 +83,7 @@ int main(int argc, char** argv) {
       seed = static_cast<unsigned>(std::atol(argv[i]));
     }
   }
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
     if (random() % 4 == 0) {
-      c.input.friction.kind = WRC_FRICTION_FALLING;
+      c.input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
       c.input.friction.kinetic_ratio = 0.4;
       c.input.friction.fall_rate = between(0.1, 1.0);
     } else if (random() % 4 == 0) {
@@ -135,10 +136,10 @@ int main(int argc, char** argv) {
     if (heated) {
       c.input.friction = wrc_friction_default();
       c.input.friction.coefficient = 0.4;
-      c.input.friction.kind = WRC_FRICTION_TEMPERATURE;
+      c.input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     }
     // the height for a load, as if without friction: that always has an equilibrium
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     Case loaded = c;
     loaded.input.friction.coefficient = 0.0;
     loaded.input.damping = 0.0;

@@ -91,7 +91,7 @@ Fault find_patches(Contact& contact) {
     }
     if (contact.patches == contact.model->options.max_patches) {
       return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "config.grid.max_patches",
+              .field = "config.planar.max_patches",
               .value = static_cast<double>(contact.patches),
               .unit = "patches"};
     }

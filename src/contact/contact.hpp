@@ -230,7 +230,7 @@ static_assert(sizeof(Contact) ==
                   sizeof(DamageNumbers) + sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
-              4 * sizeof(std::int32_t) + 15 * sizeof(double) +
+              2 * sizeof(std::int32_t) + 15 * sizeof(double) +
                   most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the

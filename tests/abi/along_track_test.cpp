@@ -8,6 +8,7 @@
 #include "../check_rail_points.hpp"
 #include "not_finite.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -236,7 +237,7 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   input.distance = 5.0;
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_EQ(wrench.region_count, 2);
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_NEAR(region.normal_force, alone, 0.01 * alone);
   ASSERT_EQ(wrc_contact_region(contact, 1, &region), WRC_OK);
@@ -287,7 +288,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     ASSERT_GE(step(), 0) << error();
     double carried = 0.0;
     for (int32_t i = 0; i < wrench.region_count; ++i) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
       if (region.surface == 0) carried += region.normal_force;
     }
@@ -307,7 +308,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     running.profile = config.rail;
   }
   give();
-  config.check_rail = wrc_config_default().check_rail;
+  config.check_rail = test_config().check_rail;
   create();
   input.distance = 0.5;
   ASSERT_EQ(step(), status) << error();
@@ -421,7 +422,7 @@ TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {
 class ExactAlongTrack : public AlongTrack {
  protected:
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-  wrc_wrench exact = wrc_wrench_default();
+  wrc_wrench exact = sized<wrc_wrench>();
 
   ExactAlongTrack() { options.cell_x = options.cell_s = 4e-4; }
   int32_t solve() { return wrc_exact_wrench(contact, &input, &options, &exact); }
@@ -537,7 +538,7 @@ TEST_F(ExactAlongTrack, AnEccentricWheelIsARoundOneElsewhere) {
   create();
   carry();
   for (const double angle : {0.9, -1.2}) {
-    config.roundness = wrc_config_default().roundness;
+    config.roundness = test_config().roundness;
     const wrc_wheel_input as_it_is = input;
     // the material's angle 0 is below the axle before it has turned; +y turns the lowest point forwards
     const double x = off * std::sin(angle), z = off * std::cos(angle), w = wheel.angular_velocity[1];

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "abi/reference_contact.hpp"
 #include "presets.hpp"
 
@@ -81,7 +82,7 @@ TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
 }
 
 TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;
@@ -112,18 +113,18 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
 /// steps of another size.
 TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
   struct Choice {
-    int32_t preset, flexibility, friction;
+    int32_t preset, flexibility, speed_law;
   };
   for (const Choice& choice :
-       {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_FRICTION_CONSTANT},
-        Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
+       {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_SPEED_LAW_NONE},
+        Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_EXPONENTIAL}}) {
     SCOPED_TRACE(presets[choice.preset].name);
     choose_tangential(config, choice.preset);
     config.tangential.flexibility = choice.flexibility;
-    friction.kind = choice.friction;
+    friction.speed_law = choice.speed_law;
     friction.slope_fall = slope_fall_for(choice.preset);
     creepage.speed = 20.0;
     create();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "golden/hash.hpp"
 #include "structs.hpp"
 
@@ -21,7 +22,7 @@ struct HostGap {
 
 /// Input of one step.
 struct Step {
-  wrc_planar_pose pose = wrc_planar_pose_default();
+  wrc_planar_pose pose = sized<wrc_planar_pose>();
   const HostGap* gap = nullptr;  ///< in place of the pose
   wrc_planar_load load = wrc_planar_load_default();
   wrc_creepage creepage = wrc_creepage_default();

@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "golden/run.hpp"
 
 #include <exception>
@@ -51,7 +52,7 @@ class Running {
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    output = wrc_planar_output_default();
+    output = sized<wrc_planar_output>();
   }
 
   /// wrc_planar_step() in its stages: the first flag counts.

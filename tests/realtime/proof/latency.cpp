@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "test_config.hpp"
 #include "proof/processor_time.hpp"
 #include "proof/proofs.hpp"
 #include "proof/wheel.hpp"
@@ -140,7 +141,7 @@ class EightWheels : public Subject {
       shown_[at] = shown(gaps_[at][static_cast<std::size_t>(position)]);
       inputs_[at] = wheel.input;
       if (!from_pose_) inputs_[at].gap = &shown_[at];
-      outputs_[at] = wrc_planar_output_default();
+      outputs_[at] = sized<wrc_planar_output>();
     }
   }
   void work() override {
