@@ -1,8 +1,8 @@
 /* One wheel on its rail as a block of plain numbers: 16 in, 6 out, and their derivatives. What the Simulink
- * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc.h): y, z,
- * roll, yaw, velocity x y z, angular velocity x y z in track axes, rail y, z, roll and their rates. Outputs:
- * force x y z, moment x y z on the wheel about the middle of the wheelset, track axes. Every call starts
- * anew: the same inputs have the same outputs. */
+ * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc.h): y, z, roll,
+ * yaw, velocity x y z, roll rate, pitch rate about the axle, yaw rate, rail y, z, roll and their rates, which
+ * of a bent rail at rest are 0. Outputs: force x y z, moment x y z on the wheel about the middle of the
+ * wheelset, track axes. Every call starts cold: the same inputs have the same outputs. */
 #ifndef WRC_BLOCK_H
 #define WRC_BLOCK_H
 
@@ -38,12 +38,10 @@ static wrc_block* wrc_block_open(int side, int wheel, int rail, double inclinati
   config.rail.kind = rail;
   config.track.rail_inclination = inclination;
   block->input = wrc_wheel_input_default();
-  block->input.start = WRC_START_COLD;
   block->input.friction.coefficient = friction;
-  if (wrc_model_create(&config, NULL, &block->model) < 0)
-    wrc_config_check(&config, block->sentence, sizeof block->sentence);
-  else if (wrc_contact_create(block->model, side, NULL, &block->contact) < 0)
-    strcpy(block->sentence, "side: 0 is the right wheel, 1 the left one");
+  block->slopes.struct_size = sizeof block->slopes;
+  if (wrc_model_create(&config, NULL, &block->model, block->sentence, sizeof block->sentence) >= 0)
+    wrc_contact_create(block->model, side, NULL, &block->contact, block->sentence, sizeof block->sentence);
   return block;
 }
 
@@ -52,15 +50,16 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
   wrc_rail_state* rail = &block->input.rail;
   wheel->y = in[0], wheel->z = in[1], wheel->roll = in[2], wheel->yaw = in[3];
   memcpy(wheel->velocity, in + 4, sizeof wheel->velocity);
-  memcpy(wheel->angular_velocity, in + 7, sizeof wheel->angular_velocity);
+  wheel->roll_rate = in[7], wheel->pitch_rate = in[8], wheel->yaw_rate = in[9];
   rail->y = in[10], rail->z = in[11], rail->roll = in[12];
   rail->y_velocity = in[13], rail->z_velocity = in[14], rail->roll_rate = in[15];
 }
 
 /* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 16, or NULL. */
 static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench;
   int status, i;
+  wrench.struct_size = sizeof wrench;
   wrc_block_give(block, in);
   status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &wrench, &block->slopes)
                   : wrc_contact_wrench(block->contact, &block->input, &wrench);

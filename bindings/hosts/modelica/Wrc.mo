@@ -1,5 +1,5 @@
 package Wrc "Wheel/rail contact: libwrc as external functions"
-  type Inputs = Real[16] "y, z, roll, yaw; velocity; angular velocity, track axes; rail y, z, roll and their rates; SI";
+  type Inputs = Real[16] "y, z, roll, yaw; velocity; roll, pitch and yaw rate; rail y, z, roll and their rates; SI";
   type Wrench = Real[6] "force, moment on the wheel about the middle of the wheelset, track axes [N, N.m]";
 
   class Wheel "One wheel on its rail"
