@@ -133,8 +133,8 @@ int main(int count, char** words) {
   for (uint32_t i = 0; i < inputs; ++i) in_number[i] = i;
   for (uint32_t i = 0; i < outputs; ++i) out_number[i] = inputs + i;
   int differ = 0, touching = 0;
-  wrc_wrench wrench = wrc_wrench_default();
-  static wrc_wrench_derivatives slopes;
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  static wrc_wrench_derivatives slopes = {.struct_size = sizeof slopes};
   for (int i = 0; i < poses; ++i) {
     double in[inputs], out2[outputs], out3[outputs], column[outputs];
     pose(i, in);
