@@ -60,7 +60,7 @@ case $host in
       assert(w(:, 1), w(:, 2));
       printf("%.17g\n", w(:, 1));
       wrong = "";
-      try wrc_wheel(in + [0; 3; zeros(14, 1)], 0, 2, 4, 0, 0.3); catch e, wrong = e.message; end
+      try wrc_wheel(in + [0; 3; zeros(16, 1)], 0, 2, 4, 0, 0.3); catch e, wrong = e.message; end
       assert(! isempty(strfind(wrong, "did you pass mm")));
       try wrc_wheel(in, 2, 2, 4, 0, 0.3); wrong = "side 2 passed"; catch e, wrong = e.message; end
       assert(! isempty(strfind(wrong, "left one")));' 2>said >octave.txt || { cat said octave.txt; exit 1; }
@@ -85,7 +85,7 @@ C
     cat >"$scratch/driver.c" <<'C'
 #include "wrc_modelica.h"
 int main(int count, char** words) {
-  double u[16] = {1e-3, 3e-4, 0, 1e-3, 20, 0, 0, 0, -20.0 / 0.46, 0, 0, 1e-5}, du[16] = {0, 1}, w[6], dw[6];
+  double u[18] = {1e-3, 3e-4, 0, 1e-3, 20, 0, 0, 0, -20.0 / 0.46, 0, 0, 1e-5}, du[18] = {0, 1}, w[6], dw[6];
   void* wheel = wrc_modelica_open(0, 2, 4, 0.0, 0.3);
   (void)words;
   if (count > 1) u[1] = 3.0;
