@@ -84,9 +84,17 @@ static double position(const sweep* s, int point) {
   return 0.0;
 }
 
+/* The source paper's. */
+static wrc_material steel(void) {
+  wrc_material material = wrc_material_default();
+  material.shear_modulus = 80e9;
+  material.poisson = 0.25;
+  return material;
+}
+
 static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
   static double pressure[GRID * GRID];
-  wrc_grid grid = wrc_grid_default();
+  wrc_grid grid = {0};
   grid.nx = grid.ny = GRID;
   grid.dx = 2.0 * ellipse.a / GRID;
   grid.dy = 2.0 * ellipse.b / GRID;
@@ -105,7 +113,8 @@ static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
   for (int k = 0; k < GRID * GRID; ++k) pressure[k] *= ellipse.normal_force / load;
 
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = {.struct_size = sizeof solution};
+  problem.wheel_material = problem.rail_material = steel();
   problem.grid = grid;
   problem.pressure = pressure;
   problem.coefficient = mu;
@@ -117,6 +126,7 @@ static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
 
 static wrc_contact* make_contact(const variant* v, wrc_model** model) {
   wrc_config config = wrc_config_default();
+  config.wheel_material = config.rail_material = steel();
   char text[512];
   if (wrc_config_use(&config, v->method, text, sizeof text) < 0) fail(v->name, text);
   config.tangential.bound = v->bound;
@@ -128,7 +138,8 @@ static wrc_contact* make_contact(const variant* v, wrc_model** model) {
   return contact;
 }
 
-static wrc_planar_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const wrc_friction* friction) {
+static wrc_planar_forces roll(wrc_contact* contact, const wrc_creepage* creepage,
+                              const wrc_friction* friction) {
   wrc_planar_forces forces;
   if (wrc_planar_tangential(contact, &ellipse, creepage, friction, &forces) < 0) {
     char text[256];
@@ -241,10 +252,9 @@ int main(int argc, char** argv) {
   ellipse.psi = -0.3;
   ellipse.normal_force = 80e3;
   wrc_coefficients c;
-  if (wrc_linear_coefficients(ellipse.a / ellipse.b, ellipse.psi, 0.25, &c) < 0)
+  if (wrc_linear_coefficients(ellipse.a / ellipse.b, ellipse.psi, steel().poisson, &c) < 0)
     fail("coefficients", "refused");
-  const double shear_modulus = 80e9; /* of the default configuration */
-  const double area = ellipse.a * ellipse.b, stiffness = shear_modulus * area;
+  const double area = ellipse.a * ellipse.b, stiffness = steel().shear_modulus * area;
   unit[0] = mu * ellipse.normal_force / (stiffness * c.c11s);
   unit[1] = mu * ellipse.normal_force / (stiffness * c.c22s);
   unit[2] = mu * ellipse.normal_force / (stiffness * sqrt(area) * c.c23s);

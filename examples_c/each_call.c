@@ -28,8 +28,8 @@ static void* aligned(int which, uint64_t bytes, uint64_t alignment) {
 }
 
 static void stages(wrc_contact* contact) {
-  wrc_planar_pose pose = wrc_planar_pose_default();
-  wrc_planar_motion motion = wrc_planar_motion_default();
+  wrc_planar_pose pose = {0};
+  wrc_planar_motion motion = {0};
   wrc_planar_load load = wrc_planar_load_default();
   wrc_friction friction = wrc_friction_default();
   wrc_planar_point point;
@@ -37,9 +37,9 @@ static void stages(wrc_contact* contact) {
   wrc_planar_normal_solution normal;
   wrc_planar_forces forces;
   wrc_wear wear;
-  wrc_planar_derivatives by;
-  wrc_patch patch = wrc_patch_default();
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_planar_derivatives by = {.struct_size = sizeof by};
+  wrc_region patch = {.struct_size = sizeof patch};
+  wrc_temperature temperature = {.struct_size = sizeof temperature};
   pose.lateral = 2e-3;
   motion.speed = 20.0;
   motion.pitch_rate = -20.0 / 0.46 * 1.001;
@@ -48,26 +48,26 @@ static void stages(wrc_contact* contact) {
   DO(wrc_planar_creepages(contact, &motion, &creepage));
   DO(wrc_planar_normal(contact, NULL, &load, &normal)); /* NULL: the gap wrc_planar_geometry() found */
   DO(wrc_planar_tangential(contact, NULL, &creepage, &friction, &forces));
-  DO(wrc_contact_wear(contact, NULL, &wear)); /* NULL: the published laws */
-  DO(wrc_contact_temperature(contact, NULL, &temperature));
+  DO(wrc_contact_wear(contact, WRC_ALL_REGIONS, NULL, &wear)); /* NULL: the published laws */
+  DO(wrc_contact_temperature(contact, WRC_ALL_REGIONS, NULL, &temperature));
   printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, worn %.3g mm^2/km, %.0f K warmer\n", 1e3 * point.y_rail,
          1e-6 * normal.peak_pressure, forces.fx, 1e9 * wear.worn_area_rate, temperature.rise);
   DO(wrc_planar_tangential_derivatives(contact, &by));
-  DO(wrc_contact_patch(contact, 0, &patch));
+  DO(wrc_contact_region(contact, 0, &patch));
   printf("        dFx / d longitudinal %.3g N, by load %.3g, patch 0 a %.2f mm\n", by.forces[0][0],
          by.forces[0][3], 1e3 * patch.ellipse.a);
 
   const double depths[2] = {1e-3, 3e-3};
   wrc_stress_peaks levels[2];
-  wrc_stresses stresses = wrc_stresses_default();
-  DO(wrc_contact_stresses(contact, WRC_BODY_RAIL, depths, 2, levels, &stresses));
+  wrc_stresses stresses = {.struct_size = sizeof stresses};
+  DO(wrc_contact_stresses(contact, 0, WRC_BODY_RAIL, depths, 2, levels, &stresses));
   printf("        von Mises %.0f MPa at most, %.0f MPa 3 mm below\n",
          1e-6 * stresses.largest.von_mises.stress, 1e-6 * levels[1].von_mises.stress);
 
   /* strips of one's own in place of the normal stage */
   const double y[3] = {-1e-3, 0.0, 1e-3}, width[3] = {1e-3, 1e-3, 1e-3}, half[3] = {4e-3, 5e-3, 4e-3};
   const double peak[3] = {0.8e9, 1e9, 0.8e9};
-  wrc_planar_strips strips = wrc_planar_strips_default();
+  wrc_planar_strips strips = {0};
   strips.count = 3;
   strips.y = y, strips.width = width, strips.half_length = half, strips.peak = peak;
   DO(wrc_planar_regularise(contact, &strips, &normal));
@@ -82,7 +82,7 @@ static void remembered(void) {
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   wrc_planar_input input = wrc_planar_input_default();
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = {.struct_size = sizeof output};
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 1e-3;
   DO(wrc_model_create(&config, NULL, &model, NULL, 0));
@@ -113,25 +113,23 @@ static void states(const wrc_model* model, wrc_contact* contact) {
 
 static void wheel_on_rail(wrc_contact* contact) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
-  wrc_region region = wrc_region_default();
-  wrc_ellipse ellipse;
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  wrc_region region = {.struct_size = sizeof region};
   wrc_damage damage;
-  wrc_temperature temperature = wrc_temperature_default();
-  static wrc_wrench_derivatives slopes;
+  wrc_temperature temperature = {.struct_size = sizeof temperature};
+  static wrc_wrench_derivatives slopes = {.struct_size = sizeof slopes};
   static double pressure[512];
   input.wheel.z = 0.3e-3;
   input.wheel.velocity[0] = 20.0;
   input.wheel.pitch_rate = -20.0 / 0.46;
   DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes));
   DO(wrc_contact_region(contact, 0, &region));
-  DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
-  DO(wrc_contact_region_damage(contact, 0, &damage));
-  DO(wrc_contact_region_temperature(contact, 0, NULL, &temperature));
-  DO(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_PEAK, pressure, 512));
+  DO(wrc_contact_damage(contact, 0, &damage));
+  DO(wrc_contact_temperature(contact, 0, NULL, &temperature));
+  DO(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_PEAK, pressure, 512, NULL));
   printf(
       "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",
-      wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * ellipse.b, damage.t_gamma,
+      wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * region.ellipse.b, damage.t_gamma,
       1e-6 * pressure[0]);
   const double alone = wrench.force[2];
   DO(wrc_contact_wrench_batch(&contact, 1, &input, 0, &wrench, sizeof wrench, NULL));
@@ -156,10 +154,11 @@ static void line(const wrc_model* model, wrc_contact* contact) {
   wrc_damage_bins wheel = wrc_damage_bins_default();
   wheel.count = bins;
   wheel.first = -0.04;
-  wheel.bin = of_wheel;
+  wheel.bins = of_wheel;
+  wheel.bin_size = sizeof *of_wheel;
   wrc_damage_bins train = wheel;
-  train.bin = of_train;
-  wrc_accumulation what = wrc_accumulation_default();
+  train.bins = of_train;
+  wrc_accumulation what = {.struct_size = sizeof what};
   wrc_damage_totals totals;
   what.duration = 0.01;
   DO(wrc_contact_accumulate(contact, &what, &wheel, NULL, &totals));
@@ -181,7 +180,7 @@ static void exact_bodies(void) {
   enum { n = 12 };
   static double pressure[n * n], traction[n * n];
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = {.struct_size = sizeof solution};
   problem.grid.nx = problem.grid.ny = n;
   problem.grid.dx = problem.grid.dy = 1e-3;
   problem.grid.x0 = problem.grid.y0 = -0.5e-3 * (n - 1);
@@ -195,12 +194,12 @@ static void exact_bodies(void) {
   solution.traction_x = traction;
   char text[300];
   wrc_exact_transient* bodies = NULL;
-  DO(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, text, sizeof text));
+  DO(wrc_exact_transient_create(&problem.grid, NULL, NULL, &bodies, text, sizeof text));
   for (int step = 0; step < 3; ++step)
     DO(wrc_exact_transient_step(bodies, &problem, &solution, text, sizeof text)); /* a cell further each */
   wrc_exact_transient_destroy(bodies);
   wrc_exact_loads loads = wrc_exact_loads_default();
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = {.struct_size = sizeof stresses};
   const double point[3] = {0.0, 0.0, 3e-3};
   double stress[6];
   loads.grid = problem.grid;
@@ -235,8 +234,7 @@ int main(void) {
   asked = contact;
   wrc_view y, z;
   DO(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, NULL));
-  printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0],
-         1e3 * y.data[y.stride[0] * (y.count[0] - 1)]);
+  printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0], 1e3 * y.data[y.count - 1]);
   stages(contact);
   remembered();
   states(model, contact);

@@ -32,7 +32,7 @@ int main(void) {
 
   /* The step: 80 kN, a wheelset that pulls, drifts and spins a little, 40 m/s. */
   wrc_planar_input input = wrc_planar_input_default();
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = {.struct_size = sizeof output};
   input.pose.lateral = 2e-3;
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 0.8e-3;
@@ -42,9 +42,11 @@ int main(void) {
   int32_t status = wrc_planar_step(contact, &input, &output);
 
   /* The same contact exactly, on 64 x 64 cells: its own pressure, creepages and friction. */
-  wrc_exact_check_result exact = wrc_exact_check_result_default();
+  wrc_exact_check_options options = wrc_exact_check_options_default();
+  wrc_exact_check_result exact = {.struct_size = sizeof exact};
+  options.progress = show_progress;
   if (status >= 0) {
-    status = wrc_exact_check(contact, 64, 64, show_progress, NULL, &exact);
+    status = wrc_exact_check(contact, &options, &exact);
     fprintf(stderr, "\n");
   }
   if (status < 0) {

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
 
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wheel_state* wheel = &input.wheel;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
 
   /* The height at which the centred wheelset stands. */
   wheel->velocity[0] = speed;

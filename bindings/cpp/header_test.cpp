@@ -71,20 +71,20 @@ void rolls_on() {
   problem.creepage.longitudinal = 1e-3;
   const std::vector<double> pressure(16, 1e9);
   problem.pressure = pressure.data();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
-  auto made = wrc::transient::make(problem.grid, problem.materials);
+  auto solution = wrc::empty<wrc_exact_rolling_solution>();
+  auto made = wrc::transient::make(problem.grid);
   EXPECT(made.has_value());
   wrc::transient bodies(std::move(*made));
   EXPECT(bodies.step(problem, solution) == WRC_OK);
   const double first = solution.fx;
   EXPECT(bodies.step(problem, solution) == WRC_OK && solution.fx < first && first < 0.0);
   problem.grid.nx = 0;
-  EXPECT(wrc::transient::make(problem.grid, problem.materials).error() == WRC_ERROR_RANGE);
+  EXPECT(wrc::transient::make(problem.grid).error() == WRC_ERROR_RANGE);
   EXPECT(wrc::transient().step(problem, solution) == WRC_ERROR_NULL);
 }
 
 void values() {
-  wrc_allocator allocator = wrc_allocator_default();
+  wrc_allocator allocator{};
   allocator.allocate = allocate;
   allocator.release = release;
   {
@@ -97,50 +97,53 @@ void values() {
     EXPECT(contact && !*right);
 
     // what was moved from says so
-    wrc_planar_output output = wrc_planar_output_default();
-    EXPECT(right->step(usual_input(), output) == WRC_ERROR_NULL);
+    auto output = wrc::empty<wrc_planar_output>();
+    EXPECT(right->planar_step(usual_input(), output) == WRC_ERROR_NULL);
 
     // the C call's bits
-    wrc_planar_output of_c = wrc_planar_output_default();
+    auto of_c = wrc::empty<wrc_planar_output>();
     const wrc_planar_input input = usual_input();
     EXPECT(wrc_planar_step(contact.get(), &input, &of_c) == WRC_OK);
     const int before = news;
-    EXPECT(contact.step(input, output) == WRC_OK);
+    EXPECT(contact.planar_step(input, output) == WRC_OK);
     EXPECT(std::memcmp(&output, &of_c, sizeof output) == 0);
-    auto tried = contact.try_step(input);
+    auto tried = contact.try_planar_step(input);
     EXPECT(tried && tried->flag == WRC_OK && tried->forces.fx == of_c.forces.fx && of_c.forces.fx < 0.0);
 
-    // a field, its rows and a field over strips
-    auto pressure = contact.try_field(0, WRC_FIELD_PRESSURE);
-    EXPECT(pressure.has_value());
+    // a field, its strips and a field over strips
+    std::vector<double> room(64 * 64);
+    auto pressure = contact.try_field(0, WRC_FIELD_PRESSURE, room);
+    EXPECT(pressure.has_value() && pressure->cells() == 32);
     double most = 0.0;
-    for (std::size_t i = 0; i < pressure->rows(); ++i) {
-      const wrc::span<const double> row = pressure->row(i);
-      EXPECT(row.size() == pressure->columns());
-      for (std::size_t j = 0; j < row.size(); ++j) {
-        EXPECT(row[j] == (*pressure)(i, j));
-        if (row[j] > most) most = row[j];
+    for (std::size_t j = 0; j < pressure->strips(); ++j) {
+      const wrc::span<const double> strip = pressure->strip(j);
+      EXPECT(strip.size() == pressure->cells());
+      for (std::size_t i = 0; i < strip.size(); ++i) {
+        EXPECT(strip[i] == (*pressure)(j, i));
+        if (strip[i] > most) most = strip[i];
       }
     }
     EXPECT(most > 0.8e9 && most < 0.9e9);
-    auto peak = contact.try_field(0, WRC_FIELD_STRIP_PEAK);
-    EXPECT(peak && peak->values().size() == static_cast<std::size_t>(of_c.normal.strips));
-    EXPECT(!contact.try_field(7, WRC_FIELD_PRESSURE) &&
-           contact.try_field(7, WRC_FIELD_PRESSURE).error() == WRC_ERROR_RANGE);
+    auto peak = contact.try_field(0, WRC_FIELD_STRIP_PEAK, room);
+    EXPECT(peak && peak->values().size() == static_cast<std::size_t>(of_c.normal.strip_count));
+    EXPECT(!contact.try_field(7, WRC_FIELD_PRESSURE, room) &&
+           contact.try_field(7, WRC_FIELD_PRESSURE, room).error() == WRC_ERROR_RANGE);
+    EXPECT(contact.try_field(0, WRC_FIELD_PRESSURE, wrc::span<double>(room.data(), 8)).error() ==
+           WRC_ERROR_BUFFER);
 
     // a flag is no failure, and comes with the answer
     wrc_planar_input apart = input;
     apart.load = wrc_planar_load_default();
     apart.load.prescribed = WRC_PRESCRIBE_APPROACH;
     apart.load.approach = -1e-6;
-    auto away = contact.try_step(apart);
+    auto away = contact.try_planar_step(apart);
     EXPECT(away && away->flag == WRC_FLAG_NO_CONTACT && away->flag.flagged() && away->forces.fn == 0.0);
 
     // save and restore; sentences
     std::array<char, 300> sentence{};
     wrc_planar_input wrong = input;
     wrong.load.normal_force = 80.0;
-    EXPECT(contact.try_step(wrong).error() == WRC_ERROR_RANGE);
+    EXPECT(contact.try_planar_step(wrong).error() == WRC_ERROR_RANGE);
     EXPECT(contact.last_error(sentence) == WRC_OK && std::strstr(sentence.data(), "did you pass kN?"));
     EXPECT(news == before);
     const auto bytes = model.try_contact_state_size();
@@ -157,8 +160,8 @@ void values() {
     wheelset.wheel.y = 1e-3;
     wheelset.wheel.z = 3e-4;
     wheelset.wheel.velocity[0] = 20.0;
-    wheelset.wheel.angular_velocity[1] = -20.0 / 0.46;
-    std::array<wrc_wrench, 2> wrenches{wrc_wrench_default(), wrc_wrench_default()};
+    wheelset.wheel.pitch_rate = -20.0 / 0.46;
+    std::array<wrc_wrench, 2> wrenches{wrc::empty<wrc_wrench>(), wrc::empty<wrc_wrench>()};
     std::array<std::int32_t, 2> statuses{};
     const wrc::span<const wrc_wheel_input> one_for_all(&wheelset, 1);
     EXPECT(wrc::contact_wrench_batch(both, one_for_all, wrenches, statuses) == WRC_OK);
@@ -175,7 +178,7 @@ void values() {
     void* memory = ::operator new(static_cast<std::size_t>(size), std::align_val_t(alignment));
     auto placed = wrc::contact_ref::init(model, WRC_SIDE_RIGHT,
                                          {static_cast<std::byte*>(memory), static_cast<std::size_t>(size)});
-    EXPECT(placed && placed->try_step(input)->forces.fx == of_c.forces.fx);
+    EXPECT(placed && placed->try_planar_step(input)->forces.fx == of_c.forces.fx);
     ::operator delete(memory, std::align_val_t(alignment));
 
     // handing over
@@ -198,21 +201,23 @@ void exceptions() {
   wrc::check(wrc::config_use(config, "FASTSIM-SDEC", {}));
   wrc::model model(config);
   wrc::contact contact(model, WRC_SIDE_RIGHT);
-  EXPECT(contact.step(usual_input()).forces.fx < 0.0 && contact.field(0, WRC_FIELD_SLIP_X).rows() == 32);
+  std::vector<double> room(64 * 64);
+  EXPECT(contact.planar_step(usual_input()).forces.fx < 0.0 &&
+         contact.field(0, WRC_FIELD_SLIP_X, room).cells() == 32);
   EXPECT(wrc::shakedown_limit(0.1) > 1.0 && model.contact_state_size() > 1000);
   contact = wrc::contact(model, WRC_SIDE_LEFT);
   wrc_planar_input wrong = usual_input();
   wrong.load.normal_force = 80.0;
   const int before = news;
   try {
-    static_cast<void>(contact.step(wrong));
+    static_cast<void>(contact.planar_step(wrong));
     expect(false, "throws", __LINE__);
   } catch (const wrc::error& error) {
     EXPECT(error.why() == WRC_ERROR_RANGE && std::strstr(error.what(), "did you pass kN?"));
   }
   try {
-    wrc_planar_output output = wrc_planar_output_default();
-    contact.check(contact.step(wrong, output));
+    auto output = wrc::empty<wrc_planar_output>();
+    contact.check(contact.planar_step(wrong, output));
     expect(false, "throws", __LINE__);
   } catch (const std::exception& error) {
     EXPECT(std::strstr(error.what(), "input.load.normal_force"));
@@ -222,7 +227,7 @@ void exceptions() {
     const wrc::model none(config);
     expect(false, "throws", __LINE__);
   } catch (const wrc::error& error) {
-    EXPECT(std::strstr(error.what(), "config.material.poisson"));
+    EXPECT(std::strstr(error.what(), "config.wheel_material.poisson"));
   }
   EXPECT(news == before);
   EXPECT(wrc::try_shakedown_limit(-1.0).error() == WRC_ERROR_RANGE);

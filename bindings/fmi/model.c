@@ -217,7 +217,7 @@ static outcome answer(instance* of, const wrc_contact* contact, int32_t status) 
 
 static double standing(instance* of, outcome* how) {
   wrc_wheel_input given = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   const double speed = of->now.real[SET_speed];
   given.wheel.velocity[0] = speed;
   given.wheel.pitch_rate = -speed / OF_KIND(of, wheel_radius);
@@ -234,7 +234,7 @@ outcome model_start(instance* of) {
   drop_model(of);
   wrc_config config = wrc_config_default();
   config.wheelset.wheel_radius = OF_KIND(of, wheel_radius);
-  config.wheelset.flange_back_distance = OF_KIND(of, flange_back_distance);
+  config.wheelset.tape_circle_distance = OF_KIND(of, tape_circle_distance);
   config.track.gauge = OF_KIND(of, gauge);
   config.track.rail_inclination = OF_KIND(of, rail_inclination);
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = OF_KIND(of, shear_modulus);
@@ -245,9 +245,8 @@ outcome model_start(instance* of) {
                    "wheel.txt", &points[0], &points[1]) &&
       read_profile(of, &config.rail, INTEGER_OF_KIND(of, rail_profile), OF_KIND(of, rail_smoothing),
                    "rail.txt", &points[2], &points[3])) {
-    char sentence[512] = "no memory";
-    int32_t status = wrc_model_create(&config, NULL, &of->model, NULL, 0);
-    if (status < 0) wrc_config_check(&config, sentence, sizeof sentence);
+    char sentence[512] = "";
+    int32_t status = wrc_model_create(&config, NULL, &of->model, sentence, sizeof sentence);
     const int first = of->kind == WHEEL ? of->now.integer[WHEEL_side] : WRC_SIDE_RIGHT;
     const int last = of->kind == WHEEL ? first : WRC_SIDE_LEFT;
     if (status >= 0 && (first < WRC_SIDE_RIGHT || first > WRC_SIDE_LEFT)) {
@@ -255,7 +254,7 @@ outcome model_start(instance* of) {
       snprintf(sentence, sizeof sentence, "side = %d: 0 is the right wheel, 1 the left one", first);
     }
     for (int side = first; side <= last && status >= 0; ++side)
-      status = wrc_contact_create(of->model, side, NULL, &of->contact[side], NULL, 0);
+      status = wrc_contact_create(of->model, side, NULL, &of->contact[side], sentence, sizeof sentence);
     how = status < 0 ? wrong(of, WRONG, sentence) : FINE;
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
@@ -322,7 +321,7 @@ static void take_wheel(instance* of, const wrc_wrench* wrench) {
 static outcome wheelset_forces(instance* of, double force[3], double moment[3]) {
   double* now = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   wheel->y = now[SET_y];
   wheel->z = now[SET_z];
   wheel->roll = now[SET_roll];
@@ -369,7 +368,7 @@ static outcome solve(instance* of) {
   if (of->now.solved || !of->model) return FINE;
   outcome how;
   if (of->kind == WHEEL) {
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = {.struct_size = sizeof wrench};
     give_wheel(of);
     of->now.integer[WHEEL_status] = 0;
     how = answer(of, of_wheel(of), wrc_contact_wrench(of_wheel(of), &of->input, &wrench));
@@ -400,7 +399,8 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
   for (size_t j = 0; j < known_count; ++j)
     if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, WRONG, "derivatives are by the inputs");
   if (!of->slopes_known) {
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = {.struct_size = sizeof wrench};
+    of->slopes.struct_size = sizeof of->slopes;
     give_wheel(of);
     of->now.integer[WHEEL_status] = 0;
     const outcome how = answer(

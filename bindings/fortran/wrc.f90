@@ -1,9 +1,10 @@
 ! wrc: wheel/rail contact, Fortran 2008 interface to the C library (include_c/wrc/wrc.h has the documentation).
 !
-! Types have the names and members of the C structs. Every type must have its init called before use:
-!     type(wrc_planar_load) :: load
-!     call wrc_init(load)              ! sets struct_size and the defaults
-!     call wrc_init(load, status)      ! WRC_ERROR_STRUCT_SIZE: the library is older than this module
+! Types have the names and members of the C structs. A variable of any type is zero, its struct_size set; what has other
+! defaults gets them from wrc_init:
+!     type(wrc_wheel_input) :: input
+!     type(wrc_wrench) :: wrench
+!     call wrc_init(input)
 ! Nothing here prints or stops.
 ! Handles are type(c_ptr). Members of C enums are integer parameters of the same name. What may be NULL in C and is only
 ! read is a type(c_ptr) too: c_null_ptr, or c_loc of the struct. wrc_interface.inc has them all.

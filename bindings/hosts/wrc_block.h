@@ -2,7 +2,7 @@
  * and Modelica folders have in common. Inputs: y, z, roll, yaw, velocity x y z, rates of roll, pitch (about
  * the axle, -v / r rolling forwards) and yaw; rail y, z, roll, velocities y z of its material, its rate of
  * roll, its slopes dy/dx, dz/dx along the track. Outputs: force x y z, moment x y z on the wheel about the
- * middle of the wheelset, track axes. Every call starts anew: the same inputs have the same outputs. */
+ * middle of the wheelset, track axes. Every call starts cold: the same inputs have the same outputs. */
 #ifndef WRC_BLOCK_H
 #define WRC_BLOCK_H
 
@@ -38,12 +38,10 @@ static wrc_block* wrc_block_open(int side, int wheel, int rail, double inclinati
   config.rail.kind = rail;
   config.track.rail_inclination = inclination;
   block->input = wrc_wheel_input_default();
-  block->input.start = WRC_START_COLD;
   block->input.friction.coefficient = friction;
-  if (wrc_model_create(&config, NULL, &block->model) < 0)
-    wrc_config_check(&config, block->sentence, sizeof block->sentence);
-  else if (wrc_contact_create(block->model, side, NULL, &block->contact) < 0)
-    strcpy(block->sentence, "side: 0 is the right wheel, 1 the left one");
+  block->slopes.struct_size = sizeof block->slopes;
+  if (wrc_model_create(&config, NULL, &block->model, block->sentence, sizeof block->sentence) >= 0)
+    wrc_contact_create(block->model, side, NULL, &block->contact, block->sentence, sizeof block->sentence);
   return block;
 }
 
@@ -60,8 +58,9 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
 
 /* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 18, or NULL. */
 static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench;
   int status, i;
+  wrench.struct_size = sizeof wrench;
   wrc_block_give(block, in);
   status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &wrench, &block->slopes)
                   : wrc_contact_wrench(block->contact, &block->input, &wrench);

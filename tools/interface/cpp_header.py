@@ -1,7 +1,7 @@
 """The functions of the C++ header: members of contact_calls and model_calls, and free functions, over those of C."""
 import fortran
 
-BY_HAND = ("wrc_get_api", "wrc_model_create", "wrc_contact_create", "wrc_model_init", "wrc_contact_init")
+BY_HAND = ("wrc_get_api", "wrc_model_create", "wrc_contact_create", "wrc_model_init", "wrc_contact_init", "wrc_contact_field")
 NUMBERS = {"int32_t": "std::int32_t", "uint32_t": "std::uint32_t", "uint64_t": "std::uint64_t", "double": "double"}
 
 
@@ -119,10 +119,8 @@ def answers(function, interface, of, name, given, const, inline):
     inputs = ", ".join(each.text for each in given[:-1])
     arguments = "".join(each.text.split()[-1] + ", " for each in given[:-1])
     this = "this->" if of else ""
-    if out == "wrc_view":
-        kind, tried = "::wrc::field", "attempt<::wrc::field>(::wrc::field(), "
-    elif out.startswith("wrc_"):
-        start = f"{out}_default()" if out + "_init" in interface.functions else f"{out}()"
+    if out.startswith("wrc_"):
+        start = f"{out}_default()" if out + "_init" in interface.functions else f"::wrc::empty<{out}>()"
         kind, tried = f"answer<{out}>", f"attempt_struct<{out}>({start}, "
     else:
         kind, tried = out, f"attempt<{out}>({out}(), "

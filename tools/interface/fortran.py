@@ -31,6 +31,16 @@ def component(type):
     return NUMBERS.get(type.base) or f"type({type.base})", extent
 
 
+def at_first(struct, member):
+    """What a member is before anything is assigned, as of {sizeof s} in C: its struct's size, or nothing."""
+    if member.name == "struct_size":
+        return f" = {struct.size}"
+    kind = component(member.type)[0]
+    if kind in ("type(c_ptr)", "type(c_funptr)"):
+        return f" = c_null_{kind[7:-1]}"
+    return " = 0" if member.type.base in NUMBERS else ""  # a struct's own members have theirs
+
+
 def parameter_text(comment, name):
     """What a comment says about the parameter `name`."""
     for piece in comment.split("@"):
@@ -92,7 +102,7 @@ def module(interface, mark):
         lines += ["", f"type, bind(C) :: {struct.name}"]
         for member in struct.members:
             kind, extent = component(member.type)
-            lines.append(f"  {kind} :: {member.name}{extent}")
+            lines.append(f"  {kind} :: {member.name}{extent}{at_first(struct, member)}")
         lines.append("end type")
     lines += ["", "interface"]
     for function in interface.functions.values():
@@ -113,8 +123,8 @@ def module(interface, mark):
         else:
             lines += [f"    {component(returned)[0]} :: answer", "  end function"]
     lines.append("end interface")
-    lines += ["", "! Sets struct_size and the defaults of any wrc type. status: WRC_OK, or WRC_ERROR_STRUCT_SIZE if the library is older",
-              "! than this module and knows the type by a smaller size; calls with it are refused then.", "interface wrc_init"]
+    lines += ["", "! The library's defaults, of types whose defaults are not all zero. status: that of the init function in C.",
+              "interface wrc_init"]
     lines += [f"  module procedure init_{struct.name[4:]}" for struct in initialised(interface)]
     lines.append("end interface")
     return "\n".join(lines) + "\n"
@@ -144,8 +154,6 @@ def initialisers(interface, mark):
     for struct in initialised(interface):
         lines += [f"subroutine init_{struct.name[4:]}(this, status)", f"  type({struct.name}), intent(out) :: this",
                   "  integer(c_int32_t), intent(out), optional :: status", "  integer(c_int32_t) :: answer"]
-        if struct.members[0].name == "struct_size":
-            lines.append("  this%struct_size = int(c_sizeof(this), c_int32_t)")
         lines += [f"  answer = {struct.name}_init(this)", "  if (present(status)) status = answer", "end subroutine"]
     return "\n".join(lines) + "\n"
 
@@ -180,7 +188,7 @@ def layout_fortran(interface, mark):
 
 
 def layout_c(interface, mark):
-    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', ""]
+    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', ""]
     for struct in interface.structs.values():
         offsets = "".join(f", offsetof({struct.name}, {member.name})" for member in struct.members)
         lines += [f"extern const size_t layout_{struct.name}[];",

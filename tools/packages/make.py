@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Packages of a built library, the same bytes from the same build whoever makes them, wherever.
 
-    tools/packages/make.py BUILD OUT      Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
+    tools/packages/make.py BUILD OUT      Debian packages libwrc0.9, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
                                           and a .tar.gz
     tools/packages/make.py BUILD OUT --windows  the .zip of a mingw build
                        --mingw BUILD      of the Debian packages and the .tar.gz: the FMUs are for Windows, too, by this build

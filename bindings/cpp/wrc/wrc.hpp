@@ -18,7 +18,10 @@
  *
  *    An answer is the C struct with the status it came with: answer.flag. Without exceptions (-fno-exceptions) the
  *    functions that throw are not there, and wrc::model and wrc::contact are made by make().
- *  - spans for arrays (std::span where there is one), wrc::field for what wrc_contact_field() shows.
+ *  - spans for arrays (std::span where there is one), wrc::field for what wrc_contact_field() writes into
+ * memory of
+ *    yours.
+ *  - wrc::empty<wrc_wrench>(): a result with its struct_size, for the first form.
  *
  * @code
  *   wrc_config config = wrc_config_default();
@@ -27,10 +30,13 @@
  *   config.track.rail_inclination = 1.0 / 40.0;
  *   wrc::model model(config);
  *   wrc::contact contact(model, WRC_SIDE_RIGHT);
- *   wrc_planar_input input = wrc_planar_input_default();
- *   input.load.normal_force = 80e3;
- *   auto output = contact.step(input);
- *   wrc::field pressure = contact.field(0, WRC_FIELD_PRESSURE);
+ *   wrc_wheel_input input = wrc_wheel_input_default();
+ *   input.wheel.z = 0.2e-3;
+ *   input.wheel.velocity[0] = 20.0;
+ *   input.wheel.pitch_rate = -20.0 / 0.46;
+ *   auto output = contact.wrench(input);
+ *   double room[160 * 32];
+ *   wrc::field pressure = contact.field(0, WRC_FIELD_PRESSURE, room);
  * @endcode
  *
  * Nothing here allocates but the library itself, in model's and contact's constructors and make(); an error
@@ -59,6 +65,7 @@
 #endif
 
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define WRC_EXCEPTIONS 1
@@ -194,27 +201,45 @@ class error : public std::exception {
 };
 #endif
 
-/** An array of the library's memory: element (i, j) of rank 2, (i) of rank 1; wrc_view says how long it
- * stays. */
-class field : public wrc_view {
+/** A field of a region in memory of the caller: element (strip, cell), cell 0 at the leading edge. Fields
+ * over strips have one cell. */
+class field {
  public:
-  field() noexcept : wrc_view{} {}
-  explicit field(const wrc_view& view) noexcept : wrc_view(view) {}
+  field() noexcept = default;
+  field(const double* data, std::size_t strips, std::size_t cells) noexcept
+      : data_(data), strips_(strips), cells_(cells) {}
 
-  std::size_t rows() const noexcept { return static_cast<std::size_t>(count[0]); }
-  std::size_t columns() const noexcept { return static_cast<std::size_t>(count[1]); }
-  double operator()(std::size_t i, std::size_t j = 0) const noexcept {
-    return data[i * stride[0] + j * stride[1]];
+  std::size_t strips() const noexcept { return strips_; }
+  std::size_t cells() const noexcept { return cells_; }
+  double operator()(std::size_t strip, std::size_t cell = 0) const noexcept {
+    return data_[strip * cells_ + cell];
   }
-  /** Row i as one piece of memory, which it is of rank 2 today; empty where it is not. */
-  span<const double> row(std::size_t i) const noexcept {
-    return stride[1] == 1 ? span<const double>(data + i * stride[0], columns()) : span<const double>();
+  /** The cells of a strip. */
+  span<const double> strip(std::size_t j) const noexcept {
+    return span<const double>(data_ + j * cells_, cells_);
   }
-  /** A field of rank 1 as one piece of memory, which it is today; empty where it is not. */
-  span<const double> values() const noexcept {
-    return rank == 1 && stride[0] == 1 ? span<const double>(data, rows()) : span<const double>();
-  }
+  /** All of them, strip by strip. */
+  span<const double> values() const noexcept { return span<const double>(data_, strips_ * cells_); }
+
+ private:
+  const double* data_ = nullptr;
+  std::size_t strips_ = 0, cells_ = 0;
 };
+
+namespace detail {
+template <class T, class = void>
+struct is_sized : std::false_type {};
+template <class T>
+struct is_sized<T, std::void_t<decltype(T::struct_size)>> : std::true_type {};
+}  // namespace detail
+
+/** A struct of zeros, with its struct_size where it has one: {sizeof s} of C. */
+template <class Struct>
+Struct empty() noexcept {
+  Struct made{};
+  if constexpr (detail::is_sized<Struct>::value) made.struct_size = sizeof made;
+  return made;
+}
 
 /** What the functions in wrc_calls.hpp are made of. */
 namespace detail {
@@ -305,15 +330,12 @@ class model : public model_ref {
     return made;
   }
 #ifdef WRC_EXCEPTIONS
-  /** The same; throws an error with the sentence of wrc_config_check(). */
+  /** The same; throws an error with the sentence. */
   explicit model(const wrc_config& config, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_model_create(&config, allocator, &owned_, nullptr, 0);
+    char sentence[512] = "";
+    const status how = wrc_model_create(&config, allocator, &owned_, sentence, sizeof sentence);
     handle_ = owned_;
-    if (how.failed()) {
-      char sentence[512] = "";
-      wrc_config_check(&config, sentence, sizeof sentence);
-      throw error(how, sentence);
-    }
+    if (how.failed()) throw error(how, sentence);
   }
 #endif
   model(model&& other) noexcept { swap(other); }
@@ -351,7 +373,19 @@ class contact_ref : public detail::contact_calls {
     if (how.failed()) return failure(how);
     return contact_ref(made);
   }
+
+  /** wrc_contact_field() into `room`, where its values stay. */
+  expected<::wrc::field> try_field(std::int32_t index, std::int32_t which, span<double> room) noexcept {
+    std::uint64_t counts[2] = {};
+    const status how = wrc_contact_field(handle_, index, which, room.data(), room.size(), counts);
+    if (how.failed()) return failure(how);
+    return ::wrc::field(room.data(), static_cast<std::size_t>(counts[1]),
+                        static_cast<std::size_t>(counts[0]));
+  }
 #ifdef WRC_EXCEPTIONS
+  ::wrc::field field(std::int32_t index, std::int32_t which, span<double> room) {
+    return detail::value_or_throw(try_field(index, which, room), handle_);
+  }
   /** Throws where a status of this contact is one of failure, with the sentence behind it; else gives WRC_OK
    * or the flag. */
   std::int32_t check(status how) const {
@@ -374,10 +408,11 @@ class contact : public contact_ref {
     return made;
   }
 #ifdef WRC_EXCEPTIONS
-  /** The same; throws an error. */
+  /** The same; throws an error with the sentence. */
   contact(model_ref model, std::int32_t side, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_contact_create(model.get(), side, allocator, &handle_, nullptr, 0);
-    if (how.failed()) detail::raise(nullptr, how);
+    char sentence[512] = "";
+    const status how = wrc_contact_create(model.get(), side, allocator, &handle_, sentence, sizeof sentence);
+    if (how.failed()) throw error(how, sentence);
   }
 #endif
   contact(contact&& other) noexcept { std::swap(handle_, other.handle_); }
@@ -397,18 +432,20 @@ class transient {
  public:
   transient() noexcept = default;
   /** `text` gets the sentence of what went wrong. */
-  static expected<transient> make(const wrc_grid& grid, const wrc_materials& materials,
-                                  span<char> text = {}) noexcept {
+  static expected<transient> make(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                                  const wrc_material* rail = nullptr, span<char> text = {}) noexcept {
     transient made;
-    const status how = wrc_exact_transient_create(&grid, &materials, &made.handle_, text.data(), text.size());
+    const status how =
+        wrc_exact_transient_create(&grid, wheel, rail, &made.handle_, text.data(), text.size());
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
   /** The same; throws an error with the sentence. */
-  transient(const wrc_grid& grid, const wrc_materials& materials) {
+  explicit transient(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                     const wrc_material* rail = nullptr) {
     char sentence[512] = "";
-    const status how = wrc_exact_transient_create(&grid, &materials, &handle_, sentence, sizeof sentence);
+    const status how = wrc_exact_transient_create(&grid, wheel, rail, &handle_, sentence, sizeof sentence);
     if (how.failed()) throw error(how, sentence);
   }
 #endif

@@ -27,7 +27,7 @@ inline double whole_life_damage(const wrc_fatigue_laws* laws, double t_gamma) { 
 #endif
 /** wrc_linear_coefficients() */
 inline status linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients& coefficients) noexcept { return wrc_linear_coefficients(a_over_b, psi, poisson, &coefficients); }
-inline expected<answer<wrc_coefficients>> try_linear_coefficients(double a_over_b, double psi, double poisson) noexcept { return detail::attempt_struct<wrc_coefficients>(wrc_coefficients(), [&](wrc_coefficients& found_) { return linear_coefficients(a_over_b, psi, poisson, found_); }); }
+inline expected<answer<wrc_coefficients>> try_linear_coefficients(double a_over_b, double psi, double poisson) noexcept { return detail::attempt_struct<wrc_coefficients>(::wrc::empty<wrc_coefficients>(), [&](wrc_coefficients& found_) { return linear_coefficients(a_over_b, psi, poisson, found_); }); }
 #ifdef WRC_EXCEPTIONS
 inline answer<wrc_coefficients> linear_coefficients(double a_over_b, double psi, double poisson) { return detail::value_or_throw(try_linear_coefficients(a_over_b, psi, poisson)); }
 #endif
@@ -107,7 +107,7 @@ class contact_calls {
   status last_error(span<char> buffer) const noexcept { return wrc_contact_last_error(handle_, buffer.data(), buffer.size()); }
   /** wrc_contact_wrench() */
   status wrench(const wrc_wheel_input& input, wrc_wrench& wrench) noexcept { return wrc_contact_wrench(handle_, &input, &wrench); }
-  expected<answer<wrc_wrench>> try_wrench(const wrc_wheel_input& input) noexcept { return detail::attempt_struct<wrc_wrench>(wrc_wrench(), [&](wrc_wrench& found_) { return this->wrench(input, found_); }); }
+  expected<answer<wrc_wrench>> try_wrench(const wrc_wheel_input& input) noexcept { return detail::attempt_struct<wrc_wrench>(::wrc::empty<wrc_wrench>(), [&](wrc_wrench& found_) { return this->wrench(input, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wrench> wrench(const wrc_wheel_input& input) { return detail::value_or_throw(try_wrench(input), handle_); }
 #endif
@@ -115,27 +115,25 @@ class contact_calls {
   status wrench_derivatives(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_derivatives* derivatives) noexcept { return wrc_contact_wrench_derivatives(handle_, &input, wrench, derivatives); }
   /** wrc_contact_region() */
   status region(std::int32_t index, wrc_region& region) noexcept { return wrc_contact_region(handle_, index, &region); }
-  expected<answer<wrc_region>> try_region(std::int32_t index) noexcept { return detail::attempt_struct<wrc_region>(wrc_region(), [&](wrc_region& found_) { return this->region(index, found_); }); }
+  expected<answer<wrc_region>> try_region(std::int32_t index) noexcept { return detail::attempt_struct<wrc_region>(::wrc::empty<wrc_region>(), [&](wrc_region& found_) { return this->region(index, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_region> region(std::int32_t index) { return detail::value_or_throw(try_region(index), handle_); }
 #endif
-  /** wrc_contact_field() */
-  status field(std::int32_t index, std::int32_t field, double* values, std::uint64_t room, std::uint64_t* counts) noexcept { return wrc_contact_field(handle_, index, field, values, room, counts); }
   /** wrc_contact_damage() */
   status damage(std::int32_t index, wrc_damage& damage) noexcept { return wrc_contact_damage(handle_, index, &damage); }
-  expected<answer<wrc_damage>> try_damage(std::int32_t index) noexcept { return detail::attempt_struct<wrc_damage>(wrc_damage(), [&](wrc_damage& found_) { return this->damage(index, found_); }); }
+  expected<answer<wrc_damage>> try_damage(std::int32_t index) noexcept { return detail::attempt_struct<wrc_damage>(::wrc::empty<wrc_damage>(), [&](wrc_damage& found_) { return this->damage(index, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_damage> damage(std::int32_t index) { return detail::value_or_throw(try_damage(index), handle_); }
 #endif
   /** wrc_planar_step() */
   status planar_step(const wrc_planar_input& input, wrc_planar_output& output) noexcept { return wrc_planar_step(handle_, &input, &output); }
-  expected<answer<wrc_planar_output>> try_planar_step(const wrc_planar_input& input) noexcept { return detail::attempt_struct<wrc_planar_output>(wrc_planar_output(), [&](wrc_planar_output& found_) { return this->planar_step(input, found_); }); }
+  expected<answer<wrc_planar_output>> try_planar_step(const wrc_planar_input& input) noexcept { return detail::attempt_struct<wrc_planar_output>(::wrc::empty<wrc_planar_output>(), [&](wrc_planar_output& found_) { return this->planar_step(input, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_output> planar_step(const wrc_planar_input& input) { return detail::value_or_throw(try_planar_step(input), handle_); }
 #endif
   /** wrc_planar_geometry() */
   status planar_geometry(const wrc_planar_pose& pose, wrc_planar_point& point) noexcept { return wrc_planar_geometry(handle_, &pose, &point); }
-  expected<answer<wrc_planar_point>> try_planar_geometry(const wrc_planar_pose& pose) noexcept { return detail::attempt_struct<wrc_planar_point>(wrc_planar_point(), [&](wrc_planar_point& found_) { return this->planar_geometry(pose, found_); }); }
+  expected<answer<wrc_planar_point>> try_planar_geometry(const wrc_planar_pose& pose) noexcept { return detail::attempt_struct<wrc_planar_point>(::wrc::empty<wrc_planar_point>(), [&](wrc_planar_point& found_) { return this->planar_geometry(pose, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_point> planar_geometry(const wrc_planar_pose& pose) { return detail::value_or_throw(try_planar_geometry(pose), handle_); }
 #endif
@@ -147,13 +145,13 @@ class contact_calls {
 #endif
   /** wrc_planar_normal() */
   status planar_normal(const wrc_planar_gap* gap, const wrc_planar_load& load, wrc_planar_normal_solution& normal) noexcept { return wrc_planar_normal(handle_, gap, &load, &normal); }
-  expected<answer<wrc_planar_normal_solution>> try_planar_normal(const wrc_planar_gap* gap, const wrc_planar_load& load) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(wrc_planar_normal_solution(), [&](wrc_planar_normal_solution& found_) { return this->planar_normal(gap, load, found_); }); }
+  expected<answer<wrc_planar_normal_solution>> try_planar_normal(const wrc_planar_gap* gap, const wrc_planar_load& load) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(::wrc::empty<wrc_planar_normal_solution>(), [&](wrc_planar_normal_solution& found_) { return this->planar_normal(gap, load, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_normal_solution> planar_normal(const wrc_planar_gap* gap, const wrc_planar_load& load) { return detail::value_or_throw(try_planar_normal(gap, load), handle_); }
 #endif
   /** wrc_planar_regularise() */
   status planar_regularise(const wrc_planar_strips* strips, wrc_planar_normal_solution& normal) noexcept { return wrc_planar_regularise(handle_, strips, &normal); }
-  expected<answer<wrc_planar_normal_solution>> try_planar_regularise(const wrc_planar_strips* strips) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(wrc_planar_normal_solution(), [&](wrc_planar_normal_solution& found_) { return this->planar_regularise(strips, found_); }); }
+  expected<answer<wrc_planar_normal_solution>> try_planar_regularise(const wrc_planar_strips* strips) noexcept { return detail::attempt_struct<wrc_planar_normal_solution>(::wrc::empty<wrc_planar_normal_solution>(), [&](wrc_planar_normal_solution& found_) { return this->planar_regularise(strips, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_normal_solution> planar_regularise(const wrc_planar_strips* strips) { return detail::value_or_throw(try_planar_regularise(strips), handle_); }
 #endif
@@ -161,25 +159,25 @@ class contact_calls {
   status planar_roll(double distance) noexcept { return wrc_planar_roll(handle_, distance); }
   /** wrc_planar_tangential() */
   status planar_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction, wrc_planar_forces& forces) noexcept { return wrc_planar_tangential(handle_, ellipse, &creepage, &friction, &forces); }
-  expected<answer<wrc_planar_forces>> try_planar_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_planar_forces>(wrc_planar_forces(), [&](wrc_planar_forces& found_) { return this->planar_tangential(ellipse, creepage, friction, found_); }); }
+  expected<answer<wrc_planar_forces>> try_planar_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) noexcept { return detail::attempt_struct<wrc_planar_forces>(::wrc::empty<wrc_planar_forces>(), [&](wrc_planar_forces& found_) { return this->planar_tangential(ellipse, creepage, friction, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_forces> planar_tangential(const wrc_ellipse* ellipse, const wrc_creepage& creepage, const wrc_friction& friction) { return detail::value_or_throw(try_planar_tangential(ellipse, creepage, friction), handle_); }
 #endif
   /** wrc_planar_tangential_derivatives() */
   status planar_tangential_derivatives(wrc_planar_derivatives& derivatives) noexcept { return wrc_planar_tangential_derivatives(handle_, &derivatives); }
-  expected<answer<wrc_planar_derivatives>> try_planar_tangential_derivatives() noexcept { return detail::attempt_struct<wrc_planar_derivatives>(wrc_planar_derivatives(), [&](wrc_planar_derivatives& found_) { return this->planar_tangential_derivatives(found_); }); }
+  expected<answer<wrc_planar_derivatives>> try_planar_tangential_derivatives() noexcept { return detail::attempt_struct<wrc_planar_derivatives>(::wrc::empty<wrc_planar_derivatives>(), [&](wrc_planar_derivatives& found_) { return this->planar_tangential_derivatives(found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_planar_derivatives> planar_tangential_derivatives() { return detail::value_or_throw(try_planar_tangential_derivatives(), handle_); }
 #endif
   /** wrc_contact_wear() */
   status wear(std::int32_t index, const wrc_wear_laws* laws, wrc_wear& wear) noexcept { return wrc_contact_wear(handle_, index, laws, &wear); }
-  expected<answer<wrc_wear>> try_wear(std::int32_t index, const wrc_wear_laws* laws) noexcept { return detail::attempt_struct<wrc_wear>(wrc_wear(), [&](wrc_wear& found_) { return this->wear(index, laws, found_); }); }
+  expected<answer<wrc_wear>> try_wear(std::int32_t index, const wrc_wear_laws* laws) noexcept { return detail::attempt_struct<wrc_wear>(::wrc::empty<wrc_wear>(), [&](wrc_wear& found_) { return this->wear(index, laws, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wear> wear(std::int32_t index, const wrc_wear_laws* laws) { return detail::value_or_throw(try_wear(index, laws), handle_); }
 #endif
   /** wrc_contact_temperature() */
   status temperature(std::int32_t index, const wrc_bulk_temperatures* bulk, wrc_temperature& temperature) noexcept { return wrc_contact_temperature(handle_, index, bulk, &temperature); }
-  expected<answer<wrc_temperature>> try_temperature(std::int32_t index, const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(wrc_temperature(), [&](wrc_temperature& found_) { return this->temperature(index, bulk, found_); }); }
+  expected<answer<wrc_temperature>> try_temperature(std::int32_t index, const wrc_bulk_temperatures* bulk) noexcept { return detail::attempt_struct<wrc_temperature>(::wrc::empty<wrc_temperature>(), [&](wrc_temperature& found_) { return this->temperature(index, bulk, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_temperature> temperature(std::int32_t index, const wrc_bulk_temperatures* bulk) { return detail::value_or_throw(try_temperature(index, bulk), handle_); }
 #endif
@@ -191,13 +189,13 @@ class contact_calls {
   status exact_gap(const wrc_grid& grid, double* gap) noexcept { return wrc_exact_gap(handle_, &grid, gap); }
   /** wrc_exact_check() */
   status exact_check(const wrc_exact_check_options* options, wrc_exact_check_result& result) noexcept { return wrc_exact_check(handle_, options, &result); }
-  expected<answer<wrc_exact_check_result>> try_exact_check(const wrc_exact_check_options* options) noexcept { return detail::attempt_struct<wrc_exact_check_result>(wrc_exact_check_result(), [&](wrc_exact_check_result& found_) { return this->exact_check(options, found_); }); }
+  expected<answer<wrc_exact_check_result>> try_exact_check(const wrc_exact_check_options* options) noexcept { return detail::attempt_struct<wrc_exact_check_result>(::wrc::empty<wrc_exact_check_result>(), [&](wrc_exact_check_result& found_) { return this->exact_check(options, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_exact_check_result> exact_check(const wrc_exact_check_options* options) { return detail::value_or_throw(try_exact_check(options), handle_); }
 #endif
   /** wrc_exact_wrench() */
   status exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options, wrc_wrench& wrench) noexcept { return wrc_exact_wrench(handle_, &input, options, &wrench); }
-  expected<answer<wrc_wrench>> try_exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options) noexcept { return detail::attempt_struct<wrc_wrench>(wrc_wrench(), [&](wrc_wrench& found_) { return this->exact_wrench(input, options, found_); }); }
+  expected<answer<wrc_wrench>> try_exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options) noexcept { return detail::attempt_struct<wrc_wrench>(::wrc::empty<wrc_wrench>(), [&](wrc_wrench& found_) { return this->exact_wrench(input, options, found_); }); }
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wrench> exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options) { return detail::value_or_throw(try_exact_wrench(input, options), handle_); }
 #endif
