@@ -60,10 +60,9 @@ static void pose(int i, double in[inputs]) {
 
 static wrc_wheel_input as_struct(const double in[inputs]) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  input.start = WRC_START_COLD; /* as the FMU */
   input.wheel.y = in[0], input.wheel.z = in[1], input.wheel.roll = in[2], input.wheel.yaw = in[3];
   memcpy(input.wheel.velocity, in + 4, 3 * sizeof *in);
-  memcpy(input.wheel.angular_velocity, in + 7, 3 * sizeof *in);
+  input.wheel.roll_rate = in[7], input.wheel.pitch_rate = in[8], input.wheel.yaw_rate = in[9];
   input.rail.y = in[10], input.rail.z = in[11], input.rail.roll = in[12];
   input.rail.y_velocity = in[13], input.rail.z_velocity = in[14], input.rail.roll_rate = in[15];
   return input;
@@ -111,9 +110,9 @@ int main(int count, char** words) {
   find(library, "fmi3GetFloat64", &get3);
 
   const fmi2CallbackFunctions callbacks = {quiet, calloc, free, NULL, NULL};
-  fmi2Component two = instantiate2("two", fmi2ModelExchange, "wrc_wheel 1", "file:///nowhere", &callbacks,
+  fmi2Component two = instantiate2("two", fmi2ModelExchange, "wrc_wheel 2", "file:///nowhere", &callbacks,
                                    fmi2False, fmi2False);
-  fmi3Instance three = instantiate3("three", "wrc_wheel 1", "/nowhere/", false, false, NULL, NULL);
+  fmi3Instance three = instantiate3("three", "wrc_wheel 2", "/nowhere/", false, false, NULL, NULL);
   if (!two || !three) return 3;
   if (instantiate2("other", fmi2ModelExchange, "another", "", &callbacks, fmi2False, fmi2False)) return 4;
   if (setup2(two, fmi2False, 0.0, 0.0, fmi2False, 0.0) != fmi2OK || enter2(two) != fmi2OK ||
@@ -134,8 +133,8 @@ int main(int count, char** words) {
   for (uint32_t i = 0; i < inputs; ++i) in_number[i] = i;
   for (uint32_t i = 0; i < outputs; ++i) out_number[i] = inputs + i;
   int differ = 0, touching = 0;
-  wrc_wrench wrench = wrc_wrench_default();
-  static wrc_wrench_derivatives slopes;
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  static wrc_wrench_derivatives slopes = {.struct_size = sizeof slopes};
   for (int i = 0; i < poses; ++i) {
     double in[inputs], out2[outputs], out3[outputs], column[outputs];
     pose(i, in);
