@@ -273,7 +273,7 @@ typedef struct wrc_exact_transient wrc_exact_transient;
 /** Makes two bodies that have not rolled yet, without tractions.
  * @param grid cells of every step
  * @param wheel elastic, of the wheel; NULL: the defaults
- * @param rail the same of the rail
+ * @param rail the same of the rail; NULL: the defaults
  * @param[out] transient the caller's, for wrc_exact_transient_destroy(); NULL on failure
  * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _MEMORY. @rt init @thread free */
