@@ -176,22 +176,6 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   }
 }
 
-TEST_F(AlongTrack, TheFlatCallKnowsDistanceAndAngle) {
-  give_ramp();
-  give_wheel(720, [](double a) { return 1e-4 * std::cos(7.0 * a); });
-  create();
-  input.distance = 2.6;
-  input.angle = -0.3;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  ASSERT_EQ(step(), WRC_OK) << error();
-  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[5] = wheel.velocity[0], in[9] = wheel.angular_velocity[1], in[17] = friction.coefficient;
-  in[18] = 1.0, in[19] = 60e3, in[21] = input.distance, in[22] = input.angle;
-  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
-}
-
 TEST_F(AlongTrack, AFlatLowersTheWheelAsItsSupportFunctionSays) {
   // a worn flat: a cosine of 0.5 mm over 90 mm, so long that it is convex
   constexpr double deep = 0.5e-3, half = 0.045 / radius;

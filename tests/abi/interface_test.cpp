@@ -586,8 +586,6 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
   EXPECT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
   EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
@@ -641,16 +639,6 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     view.count[0] = 7;
     EXPECT_EQ(wrc_contact_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
     EXPECT_EQ(view.count[0], 0U);
-    double out[WRC_FLAT_OUTPUTS] = {1.0, 2.0, 3.0};
-    EXPECT_EQ(wrc_contact_step_flat(wrong, out, out), WRC_ERROR_NULL);
-    EXPECT_EQ(out[2], 0.0);
-
-    refill();
-    EXPECT_EQ(wrc_contact_step_batch(&wrong, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
-    expect_zeros();
-    refill();
-    EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
-    expect_zeros();
   }
 }
 
@@ -708,41 +696,6 @@ TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
   ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
   EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, 0U);
   EXPECT_EQ(patch.normal[2], 0.0);
-}
-
-TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
-  constexpr std::size_t count = 5;
-  std::vector<wrc_contact*> contacts(count);
-  std::vector<wrc_planar_input> inputs(count, input);
-  std::vector<wrc_planar_output> single(count, output), batch(count, output);
-  for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i], nullptr, 0), WRC_OK);
-    inputs[i].creepage.spin = 0.1 * static_cast<double>(i);
-    EXPECT_EQ(wrc_planar_step(contacts[i], &inputs[i], &single[i]), WRC_OK);
-  }
-  inputs[3].creepage.spin = nan_value;
-  std::vector<int32_t> statuses(count);
-  EXPECT_EQ(wrc_contact_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_planar_input), batch.data(),
-                                   sizeof(wrc_planar_output), statuses.data()),
-            WRC_ERROR_NOT_FINITE);
-  for (std::size_t i = 0; i < count; ++i) {
-    EXPECT_EQ(statuses[i], i == 3 ? WRC_ERROR_NOT_FINITE : WRC_OK);
-    if (i != 3) {
-      EXPECT_EQ(std::memcmp(&batch[i], &single[i], sizeof output), 0);
-    }
-    wrc_contact_destroy(contacts[i]);
-  }
-}
-
-TEST_F(Interface, FloatArrayStepAgreesWithTheStructs) {
-  expect_works();
-  const double in[WRC_FLAT_INPUTS] = {0, 0, 0, 80e3, -0.49e-3, -0.22e-3, 0.29, 0.35};
-  double out[WRC_FLAT_OUTPUTS];
-  ASSERT_EQ(wrc_contact_step_flat(contact, in, out), WRC_OK);
-  EXPECT_EQ(out[0], forces.fx);
-  EXPECT_EQ(out[3], forces.mz);
-  EXPECT_EQ(out[10], normal.ellipse.psi);
-  EXPECT_EQ(out[11], damage.fatigue_index);
 }
 
 // --------------------------------------------------------------------------------------------- host's

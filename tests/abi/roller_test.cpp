@@ -198,17 +198,6 @@ TEST_F(Roller, BesideTheAxleTheForceLeans) {
   EXPECT_NEAR(region.point[0], -d * radius / centres, 1e-6);
 }
 
-TEST_F(Roller, TheFlatCallKnowsItsTurning) {
-  create();
-  input.distance = 2e-3;
-  press(150e-6);
-  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[0] = WRC_REFERENCE_WHEEL, in[2] = wheel.z, in[9] = wheel.angular_velocity[1];
-  in[17] = friction.coefficient, in[21] = input.distance, in[23] = input.roller_rate;
-  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
-}
-
 /// Of a yawed wheelset, whose wheels stand before and behind the roller's axle.
 TEST_F(Roller, DerivativesAreThoseOfDifferences) {
   config.wheel = config.rail = sized<wrc_profile>();

@@ -175,27 +175,6 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
   }
 }
 
-TEST_F(RollingWay, StepsDifferentiateBackwardsToo) {
-  create();
-  pose.lateral = 2e-3;
-  pose.yaw = 5e-3;
-  wrc_step_sensitivity forward{}, backwards = forward;
-  ASSERT_EQ(step(), WRC_OK);
-  ASSERT_EQ(wrc_contact_step_sensitivities(contact, &forward), WRC_OK);
-  pose.yaw *= -1.0;
-  creepage.longitudinal *= -1.0;
-  creepage.spin *= -1.0;
-  creepage.speed *= -1.0;
-  ASSERT_EQ(step(), WRC_OK);
-  ASSERT_EQ(wrc_contact_step_sensitivities(contact, &backwards), WRC_OK);
-  const double sign[] = {-1.0, 1.0, -1.0, 1.0};
-  for (int r = 0; r < 4; ++r) {
-    EXPECT_NEAR(backwards.by_load[r], sign[r] * forward.by_load[r], 1e-5 * std::fabs(forward.by_load[r]));
-    EXPECT_NEAR(backwards.by_lateral[r], sign[r] * forward.by_lateral[r],
-                1e-5 * std::fabs(forward.by_lateral[r]));
-  }
-}
-
 TEST_F(RollingWay, TheMotionBackwardsIsTheMirrorImageToo) {
   create();
   pose.lateral = 3e-3;

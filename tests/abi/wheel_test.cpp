@@ -973,7 +973,6 @@ TEST_F(WheelOnRail, NullAndWrongSizesAreRefused) {
   EXPECT_EQ(wrc_contact_wrench(contact, nullptr, &wrench), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_wrench(contact, &input, nullptr), WRC_OK);
   EXPECT_EQ(wrc_contact_region(contact, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_wrench_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_wheel_state_init(nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_rail_state_init(nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_wheel_input_init(nullptr), WRC_ERROR_NULL);
@@ -1105,7 +1104,7 @@ TEST_F(WheelOnRail, TheStagesAndTheWheelStepAreStrangers) {
   EXPECT_GT(region.normal_force, 0.0);
 }
 
-TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
+TEST_F(WheelOnRail, BatchesGiveTheBitsOfSingleCalls) {
   constexpr uint32_t count = 4;
   std::array<wrc_contact*, count> contacts{};
   std::array<wrc_wheel_input, count> inputs;
@@ -1129,57 +1128,6 @@ TEST_F(WheelOnRail, BatchesAndFlatArraysGiveTheBitsOfSingleSteps) {
   EXPECT_EQ(wrc_contact_wrench_batch(nullptr, 1, inputs.data(), 0, batch.data(), 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(batch[0].force[2], 0.0);
 
-  input.frame = {18.0, 2e-3, 1e-3, 1e-2};
-  wheel.velocity[0] -= 18.0;
-  expect_works();
-  const double in[WRC_FLAT_WHEEL_INPUTS] = {static_cast<double>(wheel.reference),
-                                            wheel.y,
-                                            wheel.z,
-                                            wheel.roll,
-                                            wheel.yaw,
-                                            wheel.velocity[0],
-                                            wheel.velocity[1],
-                                            wheel.velocity[2],
-                                            wheel.angular_velocity[0],
-                                            wheel.angular_velocity[1],
-                                            wheel.angular_velocity[2],
-                                            rail.y,
-                                            rail.z,
-                                            rail.roll,
-                                            rail.y_velocity,
-                                            rail.z_velocity,
-                                            rail.roll_rate,
-                                            friction.coefficient,
-                                            0.0,
-                                            0.0,
-                                            0.0,
-                                            input.distance,
-                                            input.angle,
-                                            input.roller_rate,
-                                            input.frame.speed,
-                                            input.frame.curvature,
-                                            input.frame.vertical_curvature,
-                                            input.frame.twist};
-  double out[WRC_FLAT_WHEEL_OUTPUTS];
-  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(out[i], wrench.force[i]);
-    EXPECT_EQ(out[3 + i], wrench.moment[i]);
-    EXPECT_EQ(out[6 + i], wrench.rail_force[i]);
-    EXPECT_EQ(out[9 + i], wrench.rail_moment[i]);
-  }
-  EXPECT_EQ(out[12], wrench.z);
-  EXPECT_EQ(out[13], wrench.normal_force);
-  EXPECT_EQ(out[14], wrench.area);
-  EXPECT_EQ(out[15], wrench.peak_pressure);
-  EXPECT_EQ(out[16], wrench.power);
-  EXPECT_EQ(out[17], wrench.region_count);
-  double bad[WRC_FLAT_WHEEL_INPUTS];
-  std::copy(in, in + WRC_FLAT_WHEEL_INPUTS, bad);
-  bad[0] = 0.5;
-  EXPECT_EQ(wrc_contact_wrench_flat(contact, bad, out), WRC_ERROR_RANGE);
-  EXPECT_EQ(out[2], 0.0);
-  ReferenceWheel::expect_words(error(), {"in[0] = 0.5"});
   for (wrc_contact* each : contacts) wrc_contact_destroy(each);
 }
 
@@ -1187,7 +1135,7 @@ TEST_F(WheelOnRail, TheFunctionTableHoldsTheWheelStep) {
   const wrc_api* api = wrc_get_api(WRC_ABI_VERSION);
   ASSERT_NE(api, nullptr);
   EXPECT_EQ(api->contact_wrench, &wrc_contact_wrench);
-  EXPECT_EQ(api->contact_wrench_flat, &wrc_contact_wrench_flat);
+  EXPECT_EQ(api->contact_wrench_batch, &wrc_contact_wrench_batch);
   EXPECT_EQ(api->exact_wrench, &wrc_exact_wrench);
   EXPECT_EQ(api->region_init, &wrc_region_init);
 }

@@ -61,15 +61,11 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
     input.friction = step.friction;
     wrc_planar_output output = sized<wrc_planar_output>();
     wrc_planar_derivatives slopes{};
-    wrc_step_sensitivity of_step{};
     hash.add(wrc_planar_step(contact, &input, &output));
     hash.add(wrc_planar_tangential_derivatives(contact, &slopes));
-    hash.add(wrc_contact_step_sensitivities(contact, &of_step));
     for (const auto& row : slopes.forces) {
       for (double number : row) hash.add(number);
     }
-    for (double number : of_step.by_load) hash.add(number);
-    for (double number : of_step.by_lateral) hash.add(number);
   }
 }
 

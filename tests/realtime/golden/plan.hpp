@@ -67,7 +67,7 @@ class Numbers {
 
 Plan golden_plan();
 
-void add_poses(Plan& plan);        ///< steps from a pose: methods, creepages, grids, profiles, flat calls
+void add_poses(Plan& plan);        ///< steps from a pose: methods, creepages, grids, profiles
 void add_host_data(Plan& plan);    ///< gaps, strips and patches of the host
 void add_laws(Plan& plan);         ///< friction over place and speed, sensitivities of the forces
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input

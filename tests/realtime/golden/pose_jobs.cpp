@@ -221,23 +221,6 @@ void add_profiles(Plan& plan) {
   }
 }
 
-void add_flat_calls(Plan& plan) {
-  add_model(plan);
-  plan.jobs.push_back({"flat", plan.models.size() - 1, {}, [](wrc_contact* contact, Hash& hash) {
-                         Numbers numbers(2);
-                         for (int i = 0; i < 10; ++i) {
-                           const double in[WRC_FLAT_INPUTS] = {
-                               numbers.between(-5e-3, 7e-3), numbers.between(-2e-3, 2e-3),
-                               numbers.between(-0.01, 0.01), numbers.between(1e4, 1.5e5),
-                               numbers.between(-2e-3, 2e-3), numbers.between(-2e-3, 2e-3),
-                               numbers.between(-0.5, 0.5),   numbers.between(0.1, 0.5)};
-                           double out[WRC_FLAT_OUTPUTS];
-                           hash.add(wrc_contact_step_flat(contact, in, out));
-                           for (double number : out) hash.add(number);
-                         }
-                       }});
-}
-
 }  // namespace
 
 void add_poses(Plan& plan) {
@@ -247,5 +230,4 @@ void add_poses(Plan& plan) {
   add_grids(plan);
   add_warm_start(plan);
   add_profiles(plan);
-  add_flat_calls(plan);
 }

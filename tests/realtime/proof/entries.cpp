@@ -32,18 +32,6 @@ const HostData host;
 
 int32_t step(Wheel& wheel) { return wheel.step(); }
 
-int32_t step_batch(Wheel& wheel) {
-  int32_t status = 0;
-  return wrc_contact_step_batch(&wheel.contact, 1, &wheel.input, sizeof wheel.input, &wheel.output,
-                                sizeof wheel.output, &status);
-}
-
-int32_t step_flat(Wheel& wheel) {
-  const double in[WRC_FLAT_INPUTS] = {wheel.pose.lateral, 0.0, wheel.pose.yaw, 80e3, 1e-3, -1e-3, 0.1, 0.3};
-  double out[WRC_FLAT_OUTPUTS];
-  return wrc_contact_step_flat(wheel.contact, in, out);
-}
-
 int32_t geometry(Wheel& wheel) { return wheel.geometry(); }
 
 int32_t creepages(Wheel& wheel) {
@@ -155,11 +143,6 @@ int32_t flash_temperature(Wheel&) {
 int32_t sensitivities(Wheel& wheel) {
   wrc_planar_derivatives forces{};
   return wrc_planar_tangential_derivatives(wheel.contact, &forces);
-}
-
-int32_t step_sensitivities(Wheel& wheel) {
-  wrc_step_sensitivity forces{};
-  return wrc_contact_step_sensitivities(wheel.contact, &forces);
 }
 
 int32_t contact_patch(Wheel& wheel) {
@@ -327,16 +310,6 @@ int32_t wheel_along_track(Wheel& wheel) {
   return status == WRC_ERROR_LOAD ? WRC_OK : status;
 }
 
-int32_t wheel_step_flat(Wheel& wheel) {
-  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[1] = wheel.pose.lateral;
-  in[4] = wheel.pose.yaw;
-  in[5] = 40.0;
-  in[9] = -87.0;
-  in[17] = 0.3;
-  return wrc_contact_wrench_flat(wheel.contact, in, out);
-}
-
 int32_t wheel_region(Wheel& wheel) {
   wrc_region region = sized<wrc_region>();
   const int32_t status = wrc_contact_region(wheel.contact, 0, &region);
@@ -435,8 +408,6 @@ int32_t defaults_and_names(Wheel&) {
 const std::vector<Entry>& all_entries() {
   static const std::vector<Entry> entries = {
       {"wrc_planar_step", step},
-      {"wrc_contact_step_batch", step_batch},
-      {"wrc_contact_step_flat", step_flat},
       {"wrc_planar_geometry", geometry},
       {"wrc_planar_creepages", creepages},
       {"wrc_planar_normal", normal},
@@ -449,7 +420,6 @@ const std::vector<Entry>& all_entries() {
       {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_stresses", stresses},
       {"wrc_planar_tangential_derivatives", sensitivities},
-      {"wrc_contact_step_sensitivities", step_sensitivities},
       {"wrc_contact_patch", contact_patch},
       {"wrc_contact_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
@@ -459,9 +429,8 @@ const std::vector<Entry>& all_entries() {
       {"wrc_planar_regularise, strips", regularise_strips},
       {"wrc_planar_tangential, double ellipse", tangential_patch},
       {"wrc_planar_roll, wrc_planar_tangential with memory", roll_on},
-      {"wrc_contact_wrench, _batch", wheel_step},
       {"wrc_contact_wrench, friction over temperature", wheel_heated},
-      {"wrc_contact_wrench_flat", wheel_step_flat},
+      {"wrc_contact_wrench, _batch", wheel_step},  // whose regions the next ones read
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_region_ellipse, _damage, _temperature, _field", wheel_region_results},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
