@@ -16,7 +16,7 @@
 !                   2, 3    y, z of that point [m]
 !                   4, 5    roll, yaw [rad]
 !                   6 - 8   velocity x, y, z [m/s]
-!                   9 - 11  angular velocity x, y, z, track axes [rad/s]
+!                   9 - 11  rates of roll, of pitch (about the axle), of yaw [rad/s]
 !                   12 - 14 rail: y, z [m], roll [rad]
 !                   15 - 17 rail: their rates [m/s, rad/s]
 !                   18      coefficient of friction, 0: none
@@ -62,15 +62,12 @@ subroutine wrcpts(iwheel, nw, yw, zw, irail, nr, yr, zr, smooth, cant, model, te
   type(wrc_config) :: config
   type(c_ptr) :: made
   real(c_double), allocatable, target :: wheel(:,:), rail(:,:)
-  integer(c_int32_t) :: same
   call wrc_init(config)
   call describe(config%wheel, iwheel, nw, yw, zw, wheel)
   call describe(config%rail, irail, nr, yr, zr, rail)
   config%track%rail_inclination = cant
-  istat = wrc_model_create(config, c_null_ptr, made)
+  istat = wrc_model_create(config, made, text)
   model = transfer(made, model)
-  text = ''
-  if (istat < 0) same = wrc_config_check(config, text)
 contains
   ! A profile of this kind; points, columns y and z, are of the kind WRC_PROFILE_POINTS alone.
   subroutine describe(profile, kind, count, y, z, points)
@@ -97,8 +94,9 @@ subroutine wrccon(model, iside, contac, istat)
   integer, intent(in) :: iside
   integer(c_int64_t), intent(out) :: contac
   integer, intent(out) :: istat
+  character(1) :: text
   type(c_ptr) :: made
-  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, c_null_ptr, made)
+  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, made, text)
   contac = transfer(made, contac)
 end subroutine
 
@@ -112,15 +110,15 @@ subroutine wrcwhl(contac, xin, xout, istat)
   type(wrc_wheel_input) :: input
   type(wrc_wrench) :: wrench
   call wrc_init(input)
-  call wrc_init(wrench)
   input%wheel%reference = enumerator(xin(1))
   input%wheel%y = xin(2)
   input%wheel%z = xin(3)
   input%wheel%roll = xin(4)
   input%wheel%yaw = xin(5)
   input%wheel%velocity = xin(6:8)
-  input%wheel%angular_axes = WRC_AXES_TRACK
-  input%wheel%angular_velocity = xin(9:11)
+  input%wheel%roll_rate = xin(9)
+  input%wheel%pitch_rate = xin(10)
+  input%wheel%yaw_rate = xin(11)
   input%rail%y = xin(12)
   input%rail%z = xin(13)
   input%rail%roll = xin(14)
@@ -160,7 +158,6 @@ subroutine wrcstp(contac, xin, xout, istat)
   type(wrc_planar_input) :: input
   type(wrc_planar_output) :: output
   call wrc_init(input)
-  call wrc_init(output)
   input%pose%lateral = xin(1)
   input%pose%roll = xin(2)
   input%pose%yaw = xin(3)
