@@ -275,7 +275,7 @@ outcome model_start(instance* of) {
 
 static wrc_contact* of_wheel(instance* of) { return of->contact[of->now.integer[WHEEL_side]]; }
 
-/* What the sixteen inputs, friction and damping are to the library. */
+/* What the inputs, friction and damping are to the library. */
 static void give_wheel(instance* of) {
   const double* from = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
@@ -295,6 +295,8 @@ static void give_wheel(instance* of) {
   rail->y_velocity = from[WHEEL_rail_y_velocity];
   rail->z_velocity = from[WHEEL_rail_z_velocity];
   rail->roll_rate = from[WHEEL_rail_roll_rate];
+  rail->y_slope = from[WHEEL_rail_y_slope];
+  rail->z_slope = from[WHEEL_rail_z_slope];
   of->input.friction.coefficient = from[WHEEL_friction];
   of->input.damping = from[WHEEL_damping];
 }
@@ -338,6 +340,8 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
     of->input.rail.z = rail[1];
     of->input.rail.y_velocity = rail[2];
     of->input.rail.z_velocity = rail[3];
+    of->input.rail.y_slope = rail[4];
+    of->input.rail.z_slope = rail[5];
     const int32_t status = wrc_contact_wrench(of->contact[side], &of->input, &wrench);
     const outcome how = answer(of, of->contact[side], status, &wrench);
     if (how != FINE) return how;
@@ -376,6 +380,13 @@ static outcome solve(instance* of) {
   return how;
 }
 
+/* The column of an input's derivatives. */
+static uint32_t column_of(uint32_t input) {
+  return input == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
+         : input == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
+                                       : input;
+}
+
 /* Rows of the wrench, columns of the inputs. */
 outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns, size_t unknown_count,
                           const uint32_t* knowns, size_t known_count, const double* seed, double* result) {
@@ -385,7 +396,7 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
     if (unknowns[i] < WHEEL_fx || unknowns[i] > WHEEL_mz)
       return wrong(of, WRONG, "derivatives are of fx .. mz");
   for (size_t j = 0; j < known_count; ++j)
-    if (knowns[j] > WHEEL_rail_roll_rate) return wrong(of, WRONG, "derivatives are by the inputs");
+    if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, WRONG, "derivatives are by the inputs");
   if (!of->slopes_known) {
     wrc_wrench wrench = {.struct_size = sizeof wrench};
     give_wheel(of);
@@ -401,7 +412,7 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
   for (size_t i = 0; i < results; ++i) result[i] = 0.0;
   for (size_t i = 0; i < unknown_count; ++i)
     for (size_t j = 0; j < known_count; ++j) {
-      const double slope = of->slopes.wrench[unknowns[i] - WHEEL_fx][knowns[j]];
+      const double slope = of->slopes.wrench[unknowns[i] - WHEEL_fx][column_of(knowns[j])];
       if (transposed)
         result[j] += slope * seed[i];
       else

@@ -127,7 +127,8 @@ for version in (2, 3):
 
 # --- model exchange: derivatives, against differences of the FMU itself
 WRENCH, POSE = ("fx", "fy", "fz", "mx", "my", "mz"), {"y": 1e-3, "z": 2.8e-4, "yaw": 1e-3, "vx": 20.0, "pitch_rate": -20.0 / 0.46}
-STEPS = {"y": 1e-7, "z": 1e-8, "roll": 1e-7, "yaw": 1e-6, "vy": 1e-5, "yaw_rate": 1e-5, "rail_z": 1e-8, "pitch_rate": 1e-4}
+STEPS = {"y": 1e-7, "z": 1e-8, "roll": 1e-7, "yaw": 1e-6, "vy": 1e-5, "yaw_rate": 1e-5, "rail_z": 1e-8,
+         "pitch_rate": 1e-4, "rail_y_slope": 1e-6, "rail_z_slope": 1e-6}
 for version in (2, 3):
     wheel = Fmu(folder / f"wrc_wheel_fmi{version}.fmu", {"side": 1})
     for name, value in POSE.items():
