@@ -13,7 +13,7 @@ if [ "$exported" != "$defined" ]; then
   diff <(echo "$exported") <(echo "$defined") || true
   exit 1
 fi
-named=$("$objdump" -p "$library" | awk '/^Name[ \t]/ {print $NF; exit}')
+named=$("$objdump" -p "$library" | awk '/^Name[ \t]/ {name = $NF} END {print name}')
 [ "$named" = "$(basename "$library")" ] && grep -qF "LIBRARY \"$named\"" "$def" ||
   { echo "$library calls itself '$named'; $def: $(grep LIBRARY "$def")"; exit 1; }
 needed=$("$objdump" -p "$library" | awk '/DLL Name:/ {print $3}')
