@@ -2,8 +2,8 @@
  *
  *   cc first_step.c -lwrc -o first_step && ./first_step
  *
- * First the height at which the wheelset stands, then the wrench on both wheels while it rolls: 1 mm to the
- * right of the middle, the nose turned to the right by 2 mrad, at 20 m/s.
+ * First the height at which the wheelset stands, then the wrench on both wheels while it rolls at 20 m/s, in
+ * the middle of the track, the nose turned to the right by 2 mrad.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +47,6 @@ int main(void) {
   wrc_wrench wrench = {.struct_size = sizeof wrench};
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3; /* N */
-  input.friction.coefficient = 0.35;
   solve(contact[WRC_SIDE_RIGHT], &input, &wrench);
   printf("stands %.1f um below its nominal height\n", 1e6 * wrench.z);
 
@@ -56,9 +55,8 @@ int main(void) {
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
   wrc_wheel_state* wheel = &input.wheel;
-  wheel->y = 1e-3; /* m */
-  wheel->z = wrench.z;
-  wheel->yaw = 2e-3; /* rad */
+  wheel->z = wrench.z; /* m */
+  wheel->yaw = 2e-3;   /* rad */
   wheel->velocity[0] = speed;
   wheel->pitch_rate = -speed / config.wheelset.wheel_radius; /* rad/s, about the axle */
   double force[3] = {0.0, 0.0, 0.0}, moment[3] = {0.0, 0.0, 0.0};

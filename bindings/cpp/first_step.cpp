@@ -17,16 +17,14 @@ int main() try {
   wrc_wheel_input input = wrc_wheel_input_default();
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3;  // N
-  input.friction.coefficient = 0.35;
   const double standing = wheels[0].wrench(input).z;
   std::printf("stands %.1f um below its nominal height\n", 1e6 * standing);
 
   const double speed = 20.0;  // m/s
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
-  input.wheel.y = 1e-3;  // m
-  input.wheel.z = standing;
-  input.wheel.yaw = 2e-3;  // rad
+  input.wheel.z = standing;  // m
+  input.wheel.yaw = 2e-3;    // rad
   input.wheel.velocity[0] = speed;
   input.wheel.pitch_rate = -speed / config.wheelset.wheel_radius;  // rad/s, about the axle
   double force[3] = {}, moment[3] = {};

@@ -77,7 +77,7 @@ void rolls_on() {
   const std::vector<double> pressure(16, 1e9);
   problem.pressure = pressure.data();
   auto solution = wrc::defaults<wrc_exact_rolling_solution>();
-  auto made = wrc::transient::make(problem.grid, problem.wheel_material, problem.rail_material);
+  auto made = wrc::transient::make(problem.grid);
   EXPECT(made.has_value());
   wrc::transient bodies(std::move(*made));
   EXPECT(bodies.step(problem, solution) == WRC_OK);
@@ -85,8 +85,7 @@ void rolls_on() {
   EXPECT(bodies.step(problem, solution) == WRC_OK && solution.fx < first && first < 0.0);
   problem.grid.nx = 0;
   std::array<char, 300> text{};
-  EXPECT(wrc::transient::make(problem.grid, problem.wheel_material, problem.rail_material, text).error() ==
-             WRC_ERROR_RANGE &&
+  EXPECT(wrc::transient::make(problem.grid, nullptr, nullptr, text).error() == WRC_ERROR_RANGE &&
          std::strstr(text.data(), "nx"));
   EXPECT(wrc::transient().step(problem, solution) == WRC_ERROR_NULL);
 }

@@ -32,14 +32,12 @@ program main_case
   ! the height at which the wheelset stands, at rest
   input%prescribed = WRC_PRESCRIBE_VERTICAL_LOAD
   input%vertical_load = 80d3
-  input%friction%coefficient = 0.35d0
   call solve(WRC_SIDE_RIGHT)
   print '(a,f6.1,a)', 'stands ', 1d6*wrench%z, ' um below its nominal height'
 
   ! pose and motion of its middle, as a multibody code hands them over in every evaluation
   input%prescribed = WRC_PRESCRIBE_HEIGHT
   input%vertical_load = 0
-  input%wheel%y = 1d-3
   input%wheel%z = wrench%z
   input%wheel%yaw = 2d-3
   input%wheel%velocity(1) = speed

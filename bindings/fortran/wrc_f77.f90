@@ -5,7 +5,7 @@
 !                                                      IRAIL is 1; SMOOTH as wrc_profile.smoothing [m]; a sentence in
 !                                                      TEXT where ISTAT < 0
 !     CALL WRCCON(MODEL, ISIDE, CONTAC, ISTAT)         a contact of side 0 (right) or 1 (left)
-!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench: 28 numbers in, 18 out
+!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench: 30 numbers in, 18 out
 !     CALL WRCSTP(CONTAC, XIN, XOUT, ISTAT)            wrc_planar_step: 8 numbers in, 12 out
 !     CALL WRCTXT(CONTAC, TEXT)                        the sentence behind the last status
 !     CALL WRCDEL(CONTAC)                              releases a contact
@@ -16,15 +16,16 @@
 !                   2, 3    y, z of that point [m]
 !                   4, 5    roll, yaw [rad]
 !                   6 - 8   velocity x, y, z [m/s]
-!                   9 - 11  rates of roll, of pitch (about the axle), of yaw [rad/s]
+!                   9 - 11  roll rate, pitch rate about the axle (-v/r0 rolling forwards), yaw rate [rad/s]
 !                   12 - 14 rail: y, z [m], roll [rad]
-!                   15 - 17 rail: their rates [m/s, rad/s]
+!                   15 - 17 rail: their rates [m/s, rad/s]; of a bent rail at rest 0
 !                   18      coefficient of friction, 0: none
 !                   19, 20  1: the vertical load [N] is given and z is found; 0: z is given
 !                   21      damping [s/m]
 !                   22, 23  distance along the track [m], angle about the axle [rad]
 !                   24      angular velocity of a roller [rad/s]
 !                   25 - 28 frame: speed [m/s], curvature, vertical curvature, twist [1/m]
+!                   29, 30  rail: slopes dy/dx, dz/dx
 ! XOUT of WRCWHL    1 - 3   force on the wheel x, y, z [N]
 !                   4 - 6   moment on the wheel x, y, z [N m]
 !                   7 - 9   force on the rail x, y, z [N]
@@ -104,7 +105,7 @@ subroutine wrcwhl(contac, xin, xout, istat)
   use wrc
   implicit none
   integer(c_int64_t), intent(in) :: contac
-  real(c_double), intent(in) :: xin(28)
+  real(c_double), intent(in) :: xin(30)
   real(c_double), intent(out) :: xout(18)
   integer, intent(out) :: istat
   type(wrc_wheel_input) :: input
@@ -136,6 +137,8 @@ subroutine wrcwhl(contac, xin, xout, istat)
   input%frame%curvature = xin(26)
   input%frame%vertical_curvature = xin(27)
   input%frame%twist = xin(28)
+  input%rail%y_slope = xin(29)
+  input%rail%z_slope = xin(30)
   istat = wrc_contact_wrench(transfer(contac, c_null_ptr), input, wrench)
   xout = [wrench%force, wrench%moment, wrench%rail_force, wrench%rail_moment, wrench%z, wrench%normal_force, &
     wrench%area, wrench%peak_pressure, wrench%power, real(wrench%region_count, c_double)]

@@ -2,7 +2,7 @@
  * and Modelica folders have in common. Inputs: y, z, roll, yaw, velocity x y z, rates of roll, pitch (about
  * the axle, -v / r rolling forwards) and yaw; rail y, z, roll, velocities y z of its material, its rate of
  * roll, its slopes dy/dx, dz/dx along the track. Outputs: force x y z, moment x y z on the wheel about the
- * middle of the wheelset, track axes. Every call starts anew: the same inputs have the same outputs. */
+ * middle of the wheelset, track axes. Every call starts cold: the same inputs have the same outputs. */
 #ifndef WRC_BLOCK_H
 #define WRC_BLOCK_H
 

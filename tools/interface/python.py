@@ -138,8 +138,9 @@ class _Writer:
                     count = "matrix=True"
                 return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}, {count})".replace(", )", ")")
             if kind.base in self.interface.structs and kind.pointers == 1 and told.counted_by:
+                size = next((each.member.name for each in beside if each.member.name == name.removesuffix("s") + "_size"), None)
                 return ("_" + name, f"c.POINTER({class_name(kind.base)})", f"Sequence[{class_name(kind.base)}]",
-                        f"s.References({name!r}, {told.counted_by!r})")
+                        f"s.References({name!r}, {told.counted_by!r}" + (f", {size!r})" if size else ")"))
             if kind.base in self.interface.structs and kind.pointers == 1:
                 return "_" + name, f"c.POINTER({class_name(kind.base)})", f"Optional[{class_name(kind.base)}]", f"s.Reference({name!r})"
             if kind.base == "char":

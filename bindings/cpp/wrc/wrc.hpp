@@ -482,20 +482,21 @@ class contact : public contact_ref {
 class transient {
  public:
   transient() noexcept = default;
-  /** `text` gets the sentence where it fails. */
-  static expected<transient> make(const wrc_grid& grid, const wrc_material& wheel, const wrc_material& rail,
-                                  span<char> text = {}) noexcept {
+  /** Materials nullptr: the defaults. `text` gets the sentence where it fails. */
+  static expected<transient> make(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                                  const wrc_material* rail = nullptr, span<char> text = {}) noexcept {
     transient made;
     const status how =
-        wrc_exact_transient_create(&grid, &wheel, &rail, &made.handle_, text.data(), text.size());
+        wrc_exact_transient_create(&grid, wheel, rail, &made.handle_, text.data(), text.size());
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
   /** The same; throws an error with the sentence. */
-  transient(const wrc_grid& grid, const wrc_material& wheel, const wrc_material& rail) {
+  explicit transient(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                     const wrc_material* rail = nullptr) {
     char sentence[512] = "";
-    const status how = wrc_exact_transient_create(&grid, &wheel, &rail, &handle_, sentence, sizeof sentence);
+    const status how = wrc_exact_transient_create(&grid, wheel, rail, &handle_, sentence, sizeof sentence);
     if (how.failed()) throw error(how, sentence);
   }
 #endif

@@ -1000,7 +1000,7 @@ class Config(s.Struct):
     check_rail: ConfigCheckRail
     rail_section_count: int = s.Count('rail_section_count')  # type: ignore[assignment]
     rail_section_size: int
-    rail_sections: Sequence[RailSection] = s.References('rail_sections', 'rail_section_count')  # type: ignore[assignment]
+    rail_sections: Sequence[RailSection] = s.References('rail_sections', 'rail_section_count', 'rail_section_size')  # type: ignore[assignment]
     _units_ = {'roller_curvature': '1/m'}
     _hidden_ = ('struct_size',)
     _fields_ = [

@@ -115,7 +115,7 @@ class Pointer(Member):
         if not pointer:
             return None
         if self.matrix:
-            return np.ctypeslib.as_array(pointer, (owner.rows, owner.row_stride))[:, :owner.columns]
+            return np.ctypeslib.as_array(pointer, (owner.row_count, owner.row_stride))[:, :owner.column_count]
         length = self.length(owner)
         return np.ctypeslib.as_array(pointer, (length,)) if length else pointer
 
@@ -134,7 +134,7 @@ class Pointer(Member):
         if self.fixed and array.size != self.fixed:
             raise ValueError(f"{kind.__name__}.{self.name} has {self.fixed} numbers, not {array.size}")
         if self.matrix:
-            shape = (owner.rows, owner.columns)
+            shape = (owner.row_count, owner.column_count)
             if array.shape != shape:
                 raise ValueError(f"{kind.__name__}.{self.name} has the shape {array.shape}, rows and columns are {shape}: set y and x first")
             owner.row_stride = shape[1]
@@ -174,11 +174,11 @@ class Reference(Member):
 
 
 class References(Reference):
-    """A pointer to several structs, given as structs or as dicts of their members; it counts them itself."""
+    """A pointer to several structs, given as structs or as dicts of their members; it counts them itself, and says their size."""
 
-    def __init__(self, name: str, count: str):
+    def __init__(self, name: str, count: str, size: str = ""):
         super().__init__(name)
-        self.count = "_" + count
+        self.count, self.size = "_" + count, size
 
     def __get__(self, owner: Any, _: Any = None) -> Any:
         if owner is None:
@@ -191,6 +191,8 @@ class References(Reference):
         made = [each if isinstance(each, Struct) else pointer._type_(**each) for each in value or ()]
         setattr(owner, self.field, (pointer._type_ * len(made))(*made) if made else pointer())
         setattr(owner, self.count, len(made))
+        if self.size:
+            setattr(owner, self.size, c.sizeof(pointer._type_) if made else 0)
 
 
 class Text(Member):

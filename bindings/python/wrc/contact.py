@@ -19,12 +19,9 @@ _SHARED_LOCK = threading.Lock()
 
 
 def _view(view: i.View, memory: Any) -> np.ndarray:
-    """A wrc_view as a read-only numpy array in the memory of its model or contact, which it keeps alive."""
-    rank = view.rank
-    shape = tuple(int(each) for each in view.count[:rank])
-    strides = tuple(8 * int(each) for each in view.stride[:rank])
+    """A wrc_view as a read-only numpy array in the memory of its model, which it keeps alive."""
     offset = c.cast(view._data, c.c_void_p).value - c.addressof(memory)  # type: ignore[operator,attr-defined]
-    array = np.ndarray(shape, np.float64, memory, offset, strides)
+    array = np.ndarray((int(view.count),), np.float64, memory, offset)
     array.flags.writeable = False
     return array
 
@@ -47,14 +44,14 @@ def _results(kind: Any, count: int) -> Tuple[Any, Dict[str, np.ndarray]]:
     return kind(**arrays), arrays
 
 
-def conicity(lateral: Any, radius_difference: Any, amplitude: Any, **problem: Any) -> Dict[str, np.ndarray]:
-    """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.contact_functions() gives it: the
+def conicity(lateral: Any, radius_difference: Any, amplitudes: Any, **problem: Any) -> Dict[str, np.ndarray]:
+    """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.wheelset_geometry() gives it: the
     members of wrc.Conicity as arrays. UIC 519, EN 15302.
 
     problem: method, contact_distance, radius of wrc.ConicityProblem
     """
-    told = i.ConicityProblem(lateral=lateral, radius_difference=radius_difference, amplitude=np.atleast_1d(amplitude), **problem)
-    found, arrays = _results(i.Conicity, told.amplitudes)
+    told = i.ConicityProblem(lateral=lateral, radius_difference=radius_difference, amplitudes=np.atleast_1d(amplitudes), **problem)
+    found, arrays = _results(i.Conicity, told.amplitude_count)
     text = c.create_string_buffer(_SENTENCE)
     _l.check(i._wrc_equivalent_conicity(told, found, text, _SENTENCE), text)
     return arrays
@@ -83,14 +80,12 @@ class Model(i.ModelCalls):
         size, alignment = c.c_uint64(), c.c_uint64()
         handle = c.c_void_p()
         status = i._wrc_model_size(config, c.byref(size), c.byref(alignment))
-        memory = None
-        if status >= 0:
-            memory, address = _l.aligned(size.value, alignment.value)
-            status = i._wrc_model_init(config, address, size.value, c.byref(handle))
+        text = c.create_string_buffer(_SENTENCE)
         if status < 0:
-            text = c.create_string_buffer(_SENTENCE)
             i._wrc_config_check(config, text, _SENTENCE)
             raise _l.fault(status, text.value.decode(errors="replace"))
+        memory, address = _l.aligned(size.value, alignment.value)
+        _l.check(i._wrc_model_init(config, address, size.value, c.byref(handle), text, _SENTENCE), text)
         self._take(memory, handle)
         self.config = config
 
@@ -127,18 +122,18 @@ class Model(i.ModelCalls):
                 raise self._error(status)
         return y.reshape(arc.shape), z.reshape(arc.shape)
 
-    def contact_functions(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
+    def wheelset_geometry(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
         """Where a wheelset without yaw touches both rails, over its lateral displacement: the members of
-        wrc.ContactFunctions as arrays. EN 15302.
+        wrc.WheelsetGeometry as arrays. EN 15302.
 
         lateral: of the wheelset, to the right [m]
         wheel_load: 0: the bodies touch undeformed; of each wheel, vertical: elastic [N]
         """
-        problem = i.ContactFunctionsProblem(lateral=np.atleast_1d(lateral), wheel_load=wheel_load)
-        found, arrays = _results(i.ContactFunctions, problem.count)
+        problem = i.WheelsetGeometryProblem(lateral=np.atleast_1d(lateral), wheel_load=wheel_load)
+        found, arrays = _results(i.WheelsetGeometry, problem.count)
         text = c.create_string_buffer(_SENTENCE)
         with self._lock:
-            self._status = i._wrc_profile_contact_functions(self._handle, problem, found, text, _SENTENCE)
+            self._status = i._wrc_profile_wheelset_geometry(self._handle, problem, found, text, _SENTENCE)
         _l.check(self._status, text)
         return arrays
 
@@ -158,7 +153,7 @@ class Contact(i.ContactCalls):
     What a call gives is a new struct; out= takes one to be filled instead.
     """
 
-    __slots__ = ("model", "side", "_fields")
+    __slots__ = ("model", "side")
 
     def __init__(self, model: Model, side: Any = i.Side.RIGHT):
         size, alignment = c.c_uint64(), c.c_uint64()
@@ -168,9 +163,8 @@ class Contact(i.ContactCalls):
         if status < 0:
             raise model._error(status)
         memory, address = _l.aligned(size.value, alignment.value)
-        status = i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle))
-        if status < 0:
-            raise _l.fault(status, f"there is no side {side}" if status == i.Status.ERROR_UNSUPPORTED else "")
+        text = c.create_string_buffer(_SENTENCE)
+        _l.check(i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle), text, _SENTENCE), text)
         self._take((memory, model._memory), handle)  # the model's memory lives as long as the contact
         self.model, self.side = model, side
 
@@ -189,73 +183,51 @@ class Contact(i.ContactCalls):
         i._wrc_contact_last_error(self._handle, text, _SENTENCE)
         return text.value.decode(errors="replace")
 
-    def field(self, field: Any, patch: int = 0) -> np.ndarray:
-        """A field of one patch after the last call, read-only and without a copy: the next call changes it in place.
+    def field(self, field: Any, index: int = 0) -> np.ndarray:
+        """A field of one region of the last wrench() or of the last stages, a new array. Fields over cells have the shape
+        (strips, cells), cell 0 at the leading edge; others have one number a strip, or a row of the gap.
 
-        field: a wrc.FieldId or its name, "PRESSURE"; its docstring has units. Fields over cells have the shape (cells,
-        strips), cell 0 at the leading edge, strips by increasing y; others have one number a strip or gap row.
+        field: a wrc.Field or its name, "PRESSURE"; its docstring has units
+        index: of the region, from the gauge side to the field side of a rail, on a contact plane by increasing y
         """
-        view = i.View()
+        which, counts = int(i.Field.of(field)), np.zeros(2, np.uint64)
         with self._lock:
-            status = i._wrc_contact_field(self._handle, patch, int(i.FieldId.of(field)), view)
+            status = self._status = i._wrc_contact_field(self._handle, index, which, None, 0, counts)
+            values = np.zeros((int(counts[1]), int(counts[0])))
+            if status >= 0:
+                status = self._status = i._wrc_contact_field(self._handle, index, which, values, values.size, counts)
             if status < 0:
-                raise self._error(status) if self._handle is None else _l.fault(status, f"{i.FieldId.of(field)!s}: " + (
-                    f"there is no patch {patch}" if status == i.Status.ERROR_RANGE else i.STATUS_TEXTS[status]))
-            return _view(view, self._memory[0])
+                raise self._error(status)
+        return values if values.shape[1] > 1 else values[:, 0]
 
-    def fields(self, patch: int = 0) -> Dict[str, np.ndarray]:
-        """All fields of a patch that the last call computed, by name."""
+    def fields(self, index: int = 0) -> Dict[str, np.ndarray]:
+        """All fields of a region that the last call computed, by name."""
         found = {}
-        for each in i.FieldId:
+        for each in i.Field:
             try:
-                found[each.name] = self.field(each, patch)
+                found[each.name] = self.field(each, index)
             except _l.Error:
                 pass
         return found
 
-    def patches(self) -> List[i.Patch]:
-        """Every patch of the last step, by increasing y."""
-        return self._each(i._wrc_contact_patch, i.Patch)
-
     def regions(self) -> List[i.Region]:
-        """Every region of the last wrench, from the gauge side to the field side."""
-        return self._each(i._wrc_contact_region, i.Region)
-
-    def _each(self, function: Callable[..., int], kind: Any) -> List[Any]:
-        found: List[Any] = []
+        """Every region of the last wrench(), or every patch of the last stages."""
+        found: List[i.Region] = []
         with self._lock:
             while True:
-                one = kind._new()
-                status = function(self._handle, len(found), one)
+                one = i.Region._new()
+                status = i._wrc_contact_region(self._handle, len(found), one)
                 if status == i.Status.ERROR_RANGE:
                     return found
                 if status < 0:
                     raise self._error(status)
                 found.append(one)
 
-    def region_field(self, field: Any, region: int = 0) -> np.ndarray:
-        """A field of one region of the last wrench(), a new array: over cells of shape (cells, strips), cell 0 at the leading
-        edge, strips from the gauge side on; others one number a strip.
-
-        field: a wrc.RegionField or its name, "PRESSURE"
-        """
+    def planar_roll(self, distance: float) -> None:
+        """Tells a contact of a model with planar={"non_steady": 1} how far it has rolled since its last tangential stage [m]; calls
+        add up."""
         with self._lock:
-            one = self.region(region)
-            values = np.full(one.cells * one.strips, np.nan)
-            status = i._wrc_contact_region_field(self._handle, region, int(i.RegionField.of(field)), values, values.size)
-            if status < 0:
-                raise self._error(status)
-        values = values[:one.strips] if np.isnan(values[one.strips:]).all() else values.reshape(one.cells, one.strips)
-        return values
-
-    def region_fields(self, region: int = 0) -> Dict[str, np.ndarray]:
-        """All fields of a region, by name."""
-        return {each.name: self.region_field(each, region) for each in i.RegionField}
-
-    def roll(self, distance: float) -> None:
-        """Tells a contact of a model with non_steady=1 how far it has rolled since its last tangential stage [m]; calls add up."""
-        with self._lock:
-            status = self._status = i._wrc_contact_roll(self._handle, distance)
+            status = self._status = i._wrc_planar_roll(self._handle, distance)
             if status < 0:
                 raise self._error(status)
 
@@ -263,7 +235,7 @@ class Contact(i.ContactCalls):
                    **accumulation: Any) -> i.DamageTotals:
         """Adds what the last results do in a duration to wrc.Bins of the wheel's and of the rail's profile: what was added.
 
-        accumulation: members of wrc.Accumulation: duration [s], source="WRENCH" or "STAGES", distance [m], wear, fatigue
+        accumulation: members of wrc.Accumulation: duration [s], distance [m], wear, fatigue
         """
         told, totals = i.Accumulation(**accumulation), i.DamageTotals._new() if out is None else out
         with self._lock:
@@ -272,12 +244,15 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
         return totals
 
-    def stresses(self, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
-        """Largest stresses in one body under the last step: as a whole, and at each of the depths [m]. See wrc_damage.h."""
+    def stresses(self, depths: Any, body: Any = "RAIL", index: int = 0) -> Tuple[i.Stresses, List[i.StressPeaks]]:
+        """Largest stresses in one body under one region of the last call: as a whole, and at each of the depths [m].
+
+        index: of the region; wrc.ALL_REGIONS: all patches of a contact plane together
+        """
         depths = np.ascontiguousarray(np.atleast_1d(depths), np.float64)
         levels, found = (i.StressPeaks * depths.size)(), i.Stresses._new()
         with self._lock:
-            status = self._status = i._wrc_contact_stresses(self._handle, int(i.Body.of(body)), depths, depths.size, levels[0], found)
+            status = self._status = i._wrc_contact_stresses(self._handle, index, int(i.Body.of(body)), depths, depths.size, levels[0], found)
             if status < 0:
                 raise self._error(status)
         return found, list(levels)
@@ -303,7 +278,7 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
 
     def exact_gap(self, grid: i.Grid) -> np.ndarray:
-        """The gap of the last geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
+        """The gap of the last planar_geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
         gap = np.zeros((grid.ny, grid.nx))
         with self._lock:
             status = i._wrc_exact_gap(self._handle, grid, gap)
@@ -375,15 +350,15 @@ def _elements(array: Any, kind: Any, count: int, name: str) -> Tuple[int, int]:
 
 
 def _steps(contact: Contact, inputs: np.ndarray, out: np.ndarray) -> np.ndarray:
-    """Contact.step() of each input in turn; the statuses."""
+    """Contact.planar_step() of each input in turn; the statuses."""
     count = len(inputs)
-    address, stride = _elements(inputs, i.Input, count, "inputs")
-    target, step = _elements(out, i.Output, count, "out")
+    address, stride = _elements(inputs, i.PlanarInput, count, "inputs")
+    target, step = _elements(out, i.PlanarOutput, count, "out")
     statuses = np.zeros(count, np.int32)
     with contact._lock:
         for k in range(count):
-            statuses[k] = i._wrc_contact_step(contact._handle, i.Input.from_address(address + k * stride),
-                                              i.Output.from_address(target + k * step))
+            statuses[k] = i._wrc_planar_step(contact._handle, i.PlanarInput.from_address(address + k * stride),
+                                              i.PlanarOutput.from_address(target + k * step))
     return statuses
 
 
@@ -392,19 +367,19 @@ BLOCK = 64  # elements solved between two looks at what is left
 
 def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: int = 1,
           progress: Optional[Callable[[float], Any]] = None) -> Tuple[np.ndarray, np.ndarray]:
-    """Solves any number of inputs of one model: the results (wrc.Output or wrc.Wrench as an array), and their statuses.
+    """Solves any number of inputs of one model: the results (wrc.PlanarOutput or wrc.Wrench as an array), and their statuses.
 
-    inputs: wrc.Input.array(n) for steps, wrc.WheelInput.array(n) for wheels on rails, each of which starts anew
+    inputs: wrc.WheelInput.array(n) for wheels on rails, wrc.PlanarInput.array(n) for planar steps, each of which starts cold
     threads: 0: as many as there are processors. The bits are the same whatever their number
     progress: called with the fraction done; what it raises ends the sweep
     """
     if model.config.planar.start:
         raise ValueError("with planar.start results depend on the order of calls: a sweep has none")
-    if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.WheelStart.ANEW).any():
+    if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.Start.COLD).any():
         inputs = inputs.copy()  # the caller's stays what it is
-        inputs["start"] = i.WheelStart.ANEW
-    planar = inputs.dtype == i.Input.dtype()
-    out, statuses = (i.Output if planar else i.Wrench).array(len(inputs)), np.zeros(len(inputs), np.int32)
+        inputs["start"] = i.Start.COLD
+    planar = inputs.dtype == i.PlanarInput.dtype()
+    out, statuses = (i.PlanarOutput if planar else i.Wrench).array(len(inputs)), np.zeros(len(inputs), np.int32)
     starts = range(0, len(inputs), BLOCK)
     workers = min(threads or os.cpu_count() or 1, max(1, len(starts)))
 

@@ -25,8 +25,9 @@ class Bins:
         self.shape = rows, count
         self._told = count, first, width, rows, row_first, row_length
         self._bins = (i.DamageBin * (rows * count + 1))()
-        self.struct = i.DamageBins(first=first, width=width, row_first=row_first, row_length=row_length, count=count, rows=rows)
-        self.struct._bin = c.cast(self._bins, c.POINTER(i.DamageBin))
+        self.struct = i.DamageBins(first=first, width=width, row_first=row_first, row_length=row_length, count=count, row_count=rows)
+        self.struct.bin_size = c.sizeof(i.DamageBin)
+        self.struct._bins = c.cast(self._bins, c.POINTER(i.DamageBin))
 
     @property
     def arc(self) -> np.ndarray:
@@ -95,7 +96,7 @@ def flash_temperature(power_density: Any, cell: float, speed: float, wheel: Opti
     return rise
 
 
-def take_off(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np.ndarray, np.ndarray]:
+def remove_wear(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np.ndarray, np.ndarray]:
     """A profile with wear taken off along its normals: what was done (passages, depth, area), and y, z of the worn profile [m].
 
     y, z: of the profile as wrc.Profile has it [m]
@@ -105,7 +106,7 @@ def take_off(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np
     told = i.ProfileWear(y=y, z=z, depth=depth, **wear)
     worn_y, worn_z = np.zeros(_POINTS), np.zeros(_POINTS)
     worn, text = i.WornProfile(capacity=_POINTS, y=worn_y, z=worn_z), c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_profile_take_off(told, worn, text, _SENTENCE), text)
+    _l.check(i._wrc_profile_remove_wear(told, worn, text, _SENTENCE), text)
     return worn, worn_y[:worn.count].copy(), worn_z[:worn.count].copy()
 
 
@@ -113,7 +114,7 @@ def flange_dimensions(y: Any, z: Any, flange_back_to_origin: float) -> i.Flange:
     """Height, thickness and slope of a wheel's flange, EN 15313.
 
     y, z: of the profile as wrc.Profile has it [m]
-    flange_back_to_origin: wrc.ConfigWheelset's [m]
+    flange_back_to_origin: along y from the flange's back to y = 0 [m]; 0.07 of most wheels
     """
     y, z = (np.ascontiguousarray(each, np.float64) for each in (y, z))
     if y.shape != z.shape or y.ndim != 1:

@@ -30,11 +30,11 @@ def _done(made: Any, path: Any) -> Any:
 
 
 def contact(contact: Contact, path: Any = None) -> Any:
-    """Patches of the last step: pressure, tractions with their directions, stick and slip, frictional power. Lateral to the
+    """Patches of the last planar_step(): pressure, tractions with their directions, stick and slip, frictional power. Lateral to the
     right, rolling direction upwards [mm]."""
     patches = _patches(contact)
     if not patches:
-        raise ValueError(f"there is nothing to draw: {contact.message or 'call step() first'}")
+        raise ValueError(f"there is nothing to draw: {contact.message or 'call planar_step() first'}")
     made = figure(figsize=(11, 6.6))
     panels = made.subplots(2, 2, sharex=True, sharey=True)
     shown = (("pressure [MPa]", "PRESSURE", 1e-6, "viridis"), ("traction on the wheel [MPa]", "TRACTION", 1e-6, "magma"),
@@ -47,7 +47,7 @@ def contact(contact: Contact, path: Any = None) -> Any:
         top = max((float(each.max()) for _, each in have), default=0.0) * scale
         mesh = None
         for fields, each in have:
-            x, y = 1e3 * fields["X"], 1e3 * np.broadcast_to(fields["STRIP_Y"], fields["X"].shape)
+            x, y = 1e3 * fields["X"], 1e3 * np.broadcast_to(fields["STRIP_Y"][:, None], fields["X"].shape)
             mesh = panel.pcolormesh(y, x, scale * each, shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
             if name == "SLIP":
                 sticks = (each <= SLIDES).astype(float)
@@ -55,7 +55,7 @@ def contact(contact: Contact, path: Any = None) -> Any:
                     panel.contourf(y, x, sticks, levels=[0.5, 1.5], colors=["#dddddd"])
                     panel.contour(y, x, sticks, levels=[0.5], colors="black", linewidths=1.2)
             if name == "TRACTION":
-                every = (slice(1, None, max(1, x.shape[0] // 11)), slice(1, None, max(1, x.shape[1] // 18)))
+                every = (slice(1, None, max(1, x.shape[0] // 18)), slice(1, None, max(1, x.shape[1] // 11)))
                 panel.quiver(y[every], x[every], fields["TRACTION_Y"][every], fields["TRACTION_X"][every], color="white", width=2.5e-3,
                              pivot="middle", scale=22 * top / scale if top else None)
         if mesh is not None:
@@ -75,7 +75,7 @@ def regions(contact: Contact, path: Any = None) -> Any:
     """Regions of the last wrench on the rail's surface, rolled out: pressure, tractions, slip, frictional power over the arc
     length from the gauge end of the rail's profile; rolling direction upwards [mm]."""
     try:
-        found = [contact.region_fields(each) for each in range(len(contact.regions()))]
+        found = [contact.fields(each) for each in range(len(contact.regions()))]
     except Error:
         found = []
     if not found:
@@ -83,21 +83,21 @@ def regions(contact: Contact, path: Any = None) -> Any:
     made = figure(figsize=(11, 6.6))
     panels = made.subplots(2, 2, sharex=True, sharey=True)
     shown = (("pressure [MPa]", lambda f: 1e-6 * f["PRESSURE"], "viridis"),
-             ("traction on the wheel [MPa]", lambda f: 1e-6 * np.hypot(f["TRACTION_X"], f["TRACTION_S"]), "magma"),
-             ("sliding velocity / rolling speed [1e-3]", lambda f: 1e3 * np.hypot(f["SLIP_X"], f["SLIP_S"]), "cividis"),
+             ("traction on the wheel [MPa]", lambda f: 1e-6 * np.hypot(f["TRACTION_X"], f["TRACTION_Y"]), "magma"),
+             ("sliding velocity / rolling speed [1e-3]", lambda f: 1e3 * np.hypot(f["SLIP_X"], f["SLIP_Y"]), "cividis"),
              ("frictional power [W/mm²]", lambda f: 1e-6 * f["POWER_DENSITY"], "inferno"))
     for panel, (title, value, colours) in zip(panels.flat, shown):
         panel.set_title(title, fontsize=10)
         top = max(float(value(each).max()) for each in found)
         for each in found:
-            s = 1e3 * np.broadcast_to(each["STRIP_S"], each["X"].shape)
+            s = 1e3 * np.broadcast_to(each["STRIP_Y"][:, None], each["X"].shape)
             mesh = panel.pcolormesh(s, 1e3 * each["X"], value(each), shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
-            ends = (each["STRIP_CENTRE"] + each["STRIP_HALF"], each["STRIP_CENTRE"] - each["STRIP_HALF"])
+            ends = (each["STRIP_CENTRE"] + each["STRIP_HALF_LENGTH"], each["STRIP_CENTRE"] - each["STRIP_HALF_LENGTH"])
             for end in ends:
-                panel.plot(1e3 * each["STRIP_S"], 1e3 * end, color="black", linewidth=1)
+                panel.plot(1e3 * each["STRIP_Y"], 1e3 * end, color="black", linewidth=1)
         made.colorbar(mesh, ax=panel, shrink=0.8)
         panel.set_aspect("equal")
-    arcs = 1e3 * np.concatenate([each["STRIP_S"] for each in found])
+    arcs = 1e3 * np.concatenate([each["STRIP_Y"] for each in found])
     middle, half = 0.5 * (arcs.max() + arcs.min()), max(7.0, 0.5 * np.ptp(arcs) + 1.0)
     panels[0, 0].set_xlim(middle - half, middle + half)
     for panel in panels[1]:
@@ -108,9 +108,9 @@ def regions(contact: Contact, path: Any = None) -> Any:
 
 
 def _patches(contact: Contact) -> List[Dict[str, np.ndarray]]:
-    """Fields of every patch of the last step."""
+    """Fields of every patch of the last planar_step()."""
     try:
-        count = len(contact.patches())
+        count = len(contact.regions())
     except Error:
         return []
     return [fields for fields in (contact.fields(each) for each in range(count)) if "X" in fields]
@@ -126,7 +126,7 @@ def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
 
 def _edge(fields: Dict[str, np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
     """The outline of a patch from its strips [mm]."""
-    y, middle, half = (1e3 * fields[name] for name in ("STRIP_Y", "STRIP_CENTRE", "STRIP_HALF"))
+    y, middle, half = (1e3 * fields[name] for name in ("STRIP_Y", "STRIP_CENTRE", "STRIP_HALF_LENGTH"))
     ahead, behind = middle + half, middle - half
     return np.concatenate([y, y[::-1], y[:1]]), np.concatenate([ahead, behind[::-1], ahead[:1]])
 
@@ -159,7 +159,7 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     panel.plot(1e3 * (y + rail.y - rail.roll * z), 1e3 * (z + rail.z + rail.roll * (y - origin)), color="#555555", label="rail")
     y, z, _ = contact.model.profile("WHEEL", contact.side)
     radius = config.wheelset.wheel_radius
-    middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.flange_back_distance / 2 + 0.070, y[0])
+    middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.tape_circle_distance / 2, y[0])
     cos, sin = np.cos(input.wheel.roll), np.sin(input.wheel.roll)
     across, down = (y - middle), z + radius
     panel.plot(1e3 * (middle + input.wheel.y + cos * across - sin * down), 1e3 * (wrench.z - radius + sin * across + cos * down),
@@ -178,22 +178,22 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     return _done(made, path)
 
 
-def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.Input) -> np.ndarray:
+def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.PlanarInput) -> np.ndarray:
     """Forces fx, fy [N] over creepages in one direction, "longitudinal", "lateral" or "spin", others as in `input`; shape
     (number of values, 2). The patch is solved once."""
     if direction not in ("longitudinal", "lateral", "spin"):
         raise ValueError(f"{direction!r} is none of longitudinal, lateral, spin")
-    contact.step(input)
+    contact.planar_step(input)
     creepage = input.creepage.copy()
     forces = []
     for each in values:
         setattr(creepage, direction, float(each))
-        found = contact.tangential(creepage, input.friction)
+        found = contact.planar_tangential(creepage, input.friction)
         forces.append((found.fx, found.fy))
     return np.array(forces)
 
 
-def creep_curves(contacts: Dict[str, Contact], input: i.Input, values: Optional[Dict[str, Iterable[float]]] = None, path: Any = None) -> Any:
+def creep_curves(contacts: Dict[str, Contact], input: i.PlanarInput, values: Optional[Dict[str, Iterable[float]]] = None, path: Any = None) -> Any:
     """Creep curves of contacts of several models, over friction times load: longitudinal, lateral, spin.
 
     contacts: by the name in the legend; input: pose, load, friction; values: creepages by direction; None: up to saturation
@@ -206,7 +206,7 @@ def creep_curves(contacts: Dict[str, Contact], input: i.Input, values: Optional[
         component = 0 if direction == "longitudinal" else 1
         for (name, one), colour in zip(contacts.items(), COLOURS * (1 + len(contacts) // len(COLOURS))):
             forces = creep_curve(one, direction, across, input)
-            limit = input.friction.coefficient * one.tangential(input.creepage, input.friction).fn
+            limit = input.friction.coefficient * one.planar_tangential(input.creepage, input.friction).fn
             scale, unit = (1.0, "1/m") if direction == "spin" else (1e3, "per mille")
             panel.plot(scale * across, -forces[:, component] / limit, color=colour, label=name)
         panel.set(xlabel=f"{direction} creepage [{unit}]", ylabel=("-Fx" if component == 0 else "-Fy") + " / (friction x load)")
