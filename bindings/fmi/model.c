@@ -381,10 +381,10 @@ static outcome solve(instance* of) {
 }
 
 /* The column of an input's derivatives. */
-static uint32_t column_of(uint32_t input) {
-  return input == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
-         : input == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
-                                       : input;
+static uint32_t column_of(uint32_t number) {
+  return number == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
+         : number == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
+                                        : number;
 }
 
 /* Rows of the wrench, columns of the inputs. */
