@@ -21,7 +21,7 @@ if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
       --inclination T       cant of the rail to apply, 0.025 for 1:40           [0]
       --radius R            nominal wheel radius in m                           [0.46]
       --gauge G             track gauge in m                                    [1.435]
-      --tape-circles D      distance of the wheels' tape circles in m           [1.500]
+      --tape-circles D      distance of the wheels' tape circles in m           [1.5]
       --lateral Y           lateral shift of the wheelset in m                  [0]
       --yaw A               yaw angle in rad                                    [0]
       --load N              normal force in N                                   [80000]

@@ -21,14 +21,13 @@ static void check(int32_t status, const char* text) {
 }
 
 int main(int argc, char** argv) {
-  char text[256] = "";
+  char text[300] = "";
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;
-  check(wrc_config_check(&config, text, sizeof text), text);
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model, NULL, 0), "no model");
+  check(wrc_model_create(&config, NULL, &model, text, sizeof text), text);
 
   const double load[2] = {0.0, 80e3}; /* N, of each wheel */
   for (int i = 0; i < COUNT; ++i) y[i] = 0.05e-3 * (i - COUNT / 2);

@@ -2,7 +2,7 @@
  * table. On Windows LoadLibrary, one GetProcAddress, then the same table.
  *
  *   ./load_at_run_time path/to/libwrc.so.0.9
- *   load_at_run_time.exe path\to\wrc.dll
+ *   load_at_run_time.exe path\to\wrc-0.9.dll
  *
  * It stands a wheelset on its rails, S1002 on 60E1, and rolls it with 1 mrad of yaw.
  */
@@ -18,7 +18,7 @@
 #include "wrc/wrc_api.h"
 
 #if defined(_WIN32)
-static const char* const usual_name = "wrc.dll";
+static const char* const usual_name = "wrc-0.9.dll";
 static void* open_library(const char* path) {
   HMODULE library = LoadLibraryA(path);
   if (library == NULL) fprintf(stderr, "%s: Windows error %lu\n", path, GetLastError());

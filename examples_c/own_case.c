@@ -89,7 +89,7 @@ static double number(const char* option, const char* text) {
 
 static options parse(int argc, char** argv) {
   options given = {"S1002",         "UIC60", NULL, 1e-3, 80e3, 0.0, 0.0,  0.46,
-                   1.435,           1.500,   0.0,  0.0,  0.35, 1.0, 82e9, 0.28,
+                   1.435,           1.5,     0.0,  0.0,  0.35, 1.0, 82e9, 0.28,
                    {1e-3, 0.0, 0.0}};
   const struct {
     const char* name;
@@ -148,7 +148,7 @@ static options parse(int argc, char** argv) {
 
 /* A built-in shape by name, or points from a file. */
 static wrc_profile profile_from(const char* source, const options* given, double* y, double* z) {
-  wrc_profile profile = {0};
+  wrc_profile profile = {.kind = WRC_PROFILE_NONE};
   if (strcmp(source, "S1002") == 0) {
     profile.kind = WRC_PROFILE_S1002;
   } else if (strcmp(source, "60E1") == 0) {
@@ -165,16 +165,30 @@ static wrc_profile profile_from(const char* source, const options* given, double
   return profile;
 }
 
+/* A field of the first patch, counts of cells and strips; to be freed. */
+static double* field_of(wrc_contact* contact, int32_t field, uint64_t counts[2]) {
+  if (wrc_contact_field(contact, 0, field, NULL, 0, counts) != WRC_OK) return NULL;
+  const size_t size = (size_t)(counts[0] * counts[1]);
+  double* values = malloc(size * sizeof *values);
+  if (values == NULL || wrc_contact_field(contact, 0, field, values, size, NULL) != WRC_OK) {
+    free(values);
+    return NULL;
+  }
+  return values;
+}
+
 static void write_csv(wrc_contact* contact, const char* path) {
   static const int32_t fields[] = {
       WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
       WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
-  enum { FIELDS = 8, ROOM = 60 * 32 }; /* strips and cells of the default configuration */
-  static double y[ROOM], values[FIELDS][ROOM];
-  uint64_t counts[2]; /* cells, strips */
-  if (wrc_contact_field(contact, 0, WRC_FIELD_STRIP_Y, y, ROOM, counts) != WRC_OK) return;
+  enum { FIELDS = 8 };
+  uint64_t counts[2] = {0, 0};
+  double* const y = field_of(contact, WRC_FIELD_STRIP_Y, counts);
+  double* values[FIELDS];
+  int all = y != NULL;
   for (int k = 0; k < FIELDS; ++k) {
-    if (wrc_contact_field(contact, 0, fields[k], values[k], ROOM, counts) != WRC_OK) return;
+    values[k] = field_of(contact, fields[k], counts);
+    all = all && values[k] != NULL;
   }
   FILE* file = fopen(path, "w");
   if (file == NULL) {
@@ -183,7 +197,7 @@ static void write_csv(wrc_contact* contact, const char* path) {
   }
   fprintf(file,
           "y_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
-  for (uint64_t j = 0; j < counts[1]; ++j) {
+  for (uint64_t j = 0; all && j < counts[1]; ++j) {
     for (uint64_t i = 0; i < counts[0]; ++i) {
       fprintf(file, "%.9g", y[j]);
       for (int k = 0; k < FIELDS; ++k) fprintf(file, ",%.9g", values[k][j * counts[0] + i]);
@@ -191,6 +205,8 @@ static void write_csv(wrc_contact* contact, const char* path) {
     }
   }
   fclose(file);
+  free(y);
+  for (int k = 0; k < FIELDS; ++k) free(values[k]);
   printf("fields written to %s\n", path);
 }
 
@@ -206,7 +222,7 @@ int main(int argc, char** argv) {
   config.track.rail_inclination = given.inclination;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = given.shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = given.poisson;
-  char text[256];
+  char text[300];
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   if (wrc_model_create(&config, NULL, &model, text, sizeof text) < 0 ||

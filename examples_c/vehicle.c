@@ -289,14 +289,15 @@ static wrc_model* models[2];
 static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config* special, int both) {
   memset(v, 0, sizeof *v);
   const wrc_config usual = pair_of_profiles();
+  char text[300] = "";
   models[1] = NULL;
-  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0], NULL, 0), "model");
-  if (special) must(wrc_model_create(special, NULL, &models[1], NULL, 0), "model");
+  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0], text, sizeof text), text);
+  if (special) must(wrc_model_create(special, NULL, &models[1], text, sizeof text), text);
   for (int w = 0; w < 2; ++w)
     for (int side = 0; side < 2; ++side)
       must(wrc_contact_create(special && side == right && (both || w == 0) ? models[1] : models[0], side,
-                              NULL, &v->contact[w][side], NULL, 0),
-           "contact");
+                              NULL, &v->contact[w][side], text, sizeof text),
+           text);
   build(v);
 }
 static void close_contacts(Vehicle* v) {
@@ -726,6 +727,7 @@ static void turnout(FILE* file) {
   }
   wrc_config config = pair_of_profiles();
   config.rail_section_count = (uint32_t)n;
+  config.rail_section_size = sizeof section[0];
   config.rail_sections = section;
   config.rail_section_size = sizeof *section;
   for (int k = 0; k < 2; ++k) {

@@ -19,10 +19,12 @@ static wrc_model* model_of(double gauge, double roller_curvature) {
   config.track.rail_inclination = 1.0 / 40.0;
   config.track.gauge = gauge;
   config.roller_curvature = roller_curvature;
-  char why[256];
+  char why[300];
   wrc_model* model = NULL;
-  if (wrc_config_check(&config, why, sizeof why) < 0) fprintf(stderr, "%s\n", why);
-  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0) exit(EXIT_FAILURE);
+  if (wrc_model_create(&config, NULL, &model, why, sizeof why) < 0) {
+    fprintf(stderr, "%s\n", why);
+    exit(EXIT_FAILURE);
+  }
   return model;
 }
 

@@ -109,7 +109,7 @@ static int32_t forces(wheelset* set, const curve* c, double y, double rotation, 
     const double outer = side == 0 ? -1.0 : 1.0; /* a curve to the right loads the left wheel */
     input.vertical_load = wheel_load * (1.0 + outer * (c->curvature > 0.0 ? 1.2 : -1.2) * c->deficiency);
     const int32_t status = wrc_contact_wrench(set->contact[side], &input, &wrench);
-    if (status < 0 || status == WRC_FLAG_CLIMBING) return -1;
+    if (status < 0 || (wrench.flags & WRC_FLAG_BIT(WRC_FLAG_CLIMBING))) return -1;
     *lateral += wrench.force[1];
     *moment += wrench.moment[1];
   }
@@ -221,8 +221,9 @@ static int run_together(const wrc_model* model, wrc_damage_bins* bins, place* pl
   laws.archard_severe *= natural_lubrication;
   laws.archard_fast *= natural_lubrication;
   laws.archard_seizure *= natural_lubrication;
+  char text[300] = "";
   for (int side = 0; side < 2; ++side)
-    check(wrc_contact_create(model, side, NULL, &set.contact[side], NULL, 0), "contact", "");
+    check(wrc_contact_create(model, side, NULL, &set.contact[side], text, sizeof text), "contact", text);
   for (int i = first; i < end; ++i) {
     wrc_accumulation step = {.struct_size = sizeof step};
     step.wear = &laws;
@@ -269,10 +270,9 @@ static wrc_model* make_model(const state* now) {
     config.wheel.y = now->y;
     config.wheel.z = now->z;
   }
-  char text[256] = "";
-  check(wrc_config_check(&config, text, sizeof text), "configuration", text);
+  char text[300] = "";
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model, NULL, 0), "model", "");
+  check(wrc_model_create(&config, NULL, &model, text, sizeof text), "model", text);
   return model;
 }
 

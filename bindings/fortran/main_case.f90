@@ -10,7 +10,6 @@ program main_case
   type(c_ptr) :: model, contact(0:1)  ! of WRC_SIDE_RIGHT, WRC_SIDE_LEFT
   character(300) :: text
   character(5), parameter :: names(0:1) = ['right', 'left ']
-  character(kind=c_char) :: why(300)
   real(c_double) :: force(3), moment(3)
   integer(c_int32_t) :: side, known
   real(c_double), parameter :: speed = 20d0  ! m/s
@@ -25,13 +24,9 @@ program main_case
   config%wheel%kind = WRC_PROFILE_S1002
   config%rail%kind = WRC_PROFILE_60E1
   config%track%rail_inclination = 1d0/40d0
-  if (wrc_config_check(config, text) < 0) then
-    print '(2a)', 'configuration: ', trim(text)
-    error stop 1
-  end if
-  if (wrc_model_create(config, c_null_ptr, model, why, 300_c_int64_t) < 0) error stop 'model'
+  call made(wrc_model_create(config, model, text))
   do side = 0, 1
-    if (wrc_contact_create(model, side, c_null_ptr, contact(side), why, 300_c_int64_t) < 0) error stop 'contact'
+    call made(wrc_contact_create(model, side, contact(side), text))
   end do
 
   ! the height at which the wheelset stands, at rest
@@ -73,6 +68,13 @@ program main_case
   call wrc_model_destroy(model)
 
 contains
+
+  subroutine made(status)
+    integer(c_int32_t), intent(in) :: status
+    if (status >= 0) return
+    print '(a)', trim(text)
+    error stop 1
+  end subroutine
 
   subroutine solve(which)
     integer(c_int32_t), intent(in) :: which

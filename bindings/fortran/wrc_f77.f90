@@ -63,14 +63,12 @@ subroutine wrcpts(iwheel, nw, yw, zw, irail, nr, yr, zr, smooth, cant, model, te
   type(wrc_config) :: config
   type(c_ptr) :: made
   real(c_double), allocatable, target :: wheel(:,:), rail(:,:)
-  character(kind=c_char) :: why(300)
   call wrc_init(config)
   call describe(config%wheel, iwheel, nw, yw, zw, wheel)
   call describe(config%rail, irail, nr, yr, zr, rail)
   config%track%rail_inclination = cant
-  istat = wrc_model_create(config, c_null_ptr, made, why, size(why, kind=c_int64_t))
+  istat = wrc_model_create(config, made, text)
   model = transfer(made, model)
-  call from_c(why, text)
 contains
   ! A profile of this kind; points, columns y and z, are of the kind WRC_PROFILE_POINTS alone.
   subroutine describe(profile, kind, count, y, z, points)
@@ -97,9 +95,9 @@ subroutine wrccon(model, iside, contac, istat)
   integer, intent(in) :: iside
   integer(c_int64_t), intent(out) :: contac
   integer, intent(out) :: istat
+  character(1) :: text
   type(c_ptr) :: made
-  character(kind=c_char) :: why(1)
-  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, c_null_ptr, made, why, size(why, kind=c_int64_t))
+  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, made, text)
   contac = transfer(made, contac)
 end subroutine
 

@@ -111,7 +111,7 @@ def tidy(folder, when):
 def tree(build, folder, windows, when):
     """The installed tree, its library without names that only a linker of static libraries wants."""
     run("cmake", "--install", build, "--prefix", folder)
-    for library in (folder / "bin/wrc.dll", folder / f"lib/libwrc.so.{VERSION}"):
+    for library in (folder / f"bin/wrc-{SERIES}.dll", folder / f"lib/libwrc.so.{VERSION}"):
         if library.exists():
             run("x86_64-w64-mingw32-strip" if windows else "strip", "--strip-unneeded", library,
                 env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})  # of which a DLL bears a stamp
