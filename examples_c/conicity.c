@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 enum { COUNT = 281, AMPLITUDES = 14 }; /* -7 mm .. 7 mm; 0.5 mm .. 7 mm */
 

@@ -11,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
 #define POINTS 40     /* of a curve */
@@ -212,7 +211,7 @@ static void write_friction_laws(const char* directory) {
   fprintf(csv, "law,creepage,adhesion\n");
   wrc_friction friction = friction_of(0.36);
   write_law(csv, "constant", "strip FASTSIM", WRC_BOUND_PARABOLIC, &friction);
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   friction.kinetic_ratio = 0.38;
   friction.fall_rate = 0.7;
   write_law(csv, "falling", "strip FASTSIM", WRC_BOUND_PARABOLIC, &friction);
@@ -221,7 +220,7 @@ static void write_friction_laws(const char* directory) {
   friction.slope_fall = 0.62;
   write_law(csv, "the same, modified FASTSIM", "modified FASTSIM", WRC_BOUND_ELLIPTIC, &friction);
   friction = friction_of(0.36);
-  friction.kind = WRC_FRICTION_STATIC_KINETIC;
+  friction.speed_law = WRC_SPEED_LAW_HYPERBOLIC;
   friction.kinetic_ratio = 0.38;
   friction.half_speed = 0.3;
   write_law(csv, "static and kinetic", "strip FASTSIM", WRC_BOUND_PARABOLIC, &friction);

@@ -38,7 +38,6 @@ static void stages(wrc_contact* contact) {
   wrc_planar_forces forces;
   wrc_wear wear;
   wrc_planar_derivatives by;
-  wrc_step_sensitivity by_step;
   wrc_patch patch = wrc_patch_default();
   wrc_temperature temperature = wrc_temperature_default();
   pose.lateral = 2e-3;
@@ -54,10 +53,9 @@ static void stages(wrc_contact* contact) {
   printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, worn %.3g mm^2/km, %.0f K warmer\n", 1e3 * point.y_rail,
          1e-6 * normal.peak_pressure, forces.fx, 1e9 * wear.worn_area_rate, temperature.rise);
   DO(wrc_planar_tangential_derivatives(contact, &by));
-  DO(wrc_contact_step_sensitivities(contact, &by_step));
   DO(wrc_contact_patch(contact, 0, &patch));
   printf("        dFx / d longitudinal %.3g N, by load %.3g, patch 0 a %.2f mm\n", by.forces[0][0],
-         by_step.by_load[0], 1e3 * patch.ellipse.a);
+         by.forces[0][3], 1e3 * patch.ellipse.a);
 
   const double depths[2] = {1e-3, 3e-3};
   wrc_stress_peaks levels[2];
@@ -73,10 +71,7 @@ static void stages(wrc_contact* contact) {
   strips.count = 3;
   strips.y = y, strips.width = width, strips.half_length = half, strips.peak = peak;
   DO(wrc_planar_regularise(contact, &strips, &normal));
-  const double in[WRC_FLAT_INPUTS] = {2e-3, 0.0, 0.0, 80e3, 1e-3, 0.0, 0.0, 0.3};
-  double out[WRC_FLAT_OUTPUTS];
-  DO(wrc_contact_step_flat(contact, in, out));
-  printf("        strips of one's own: N %.0f N; flat call: Fx %.0f N\n", normal.normal_force, out[0]);
+  printf("        strips of one's own: N %.0f N\n", normal.normal_force);
 }
 
 static void remembered(void) {
@@ -138,10 +133,9 @@ static void wheel_on_rail(wrc_contact* contact) {
       "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",
       wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * ellipse.b, damage.t_gamma,
       1e-6 * pressure[0]);
+  const double alone = wrench.force[2];
   DO(wrc_contact_wrench_batch(&contact, 1, &input, 0, &wrench, sizeof wrench, NULL));
-  double in[WRC_FLAT_WHEEL_INPUTS] = {0.0}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[2] = input.wheel.z, in[5] = 20.0, in[9] = -20.0 / 0.46, in[17] = 0.3;
-  DO(wrc_contact_wrench_flat(contact, in, out));
+  const int alike = wrench.force[2] == alone;
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
   options.cell_x = options.cell_s = 8e-4; /* coarse: quick */
   input.wheel.z = 0.2e-3;
@@ -149,7 +143,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   input.vertical_load = 80e3;
   input.wheel.z = 0.0;
   DO(wrc_exact_wrench(contact, &input, &options, &wrench));
-  printf("        batch and flat alike: %s; exactly, 80 kN lie %.3f mm deep\n", out[2] < 0.0 ? "yes" : "no",
+  printf("        batch and one call alike: %s; exactly, 80 kN lie %.3f mm deep\n", alike ? "yes" : "no",
          1e3 * wrench.z);
 }
 

@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
 /* Long work says how far it is. Returning 1 instead would cancel it. */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_planar.h"
 
 int main(void) {
   /* The model: what does not change. */

@@ -3,7 +3,8 @@
  *   hil_loop [SECONDS [FILE.csv]]      2 seconds; the file gets one row per cycle, for draw_hil_loop.py
  *
  * Before the loop: models and contacts are made, memory is locked, the thread asks for a real-time priority.
- * In the loop: sleep until an absolute time, one wrc_contact_step_batch, no other call. Every second cycle
+ * In the loop: sleep until an absolute time, one wrc_planar_step for each wheel, no other
+ * call. Every second cycle
  * the wheels are left out: what those cycles show is the machine's and this loop's own, and belongs to the
  * others too.
  *
@@ -20,7 +21,7 @@
 #include <sys/mman.h>
 #include <time.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_planar.h"
 
 enum { wheels = 8, period = 1000000 /* ns */ };
 
@@ -33,7 +34,6 @@ typedef struct cycle {
 static wrc_contact* contacts[wheels];
 static wrc_planar_input inputs[wheels];
 static wrc_planar_output outputs[wheels];
-static int32_t statuses[wheels];
 
 /* One model for all; even wheels are right ones. */
 static int make_wheels(wrc_model** model) {
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
   ask_for_real_time();
   for (int i = 0; i < 20; ++i) { /* first steps: caches, and the warm start */
     move_vehicle(1e-3 * i);
-    wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs, statuses);
+    for (int k = 0; k < wheels; ++k) wrc_planar_step(contacts[k], &inputs[k], &outputs[k]);
   }
 
   struct timespec due;
@@ -174,9 +174,10 @@ int main(int argc, char** argv) {
     cycles[i].woken = microseconds_since(&due);
     move_vehicle(1e-9 * period * (double)i);
     if (i % 2 == 0) {
-      failed += wrc_contact_step_batch(contacts, wheels, inputs, sizeof *inputs, outputs, sizeof *outputs,
-                                       statuses) < 0;
-      for (int k = 0; k < wheels; ++k) two_patches += outputs[k].normal.patch_count == 2;
+      for (int k = 0; k < wheels; ++k) {
+        failed += wrc_planar_step(contacts[k], &inputs[k], &outputs[k]) < 0;
+        two_patches += outputs[k].normal.patch_count == 2;
+      }
     }
     cycles[i].solved = microseconds_since(&due);
   }

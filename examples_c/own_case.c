@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_planar.h"
 
 enum { MOST_POINTS = 20000 };
 

@@ -17,7 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "wrc/wrc.h"
 #include "wrc/wrc_offline.h"
 
 /* ------------------------------------------------------------------------------------------------------ what

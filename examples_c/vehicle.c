@@ -17,7 +17,7 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <time.h>
 
-#include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 enum { Y, Z, ROLL, YAW, PITCH, FREEDOMS }; /* of a body; the pitch is its rate alone */
 enum { FRAME = 2, BODIES = 3, N = BODIES * FREEDOMS, STATES = 2 * N };

@@ -21,7 +21,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "wrc/wrc_offline.h"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_profiles.h"
 
 enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64, TOGETHER = 25 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 
 class CheckRailPoints {
@@ -30,7 +31,7 @@ class CheckRailPoints {
     for (double& each : z_) each -= top;
   }
   wrc_profile profile() const {
-    wrc_profile shown = wrc_profile_default();
+    wrc_profile shown = sized<wrc_profile>();
     shown.kind = WRC_PROFILE_POINTS;
     shown.count = static_cast<std::uint32_t>(y_.size());
     shown.y = y_.data();

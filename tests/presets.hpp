@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 
 /// Normal methods by identifier, in the order of their values.
@@ -58,7 +59,7 @@ inline bool gives_tractions(const wrc_contact* contact) {
 
 /// The same of a published method.
 inline bool gives_tractions(std::int32_t preset) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.normal.method = WRC_NORMAL_HERTZ;  // quickly made
   choose_tangential(config, preset);
   wrc_model* model = nullptr;

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "wrc/wrc.h"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -58,7 +58,7 @@ class Pair {
   const wrc_model* model() const { return model_; }
 
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
 
  private:
   wrc_model* model_ = nullptr;
@@ -66,7 +66,7 @@ class Pair {
 };
 
 wrc_config bodies() {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 0.025;
@@ -299,7 +299,7 @@ void impact_of_a_flat() {
     rail_z.push_back(0.3 - std::sqrt(0.09 - y.back() * y.back()));
     wheel_z.push_back(0.0);
   }
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), wheel_z.data(), 0.0};
   config.rail = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), rail_z.data(), 0.0};
   config.track.placement = WRC_PLACEMENT_ORIGIN;
@@ -316,7 +316,7 @@ void impact_of_a_flat() {
     Pair closed(hertz);
     wrc_planar_input input = wrc_planar_input_default();
     input.load.normal_force = load;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     wrc_planar_step(closed.contact(), &input, &output);
     spring[k] = load / std::pow(output.normal.approach, 1.5);
   }
@@ -537,7 +537,7 @@ void against_exact() {
       input.friction.coefficient = 0.3;
       wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
       options.cell_x = options.cell_s = 3e-4;
-      wrc_wrench exact = wrc_wrench_default();
+      wrc_wrench exact = sized<wrc_wrench>();
       if (pair.step() != WRC_OK || wrc_exact_wrench(pair.contact(), &input, &options, &exact) != WRC_OK) {
         ++others;
         continue;

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "wrc/wrc.h"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -45,7 +45,7 @@ class Wheel {
   double tolerance = 0.0;  ///< of a prescribed load [-]
 
   Wheel(int32_t method, bool warm, int32_t rail_kind = WRC_PROFILE_UIC60_BENCHMARK) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     if (rail_kind == WRC_PROFILE_60E1) config.track.rail_inclination = 0.025;
     tolerance = config.normal.load_tolerance;
     config.normal.method = method;
@@ -70,7 +70,7 @@ class Wheel {
   Wheel& operator=(const Wheel&) = delete;
 
   int32_t place(double lateral, double yaw) {
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = lateral;
     pose.yaw = yaw;
     return wrc_planar_geometry(contact_, &pose, &point);
@@ -91,7 +91,7 @@ class Wheel {
   /// Takes over the rows of another wheel's gap, as the caller's.
   int32_t take_rows(const Wheel& other) {
     const wrc_view y = other.field(WRC_FIELD_GAP_Y, 0);
-    wrc_planar_gap gap = wrc_planar_gap_default();
+    wrc_planar_gap gap = sized<wrc_planar_gap>();
     gap.rows = static_cast<uint32_t>(y.count[0]);
     gap.y = y.data;
     gap.height = other.field(WRC_FIELD_GAP_HEIGHT, 0).data;
@@ -371,13 +371,13 @@ int jumps(double share_of_limits) {
 /// The exact solution of the gap in a contact.
 struct Exact {
   bool solved = false;
-  wrc_exact_normal_solution of = wrc_exact_normal_solution_default();
+  wrc_exact_normal_solution of = sized<wrc_exact_normal_solution>();
   double ahead = 0.0;  ///< where the peak lies: x from the middle of its row [m]
 };
 
 Exact solve_exactly(wrc_contact* contact, const wrc_grid& grid, double load) {
   std::vector<double> gap(static_cast<std::size_t>(grid.nx) * grid.ny), pressure(gap.size());
-  wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+  wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
   problem.normal_force = load;
   problem.grid = grid;
   problem.gap = gap.data();
@@ -412,7 +412,7 @@ int flange(uint32_t cells) {
       rows.take_rows(wheel);
       const Wheel::Extent extent = wheel.extent();
       constexpr double margin = 1e-3;
-      wrc_grid grid = wrc_grid_default();
+      wrc_grid grid = sized<wrc_grid>();
       grid.nx = cells;
       grid.ny = 2 * cells;
       grid.dx = (extent.x_to - extent.x_from + 2.0 * margin) / grid.nx;

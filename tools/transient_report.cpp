@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -71,7 +72,7 @@ struct Sequence {
 Sequence random_sequence(int number, Numbers& numbers) {
   Sequence q{};
   q.kind = static_cast<Kind>(number % kinds);
-  q.shape = wrc_ellipse_default();
+  q.shape = sized<wrc_ellipse>();
   q.shape.a = numbers.between(3.5e-3, 8e-3);
   q.shape.b = q.shape.a * std::exp(numbers.between(-1.0, 1.0) * std::log(2.2));
   q.shape.psi = q.kind < load && numbers.chance(0.3) ? numbers.between(-0.6, 0.6) : 0.0;
@@ -134,7 +135,7 @@ class Exact {
   wrc_exact_rolling_solution step(double s) {
     press(q_.patch(s));
     problem_.creepage = q_.creepage(s - 0.5 * q_.step());
-    wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+    wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
     if (wrc_exact_transient_step(bodies_, &problem_, &solution, nullptr, 0) < 0)
       throw std::runtime_error("an exact step failed");
     return solution;
@@ -157,7 +158,7 @@ class Exact {
   }
 
   const Sequence& q_;
-  wrc_exact_rolling_problem problem_ = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_problem problem_ = of_the_papers_steel(wrc_exact_rolling_problem_default());
   wrc_exact_transient* bodies_ = nullptr;
   std::vector<double> pressure_;
 };
@@ -167,7 +168,7 @@ using Errors = std::map<std::string, std::vector<double>>;
 
 void run(const Sequence& q, Errors& errors) {
   Exact exact(q);
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = q.poisson;
   config.planar.non_steady = 1;

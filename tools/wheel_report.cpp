@@ -30,6 +30,7 @@
 
 #include "csv.hpp"
 #include "wheel_cases.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -67,7 +68,7 @@ class Random {
 
 /// Height at which a load is carried without friction, or 0 where there is none.
 double height_for(wrc_contact* contact, wrc_wheel_input input, double load) {
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   input.friction.coefficient = 0.0;
   input.damping = 0.0;
   input.wheel.z = 0.0;
@@ -114,7 +115,7 @@ int poses(const Csv& file, long count, unsigned seed) {
       input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
       input.friction.coefficient = random.between(0.1, 0.6);
       input.start = random.one_in(2) ? WRC_START_COLD : WRC_START_WARM;
-      wrc_wrench wrench = wrc_wrench_default();
+      wrc_wrench wrench = sized<wrc_wrench>();
       const int32_t status = wrc_contact_wrench(contact, &input, &wrench);
       ++statuses[wrc_status_name(status)];
       not_finite += finite(wrench) ? 0 : 1;
@@ -186,7 +187,7 @@ int loads(const Csv& file, long count, unsigned seed) {
     input.friction.coefficient = random.between(0.1, 0.5);
     input.vertical_load = random.between(20e3, 120e3);
     const auto call = [&](int way, int32_t prescribed, int32_t start, double height) {
-      wrc_wrench wrench = wrc_wrench_default();
+      wrc_wrench wrench = sized<wrc_wrench>();
       const double load = input.vertical_load;
       input.prescribed = prescribed;
       input.start = start;
@@ -209,7 +210,7 @@ int loads(const Csv& file, long count, unsigned seed) {
     const wrc_wheel_input second = input;
     const double later = call(load_later, WRC_PRESCRIBE_VERTICAL_LOAD, WRC_START_WARM, 0.0);
     input = first;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     input.vertical_load = 0.0;
     input.wheel.z = height;
     wrc_contact_wrench(contact, &input, &wrench);
@@ -260,7 +261,7 @@ int lines(const Csv& file) {
   options.wheel = pairs_of_profiles[0].wheel;
   options.rail = pairs_of_profiles[0].rail;
   wrc_contact* const contact = pairs.of(options).contact();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   wrc_wheel_input input = wrc_wheel_input_default();
   input.friction.coefficient = 0.0;
   struct {
@@ -340,7 +341,7 @@ int branches(const Csv& file, double y, double yaw, double low, double high) {
   std::printf("way,z_um,lateral_N,vertical_N,status\n");
   const auto row = [&](const char* way, double share, auto&& solve) {
     input.wheel.z = top + share * (bottom - top);
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     const int32_t status = solve(&wrench);
     std::printf("%s,%.4f,%.4f,%.4f,%s\n", way, 1e6 * input.wheel.z, wrench.force[1], -wrench.force[2],
                 wrc_status_name(status));
@@ -389,7 +390,7 @@ constexpr Run straight{"straight", 1e-3, 9.0, 20.0, 0.0}, weaving{"weaving", 5.8
 double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
   double strips = 0.0;
   for (int32_t i = 0; i < wrench.region_count; ++i) {
-    wrc_region region = wrc_region_default();
+    wrc_region region = sized<wrc_region>();
     wrc_contact_region(contact, i, &region);
     strips += region.strip_count;
   }
@@ -421,7 +422,7 @@ void time_one(const Solver& solver, const Run& run, int32_t start, long steps) {
   for (long step = 0; step < steps; ++step) {
     wrc_wheel_input input = run.at(scout, step);
     input.start = start;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     const double took = microseconds_of([&] { wrc_contact_wrench(one[0], &input, &wrench); });
     if (step < 10) continue;
     const int two = wrench.region_count > 1;
@@ -446,7 +447,7 @@ void time_eight(const Solver& solver, long steps) {
   wrc_contact* const scout = solver.contact();
   const Contacts contacts(solver, wheels);
   std::vector<wrc_wheel_input> inputs(wheels);
-  std::vector<wrc_wrench> wrenches(wheels, wrc_wrench_default());
+  std::vector<wrc_wrench> wrenches(wheels, sized<wrc_wrench>());
   std::vector<double> from_last, anew, at_once;
   double with_two = 0.0, strips = 0.0;
   const auto batch = [&](int32_t start) {

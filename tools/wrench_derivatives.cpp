@@ -1,15 +1,16 @@
 /// wrench_derivatives - wrc_contact_wrench_derivatives() against central differences of
 /// wrc_contact_wrench() on random poses, and what it takes beside a step.
 ///
-///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated] [--list ERROR]
+///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors] [--list ERROR]
 ///
 /// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
 /// displaced, turned and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
 /// standstill, creepages up to saturation, some with falling friction or a soft layer; `--heated`: all with
-/// friction over temperature. An error is over the largest entry of its row among the columns of the same
-/// unit (lengths, angles, velocities, angular velocities): that is less than the largest of the whole row. An
-/// entry whose differences to the two sides are not the same stands at a kink: a strip enters, a cell goes
-/// from stick to slip, a table's interval ends.
+/// friction over temperature; `--factors`: all with friction over temperature that falls with the sliding
+/// speed. An error is over the largest entry of its row among the columns of the same unit (lengths, angles,
+/// velocities, angular velocities): that is less than the largest of the whole row. An entry whose
+/// differences to the two sides are not the same stands at a kink: a strip enters, a cell goes from stick to
+/// slip, a table's interval ends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include <random>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 #include "wrench_inputs.hpp"
 
@@ -67,13 +69,15 @@ int main(int argc, char** argv) {
   long poses = 1000;
   unsigned seed = 1;
   double listed = 1e300;
-  bool frictionless = false, heated = false;
+  bool frictionless = false, heated = false, factors = false;
   int numbers = 0;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--frictionless") == 0) {
       frictionless = true;
     } else if (std::strcmp(argv[i], "--heated") == 0) {
       heated = true;
+    } else if (std::strcmp(argv[i], "--factors") == 0) {
+      factors = true;
     } else if (std::strcmp(argv[i], "--list") == 0 && i + 1 < argc) {
       listed = std::atof(argv[++i]);
     } else if (numbers++ == 0) {
@@ -82,7 +86,7 @@ int main(int argc, char** argv) {
       seed = static_cast<unsigned>(std::atol(argv[i]));
     }
   }
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
@@ -125,20 +129,21 @@ int main(int argc, char** argv) {
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
     if (random() % 4 == 0) {
-      c.input.friction.kind = WRC_FRICTION_FALLING;
+      c.input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
       c.input.friction.kinetic_ratio = 0.4;
       c.input.friction.fall_rate = between(0.1, 1.0);
     } else if (random() % 4 == 0) {
       c.input.friction.slope_reduction = between(0.2, 1.0);
     }
     if (frictionless) c.input.friction.coefficient = 0.0;
-    if (heated) {
+    if (heated || factors) {
       c.input.friction = wrc_friction_default();
       c.input.friction.coefficient = 0.4;
-      c.input.friction.kind = WRC_FRICTION_TEMPERATURE;
+      c.input.friction.speed_law = factors ? WRC_SPEED_LAW_EXPONENTIAL : WRC_SPEED_LAW_NONE;
+      c.input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     }
     // the height for a load, as if without friction: that always has an equilibrium
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     Case loaded = c;
     loaded.input.friction.coefficient = 0.0;
     loaded.input.damping = 0.0;

@@ -153,13 +153,20 @@ void values() {
     auto left = wrc::contact::make(model, WRC_SIDE_LEFT);
     EXPECT(left.has_value());
     wrc_contact* both[] = {contact.get(), left->get()};
-    std::array<wrc_planar_output, 2> outputs{wrc_planar_output_default(), wrc_planar_output_default()};
+    wrc_wheel_input wheelset = wrc_wheel_input_default();
+    wheelset.wheel.y = 1e-3;
+    wheelset.wheel.z = 3e-4;
+    wheelset.wheel.velocity[0] = 20.0;
+    wheelset.wheel.angular_velocity[1] = -20.0 / 0.46;
+    std::array<wrc_wrench, 2> wrenches{wrc_wrench_default(), wrc_wrench_default()};
     std::array<std::int32_t, 2> statuses{};
-    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_planar_input>(&input, 1), outputs, statuses) == WRC_OK);
-    EXPECT(outputs[0].forces.fx == of_c.forces.fx &&
-           outputs[1].forces.fx == left->try_step(input)->forces.fx);
-    EXPECT(wrc::contact_step_batch(both, wrc::span<const wrc_planar_input>(&input, 1),
-                                   wrc::span<wrc_planar_output>(outputs.data(), 1), {}) == WRC_ERROR_BUFFER);
+    const wrc::span<const wrc_wheel_input> one_for_all(&wheelset, 1);
+    EXPECT(wrc::contact_wrench_batch(both, one_for_all, wrenches, statuses) == WRC_OK);
+    EXPECT(wrenches[0].force[1] == contact.try_wrench(wheelset)->force[1] &&
+           wrenches[1].force[1] == left->try_wrench(wheelset)->force[1] &&
+           wrenches[0].force[1] != wrenches[1].force[1]);
+    EXPECT(wrc::contact_wrench_batch(both, one_for_all, wrc::span<wrc_wrench>(wrenches.data(), 1), {}) ==
+           WRC_ERROR_BUFFER);
 
     // memory of the caller's own
     std::uint64_t size = 0, alignment = 0;

@@ -14,7 +14,6 @@ program main_case
   type(wrc_damage) :: damage
   type(c_ptr) :: model, contact
   character(256) :: text
-  real(c_double) :: in(8), out(12)
   integer :: i
   integer(c_int32_t) :: known
   real(c_double), parameter :: creepages(3, 2) = reshape([0d0, 0d0, -0.5d0, -0.49d-3, -0.22d-3, 0.29d0], [3, 2])
@@ -57,11 +56,6 @@ program main_case
       ' % from CONTACT)'
     if (abs(forces%power/contact_power(i) - 1) > 0.1d0) error stop 'power is off'
     if (abs(damage%power - forces%power) > 1d-9*forces%power) error stop 'damage and forces disagree'
-
-    ! the same through plain arrays
-    in = [0d0, 0d0, 0d0, load%normal_force, creepages(1, i), creepages(2, i), creepages(3, i), friction%coefficient]
-    call check(wrc_contact_step_flat(contact, in, out))
-    if (out(1) /= forces%fx .or. out(5) /= forces%power) error stop 'wrc_contact_step_flat differs'
   end do
 
   ! a mistake, and what the library says of it

@@ -17,7 +17,7 @@
 #define WRC_COMPILER "gcc " __VERSION__
 #endif
 #define WRC_BUILD                                                                       \
-  "wrc " WRC_VERSION_TEXT ", commit " WRC_COMMIT ", " WRC_COMPILER ", flags " WRC_FLAGS \
+  "wrc " WRC_VERSION_TEXT ", interface " WRC_TEXT_OF(WRC_ABI_VERSION) ", experimental interface " WRC_TEXT_OF(WRC_EXPERIMENTAL_VERSION) ", commit " WRC_COMMIT ", " WRC_COMPILER ", flags " WRC_FLAGS \
   ", kernels for "                                                                      \
   "this processor: "
 
@@ -34,7 +34,7 @@ const char* wrc_version_text(uint32_t requested) {
   if (requested < WRC_ABI_VERSION)
     return WRC_ITSELF
         "; an older one was asked for, which it does not serve: compile the program with the headers of this "
-        "library (docs/interface_0_2.md says what changed), or ship the library it was compiled with";
+        "library (docs/interface_0_9.md says what changed), or ship the library it was compiled with";
   return WRC_ITSELF
       "; a newer one was asked for: ship the library that came with the headers the program was compiled "
       "with";

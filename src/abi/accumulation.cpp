@@ -11,21 +11,31 @@ namespace {
 static_assert(sizeof(DamageBin) == sizeof(wrc_damage_bin) &&
               offsetof(DamageBin, largest_pressure) == offsetof(wrc_damage_bin, largest_pressure) &&
               offsetof(DamageBin, overflow) == offsetof(wrc_damage_bin, overflow));
+static_assert(int{damage_sum_places} == sizeof(wrc_damage_totals::sum) / sizeof(double));
 static_assert(int{damage_sums} == WRC_DAMAGE_SUMS && int{sum_time} == WRC_DAMAGE_TIME);
 
-/// Bins of the caller; their struct may be of an older size, the bins themselves are as they are.
+/// Bins of the caller, each of the size of its header's.
 Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bins) {
   wrc_damage_bins ours;
   const Fault fault = read(theirs, name, ours);
   if (fault.failed()) return fault;
-  if (ours.bin == nullptr) return {.status = WRC_ERROR_NULL, .of = name, .field = "bin"};
+  if (ours.bins == nullptr) return {.status = WRC_ERROR_NULL, .of = name, .field = "bins"};
+  if (ours.bin_size < sizeof(DamageBin) || ours.bin_size % alignof(DamageBin) != 0)
+    return {.status = WRC_ERROR_STRUCT_SIZE,
+            .of = name,
+            .field = "bin_size",
+            .value = static_cast<double>(ours.bin_size),
+            .unit = "bytes",
+            .low = static_cast<double>(sizeof(DamageBin)),
+            .high = member<wrc_damage_bins>("bin_size").high,
+            .cause = "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)"};
   bins.across = {ours.first, ours.width, static_cast<std::int64_t>(ours.count)};
-  bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.rows)};
+  bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.row_count)};
   constexpr std::int64_t most = 100000000;
   if (bins.outside() > most)
     return {.status = WRC_ERROR_RANGE,
             .of = name,
-            .field = "rows * count",
+            .field = "row_count * count",
             .value = static_cast<double>(bins.outside()),
             .unit = "",
             .low = 1.0,
@@ -40,7 +50,8 @@ Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bin
             .low = 1e-3,
             .high = 1e9,
             .cause = "more rows than one need a length"};
-  bins.bin = reinterpret_cast<DamageBin*>(ours.bin);
+  bins.first = reinterpret_cast<DamageBin*>(ours.bins);
+  bins.stride = static_cast<std::int64_t>(ours.bin_size);
   return {};
 }
 
@@ -69,7 +80,6 @@ Fault read_accumulation(const wrc_accumulation* theirs, Accumulation& accumulati
   if (!fault.failed())
     fault = read_fatigue_laws(ours.fatigue, "accumulation.fatigue", accumulation.whole_life);
   if (fault.failed()) return fault;
-  accumulation.of_wheel_on_rail = ours.source == WRC_DAMAGE_OF_WRENCH;
   accumulation.duration = ours.duration;
   accumulation.distance = ours.distance;
   return fault;
@@ -89,7 +99,7 @@ extern "C" {
 
 int32_t wrc_contact_accumulate(wrc_contact* handle, const wrc_accumulation* accumulation,
                                wrc_damage_bins* wheel, wrc_damage_bins* rail, wrc_damage_totals* totals) {
-  return abi::call(handle, abi::clear(totals), [&](const wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(totals), [&](const wrc::Contact& contact) {
     wrc::Accumulation ours;
     wrc::DamageBins on_wheel, on_rail;
     wrc::DamageTotals found;
@@ -126,11 +136,13 @@ int32_t wrc_damage_values(const wrc_damage_bins* bins, int32_t quantity, double*
   const Fault fault = abi::read_bins(bins, "bins", ours);
   if (fault.failed()) return fault.status;
   if (values == nullptr) return WRC_ERROR_NULL;
-  if (quantity < 0 || quantity > WRC_DAMAGE_LARGEST_TRACTION) return WRC_ERROR_UNSUPPORTED;
+  const bool is_sum = quantity >= 0 && quantity < WRC_DAMAGE_SUMS;
+  if (!is_sum && quantity != WRC_DAMAGE_LARGEST_PRESSURE && quantity != WRC_DAMAGE_LARGEST_TRACTION)
+    return WRC_ERROR_UNSUPPORTED;
   bool in_range = true;
   for (int64_t k = 0; k <= ours.outside(); ++k) {
-    const wrc::DamageBin& bin = ours.bin[k];
-    if (quantity < WRC_DAMAGE_SUMS) {
+    const wrc::DamageBin& bin = ours.bin(k);
+    if (is_sum) {
       values[k] = number(bin.sum[quantity]) / wrc::damage_scale[quantity];
       in_range = in_range && (bin.overflow >> quantity & 1U) == 0;
     } else {

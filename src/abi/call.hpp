@@ -10,24 +10,16 @@
 namespace wrc::abi {
 
 /// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
-/// wrc_contact_last_error. `cleared` is what clearing the outputs came to: they are zeroed before the handle
+/// wrc_contact_last_error. `function`: its name, with which the sentence begins. `cleared` is what clearing the outputs came to: they are zeroed before the handle
 /// is looked at, so that a call without a contact leaves no old numbers behind either.
 template <typename Work>
-std::int32_t call(wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
+std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
   if (!valid(handle)) return WRC_ERROR_NULL;
   const FloatingPointScope scope;
   Contact& contact = *handle->contact;
   contact.last = cleared.failed() ? cleared : work(contact);
+  contact.last.call = function;
   return contact.last.status;
-}
-
-/// Runs one that only reads a contact's results, its last sentence included. Else as call().
-template <typename Work>
-std::int32_t look(const wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
-  if (!valid(handle)) return WRC_ERROR_NULL;
-  if (cleared.failed()) return cleared.status;
-  const FloatingPointScope scope;
-  return work(*handle->contact);
 }
 
 /// Element of an array of the caller's, `offset` bytes behind the first; none of no array.

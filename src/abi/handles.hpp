@@ -32,6 +32,13 @@ inline constexpr std::uint64_t contact_tag = 0x7463746e6f637277;  // "wrcontct"
 inline bool valid(const wrc_model* handle) { return handle != nullptr && handle->tag == model_tag; }
 inline bool valid(const wrc_contact* handle) { return handle != nullptr && handle->tag == contact_tag; }
 
+/// Keeps a failure of a call that leaves everything else in the contact as it is.
+inline std::int32_t keep(wrc_contact& handle, const char* function, const Fault& fault) {
+  handle.contact->last = fault;
+  handle.contact->last.call = function;
+  return fault.status;
+}
+
 /// Memory for create: from the caller's allocator, or aligned_alloc and free.
 Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory, wrc_allocator& source);
 

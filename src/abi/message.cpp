@@ -77,6 +77,10 @@ void write_sentence(const Fault& fault, char* text, std::size_t size, const char
   const FloatingPointScope scope;  // digits are inexact, and the value refused may be a signalling NaN
   Sentence out(text, size);
   if (fault.status == WRC_OK) return;
+  if (fault.call != nullptr) {
+    out.add(fault.call);
+    out.add(": ");
+  }
   if (fault.field == nullptr) {
     out.add(status_text(fault.status));
   } else {

@@ -45,6 +45,11 @@ Fault buffer_fault(const void* memory, std::uint64_t bytes, std::size_t needed) 
   return {};
 }
 
+/// The file that a fault is about.
+const char* file_of(const Fault& fault, const ModelOptions& options) {
+  return fault.status == WRC_ERROR_FILE ? options.force_table : nullptr;
+}
+
 Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes, wrc_model*& handle) {
   const Fault fault = buffer_fault(memory, bytes, sizeof(wrc_model) + model_bytes(options));
   if (fault.failed()) return fault;
@@ -66,6 +71,28 @@ Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes,
   return {};
 }
 
+Fault check_contact(const wrc_model* model, std::int32_t side, wrc_contact** contact) {
+  if (contact == nullptr) return {.status = WRC_ERROR_NULL, .field = "contact"};
+  if (!valid(model))
+    return {.status = WRC_ERROR_NULL, .field = "model", .cause = "it is NULL or no model: was it made?"};
+  if (side == WRC_SIDE_RIGHT || side == WRC_SIDE_LEFT) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = "side",
+          .value = static_cast<double>(side),
+          .unit = "",
+          .cause = enumerations::wrc_side.names};
+}
+
+/// Makes a contact in memory that is large enough and aligned.
+wrc_contact* init_contact(const wrc_model& model, std::int32_t side, void* memory) {
+  auto* made = static_cast<wrc_contact*>(memory);
+  *made = {};
+  made->contact = &make_contact(*model.model, static_cast<Side>(side),
+                                static_cast<char*>(memory) + sizeof(wrc_contact));
+  made->tag = contact_tag;
+  return made;
+}
+
 /// Everything that makes a model out of a configuration, for _check, _init and _create.
 template <typename Work>
 Fault guarded(Work&& work) {
@@ -77,6 +104,16 @@ Fault guarded(Work&& work) {
   } catch (...) {
     return {.status = WRC_ERROR_INTERNAL};
   }
+}
+
+Fault check_state_room(const void* buffer, std::uint64_t bytes, std::size_t needed) {
+  if (buffer == nullptr) return {.status = WRC_ERROR_NULL, .field = "buffer"};
+  if (bytes >= needed) return {};
+  return {.status = WRC_ERROR_BUFFER,
+          .field = "bytes",
+          .value = static_cast<double>(bytes),
+          .unit = "",
+          .cause = "a saved state is as long as wrc_contact_state_size says"};
 }
 
 }  // namespace
@@ -133,9 +170,7 @@ int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
     abi::default_release(nullptr, memory);
     return found;
   });
-  const char* const file = fault.status == WRC_ERROR_FILE ? options.force_table : nullptr;
-  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size, file);
-  return fault.status;
+  return abi::finish(__func__, fault, text, size, abi::file_of(fault, options));
 }
 
 int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alignment) {
@@ -153,40 +188,41 @@ int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alig
       .status;
 }
 
-int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model) {
-  if (model == nullptr) return WRC_ERROR_NULL;
-  *model = nullptr;
-  return abi::guarded([&] {
-           wrc::ModelOptions options;
-           const Fault fault = abi::read_options(config, options);
-           if (fault.failed()) return fault;
-           return abi::init_model(options, memory, bytes, *model);
-         })
-      .status;
+int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model, char* text,
+                       uint64_t size) {
+  if (model != nullptr) *model = nullptr;
+  wrc::ModelOptions options;
+  const Fault fault = abi::guarded([&]() -> Fault {
+    if (model == nullptr) return {.status = WRC_ERROR_NULL, .field = "model"};
+    const Fault read = abi::read_options(config, options);
+    return read.failed() ? read : abi::init_model(options, memory, bytes, *model);
+  });
+  return abi::finish(__func__, fault, text, size, abi::file_of(fault, options));
 }
 
-int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model) {
-  if (model == nullptr) return WRC_ERROR_NULL;
-  *model = nullptr;
-  return abi::guarded([&] {
-           wrc::ModelOptions options;
-           Fault fault = abi::read_options(config, options);
-           if (fault.failed()) return fault;
-           const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
-           void* memory = nullptr;
-           wrc_allocator source;
-           fault = abi::allocate(allocator, bytes, memory, source);
-           if (fault.failed()) return fault;
-           fault = abi::init_model(options, memory, bytes, *model);
-           if (fault.failed()) {
-             source.release(source.user, memory);
-             return fault;
-           }
-           (*model)->release = source.release;
-           (*model)->user = source.user;
-           return fault;
-         })
-      .status;
+int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model,
+                         char* text, uint64_t size) {
+  if (model != nullptr) *model = nullptr;
+  wrc::ModelOptions options;
+  const Fault outcome = abi::guarded([&]() -> Fault {
+    if (model == nullptr) return {.status = WRC_ERROR_NULL, .field = "model"};
+    Fault fault = abi::read_options(config, options);
+    if (fault.failed()) return fault;
+    const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
+    void* memory = nullptr;
+    wrc_allocator source;
+    fault = abi::allocate(allocator, bytes, memory, source);
+    if (fault.failed()) return fault;
+    fault = abi::init_model(options, memory, bytes, *model);
+    if (fault.failed()) {
+      source.release(source.user, memory);
+      return fault;
+    }
+    (*model)->release = source.release;
+    (*model)->user = source.user;
+    return fault;
+  });
+  return abi::finish(__func__, outcome, text, size, abi::file_of(outcome, options));
 }
 
 int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wrc_view* y, wrc_view* z,
@@ -203,9 +239,7 @@ int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wr
   const wrc::Bodies& placed = ours.bodies[side];
   const wrc::Profile& profile = wheel ? placed.wheel.profile : placed.rail.profile;
   wrc_view view = abi::defaults<wrc_view>();
-  view.rank = 1;
-  view.count[0] = static_cast<uint64_t>(profile.count);
-  view.count[1] = view.stride[0] = view.stride[1] = 1;
+  view.count = static_cast<uint64_t>(profile.count);
   view.data = profile.y;
   abi::write(view, y);
   view.data = profile.z;
@@ -230,42 +264,31 @@ int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alig
 }
 
 int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes,
-                         wrc_contact** contact) {
-  if (contact == nullptr) return WRC_ERROR_NULL;
-  *contact = nullptr;
-  if (!abi::valid(model)) return WRC_ERROR_NULL;
-  if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
-  const Fault fault =
-      abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
-  if (fault.failed()) return fault.status;
-  auto* made = static_cast<wrc_contact*>(memory);
-  *made = {};
-  made->contact = &wrc::make_contact(*model->model, static_cast<wrc::Side>(side),
-                                     static_cast<char*>(memory) + sizeof(wrc_contact));
-  made->tag = abi::contact_tag;
-  *contact = made;
-  return WRC_OK;
+                         wrc_contact** contact, char* text, uint64_t size) {
+  if (contact != nullptr) *contact = nullptr;
+  Fault fault = abi::check_contact(model, side, contact);
+  if (!fault.failed())
+    fault = abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
+  if (!fault.failed()) *contact = abi::init_contact(*model, side, memory);
+  return abi::finish(__func__, fault, text, size);
 }
 
 int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator,
-                           wrc_contact** contact) {
-  if (contact == nullptr) return WRC_ERROR_NULL;
-  *contact = nullptr;
-  if (!abi::valid(model)) return WRC_ERROR_NULL;
-  if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
-  const std::size_t bytes = sizeof(wrc_contact) + wrc::contact_bytes(*model->model);
+                           wrc_contact** contact, char* text, uint64_t size) {
+  if (contact != nullptr) *contact = nullptr;
   void* memory = nullptr;
   wrc_allocator source;
-  const Fault fault = abi::guarded([&] { return abi::allocate(allocator, bytes, memory, source); });
-  if (fault.failed()) return fault.status;
-  const int32_t status = wrc_contact_init(model, side, memory, bytes, contact, nullptr, 0);
-  if (status != WRC_OK) {
-    source.release(source.user, memory);
-    return status;
+  Fault fault = abi::check_contact(model, side, contact);
+  if (!fault.failed())
+    fault = abi::guarded([&] {
+      return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact_bytes(*model->model), memory, source);
+    });
+  if (!fault.failed()) {
+    *contact = abi::init_contact(*model, side, memory);
+    (*contact)->release = source.release;
+    (*contact)->user = source.user;
   }
-  (*contact)->release = source.release;
-  (*contact)->user = source.user;
-  return WRC_OK;
+  return abi::finish(__func__, fault, text, size);
 }
 
 void wrc_contact_destroy(wrc_contact* contact) {
@@ -280,10 +303,11 @@ int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes) {
   return *bytes > 0 ? WRC_OK : WRC_ERROR_NULL;
 }
 
-int32_t wrc_contact_save(const wrc_contact* contact, void* buffer, uint64_t bytes) {
-  if (!abi::valid(contact) || buffer == nullptr) return WRC_ERROR_NULL;
+int32_t wrc_contact_save(wrc_contact* contact, void* buffer, uint64_t bytes) {
+  if (!abi::valid(contact)) return WRC_ERROR_NULL;
   const std::size_t needed = wrc::state_bytes(*contact->contact->model);
-  if (bytes < needed) return WRC_ERROR_BUFFER;
+  const Fault fault = abi::check_state_room(buffer, bytes, needed);
+  if (fault.failed()) return abi::keep(*contact, __func__, fault);
   std::memcpy(buffer, contact->contact, needed);
   return WRC_OK;
 }
@@ -292,15 +316,9 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
   if (!abi::valid(contact)) return WRC_ERROR_NULL;
   void* const state = contact->contact;
   const std::size_t needed = wrc::state_bytes(*contact->contact->model);
-  Fault fault;
-  if (buffer == nullptr) {
-    fault = {.status = WRC_ERROR_NULL, .field = "buffer"};
-  } else if (bytes < needed) {
-    fault = {.status = WRC_ERROR_BUFFER,
-             .field = "bytes",
-             .value = static_cast<double>(bytes),
-             .unit = "",
-             .cause = "a saved state is as long as wrc_contact_state_size says"};
+  Fault fault = abi::check_state_room(buffer, bytes, needed);
+  if (fault.failed()) {
+    // its sentence stays
   } else if (std::memcmp(buffer, state, sizeof(void*)) != 0) {  // it begins with the pointer to its model
     fault = {.status = WRC_ERROR_SEQUENCE,
              .field = "buffer",
@@ -311,10 +329,7 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
              .field = "buffer",
              .cause = "it holds the state of a contact of the other side"};
   }
-  if (fault.failed()) {
-    contact->contact->last = fault;
-    return fault.status;
-  }
+  if (fault.failed()) return abi::keep(*contact, __func__, fault);
   std::memcpy(state, buffer, needed);
   return WRC_OK;
 }

@@ -1,5 +1,6 @@
 #include "abi/model_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -115,6 +116,7 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   const wrc_config untouched = defaults<wrc_config>();
   const wrc_config_normal& normal = config.normal;
   const wrc_config_tangential& tangential = config.tangential;
+  const wrc_config_planar& planar = config.planar;
   const struct {
     Option option;
     const char* field;
@@ -134,8 +136,8 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
        static_cast<double>(untouched.tangential.bound)},
       {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
        static_cast<double>(untouched.tangential.flexibility)},
-      {Option::non_steady, "config.planar.non_steady", static_cast<double>(config.planar.non_steady),
-       static_cast<double>(untouched.non_steady)},
+      {Option::non_steady, "config.planar.non_steady", static_cast<double>(planar.non_steady),
+       static_cast<double>(untouched.planar.non_steady)},
   };
   const auto read = [&](Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);
@@ -152,8 +154,8 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
     double value, untouched;
     const char* unit;
   } placed[] = {
-      {"config.wheelset.flange_back_distance", config.wheelset.flange_back_distance,
-       untouched.wheelset.flange_back_distance, "m"},
+      {"config.wheelset.tape_circle_distance", config.wheelset.tape_circle_distance,
+       untouched.wheelset.tape_circle_distance, "m"},
       {"config.track.gauge", config.track.gauge, untouched.track.gauge, "m"},
       {"config.track.gauge_depth", config.track.gauge_depth, untouched.track.gauge_depth, "m"},
       {"config.track.rail_inclination", config.track.rail_inclination, untouched.track.rail_inclination, ""},
@@ -168,53 +170,61 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   return {};
 }
 
-Fault read_material(const wrc_config_material& given, ModelOptions& options) {
-  options.material = {given.shear_modulus, given.poisson};
-  if (given.rail_shear_modulus == 0.0) {
-    if (given.rail_poisson == 0.0) return {};
-    return unsupported("config.material.rail_poisson", given.rail_poisson,
-                       "it is read with rail_shear_modulus alone: give both, or neither for equal bodies");
-  }
-  const Material wheel = options.material, rail{given.rail_shear_modulus, given.rail_poisson};
-  options.material = combined(wheel, rail);
-  options.coupling = coupling(wheel, rail);
-  return {};
+/// Elastic constants of both bodies together, what couples them, and the smaller yield limit.
+void read_materials(const wrc_config& config, ModelOptions& options) {
+  const Material wheel{config.wheel_material.shear_modulus, config.wheel_material.poisson},
+      rail{config.rail_material.shear_modulus, config.rail_material.poisson};
+  const bool alike = wheel.shear_modulus == rail.shear_modulus && wheel.poisson == rail.poisson;
+  options.material = alike ? wheel : combined(wheel, rail);
+  options.coupling = alike ? 0.0 : coupling(wheel, rail);
+  options.wheel_poisson = wheel.poisson;
+  options.rail_poisson = rail.poisson;
+  options.shear_yield = std::min(config.wheel_material.shear_yield, config.rail_material.shear_yield);
 }
 
-/// The k-th of the caller's sections, which has been checked.
+/// The k-th of the caller's sections, which are as large as the caller's header says.
+Fault section_at(const wrc_config& config, std::int32_t k, wrc_rail_section& ours) {
+  const std::size_t size = config.rail_section_size;
+  const auto* const first = reinterpret_cast<const char*>(config.rail_sections);
+  return read_element(first + static_cast<std::size_t>(k) * size, size, "config.rail_sections", ours);
+}
+
+/// The k-th section, which has been checked. `given`: the caller's wrc_config.
 RailSectionSource read_section(const void* given, std::int32_t k) {
-  const wrc_rail_section& theirs = static_cast<const wrc_rail_section*>(given)[k];
+  wrc_rail_section theirs;
+  (void)section_at(*static_cast<const wrc_config*>(given), k, theirs);
   RailSectionSource ours;
   ours.section = {.distance = theirs.distance,
                   .y = theirs.y,
                   .z = theirs.z,
-                  .face = theirs.face,
-                  .marks = static_cast<std::int32_t>(theirs.marks),
-                  .mark = theirs.mark,
+                  .face = theirs.surface,
+                  .marks = static_cast<std::int32_t>(theirs.mark_count),
+                  .mark = theirs.marks,
                   .profile = {}};
-  (void)read_profile(theirs.profile, "config.rail_section.profile", ours.profile);
+  (void)read_profile(theirs.profile, "config.rail_sections.profile", ours.profile);
   return ours;
 }
 
 Fault check_section(const wrc_config& config, std::int32_t k) {
-  constexpr const char* name = "config.rail_section";
+  constexpr const char* name = "config.rail_sections";
   wrc_rail_section ours;
-  Fault fault = read(config.rail_section + k, name, ours);
+  Fault fault = section_at(config, k, ours);
   ProfileSource source;
-  if (!fault.failed()) fault = check_no_points(ours.profile, "config.rail_section.profile");
-  if (!fault.failed()) fault = read_profile(ours.profile, "config.rail_section.profile", source);
+  if (!fault.failed()) fault = check_no_points(ours.profile, "config.rail_sections.profile");
+  if (!fault.failed()) fault = read_profile(ours.profile, "config.rail_sections.profile", source);
   if (!fault.failed() && !is_rail(source.kind))
     fault = {.status = WRC_ERROR_PROFILE,
-             .field = "config.rail_section.profile",
+             .field = "config.rail_sections.profile",
              .cause = "this is a wheel profile"};
   if (!fault.failed() && source.kind == ProfileSource::Kind::rail_uic60_benchmark &&
       config.track.rail_inclination != 0.0)
     fault = unsupported("config.track.rail_inclination", config.track.rail_inclination,
                         "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
   if (!fault.failed() && k > 0) {
-    const wrc_rail_section& before = config.rail_section[k - 1];
+    wrc_rail_section before;
+    (void)section_at(config, k - 1, before);
     constexpr double nearest = 1e-3;
-    if (ours.face == before.face && !(ours.distance >= before.distance + nearest))
+    if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
       fault = {.status = WRC_ERROR_RANGE,
                .of = name,
                .field = "distance",
@@ -222,68 +232,77 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
                .unit = "m",
                .low = before.distance + nearest,
                .high = member<wrc_rail_section>("distance").high,
-               .cause = "the sections of a face stand in order, 1 mm or more from each other"};
-    else if (ours.face == before.face && ours.marks != before.marks)
+               .cause = "the sections of a surface stand in order, 1 mm or more from each other"};
+    else if (ours.surface == before.surface && ours.mark_count != before.mark_count)
       fault = {.status = WRC_ERROR_PROFILE,
                .of = name,
-               .field = "marks",
-               .value = static_cast<double>(ours.marks),
+               .field = "mark_count",
+               .value = static_cast<double>(ours.mark_count),
                .unit = "",
-               .cause = "all sections of a face have as many: marks of equal number belong together"};
-    else if (ours.face != before.face && ours.face != before.face + 1)
+               .cause = "all sections of a surface have as many: marks of equal number belong together"};
+    else if (ours.surface != before.surface && ours.surface != before.surface + 1)
       fault = {.status = WRC_ERROR_RANGE,
                .of = name,
-               .field = "face",
-               .value = static_cast<double>(ours.face),
+               .field = "surface",
+               .value = static_cast<double>(ours.surface),
                .unit = "",
-               .low = static_cast<double>(before.face),
-               .high = static_cast<double>(before.face) + 1.0,
-               .cause = "all sections of a face stand side by side, and faces in order"};
-  } else if (!fault.failed() && ours.face != 0) {
+               .low = static_cast<double>(before.surface),
+               .high = static_cast<double>(before.surface) + 1.0,
+               .cause = "all sections of a surface stand side by side, and surfaces in order"};
+  } else if (!fault.failed() && ours.surface != 0) {
     fault = {.status = WRC_ERROR_RANGE,
              .of = name,
-             .field = "face",
-             .value = static_cast<double>(ours.face),
+             .field = "surface",
+             .value = static_cast<double>(ours.surface),
              .unit = "",
-             .cause = "faces count from 0"};
+             .cause = "surfaces count from 0"};
   }
   if (fault.failed()) fault.index = k;
   return fault;
 }
 
-Fault read_sections(const wrc_config& config, ModelOptions& options) {
-  const auto count = static_cast<std::int32_t>(config.rail_sections);
+/// `theirs`: the caller's struct, which is there while the model is made.
+Fault read_sections(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+  const auto count = static_cast<std::int32_t>(config.rail_section_count);
+  if (count > 0 && config.rail_section_size < Description<wrc_rail_section>::first)
+    return {.status = WRC_ERROR_STRUCT_SIZE,
+            .field = "config.rail_section_size",
+            .value = static_cast<double>(config.rail_section_size),
+            .unit = "bytes",
+            .low = static_cast<double>(Description<wrc_rail_section>::first),
+            .high = member<wrc_config>("rail_section_size").high,
+            .cause = "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)"};
   for (std::int32_t k = 0; k < count; ++k) {
     const Fault fault = check_section(config, k);
     if (fault.failed()) return fault;
   }
-  options.sections = {count, config.rail_section, read_section};
+  options.sections = {count, theirs, read_section};
   return {};
 }
 
 Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
-  if (theirs.angles == 0) return {};
-  const std::uint32_t angles = theirs.angles;
+  if (theirs.angle_count == 0) return {};
+  const std::uint32_t angles = theirs.angle_count;
   constexpr double turn = 6.283185307179586, tolerance = 1e-6;
   const auto refuse_angle = [&](std::uint32_t i, double low, double high, const char* cause) {
     return Fault{.status = WRC_ERROR_RANGE,
                  .index = static_cast<std::int32_t>(i),
                  .field = "config.roundness.angles",
-                 .value = theirs.angle[i],
+                 .value = theirs.angles[i],
                  .unit = "rad",
                  .low = low,
                  .high = high,
                  .cause = cause};
   };
-  if (!(std::abs(theirs.angle[0]) <= tolerance))
+  if (!(std::abs(theirs.angles[0]) <= tolerance))
     return refuse_angle(0, 0.0, tolerance, "angles begin with 0");
-  if (!(std::abs(theirs.angle[angles - 1] - turn) <= tolerance))
+  if (!(std::abs(theirs.angles[angles - 1] - turn) <= tolerance))
     return refuse_angle(angles - 1, turn - tolerance, turn + tolerance,
                         "angles end with 2 pi, where the wheel closes");
   for (std::uint32_t i = 1; i < angles; ++i)
-    if (!(theirs.angle[i] >= theirs.angle[i - 1] + 1e-5))
-      return refuse_angle(i, theirs.angle[i - 1] + 1e-5, turn, "angles increase, by 1e-5 rad or more");
-  const std::uint32_t rows = theirs.rows;
+    if (!(theirs.angles[i] >= theirs.angles[i - 1] + 1e-5))
+      return refuse_angle(i, theirs.angles[i - 1] + 1e-5, turn, "angles increase, by 1e-5 rad or more");
+  const std::uint32_t rows = theirs.row_count;
   if (rows > 1 && theirs.y == nullptr)
     return {.status = WRC_ERROR_NULL,
             .field = "config.roundness.y",
@@ -300,11 +319,11 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
               .cause = "rows increase, by 0.1 mm or more"};
   constexpr double most = 0.005;
   const Fault fault =
-      check_all(theirs.deviation, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations", "m",
+      check_all(theirs.deviations, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations", "m",
                 -most, most, "did you pass mm?", "did you pass mm?");
   if (fault.failed()) return fault;
   for (std::uint32_t r = 0; r < rows; ++r) {
-    const double* const row = theirs.deviation + static_cast<std::size_t>(r) * angles;
+    const double* const row = theirs.deviations + static_cast<std::size_t>(r) * angles;
     if (!(std::abs(row[angles - 1] - row[0]) <= tolerance))
       return {.status = WRC_ERROR_RANGE,
               .index = static_cast<std::int32_t>((r + 1) * angles - 1),
@@ -315,8 +334,8 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
               .high = row[0] + tolerance,
               .cause = "the radius does not close: the last of a row is the first"};
   }
-  table = {static_cast<std::int32_t>(angles), static_cast<std::int32_t>(rows), theirs.angle, theirs.y,
-           theirs.deviation};
+  table = {static_cast<std::int32_t>(angles), static_cast<std::int32_t>(rows), theirs.angles, theirs.y,
+           theirs.deviations};
   return {};
 }
 
@@ -341,10 +360,10 @@ RailSectionSource read_guided_section(const void* given, std::int32_t k) {
 Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
   constexpr const char* name = "config.check_rail.profile";
   const wrc_profile& profile = config.check_rail.profile;
-  if (config.rail_sections > 0)
+  if (config.rail_section_count > 0)
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config.check_rail",
-            .cause = "beside config.rail_sections a check rail is one of their faces"};
+            .cause = "beside config.rail_sections a check rail is one of their surfaces"};
   if (config.roller_curvature != 0.0)
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config.check_rail",
@@ -369,7 +388,7 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
     return unsupported("config.check_rail.y", config.check_rail.y,
                        "there is no check rail: give config.check_rail.profile, or leave its place 0", "m");
-  if (config.rail_sections == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 && !guided)
+  if (config.rail_section_count == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 && !guided)
     return {};
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
@@ -384,16 +403,16 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (config.roller_curvature != 0.0) {
     if (!has_profiles(config) || !options.normal_method->half_space)
       return unsupported("config.roller_curvature", config.roller_curvature, reader, "1/m");
-    if (config.rail_sections > 0)
+    if (config.rail_section_count > 0)
       return unsupported("config.roller_curvature", config.roller_curvature,
                          "a roller has no sections along the track: leave config.rail_sections 0", "1/m");
     options.roller_curvature = config.roller_curvature;
   }
   if (!has_profiles(config) || !options.normal_method->half_space)
-    return config.rail_sections > 0
-               ? unsupported("config.rail_sections", static_cast<double>(config.rail_sections), reader)
+    return config.rail_section_count > 0
+               ? unsupported("config.rail_sections", static_cast<double>(config.rail_section_count), reader)
                : unsupported("config.roundness.angle_count", static_cast<double>(config.roundness.angle_count), reader);
-  return first_of({read_sections(config, options), read_roundness(config.roundness, options.radius)});
+  return first_of({read_sections(theirs, config, options), read_roundness(config.roundness, options.radius)});
 }
 
 /// The header of the force table tells how much memory the model needs.
@@ -453,21 +472,17 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   if (fault.failed()) return fault;
   options.sizes = {
       .strips = config.planar.strips, .cells = config.planar.cells, .gap_rows = config.planar.gap_rows};
+  options.surface_cells = config.surface.cells;
   options.max_patches = config.planar.max_patches;
   options.gap_limit = config.planar.gap_limit;
   options.max_iterations = config.normal.max_iterations;
   options.max_sweeps = config.planar.max_sweeps;
   options.warm_start = config.planar.start != 0;
   options.load_tolerance = config.normal.load_tolerance;
-  fault = read_material(config.material, options);
-  if (fault.failed()) return fault;
-  options.shear_yield = config.material.shear_yield;
-  options.wheel_poisson = config.material.poisson;
-  options.rail_poisson =
-      config.material.rail_shear_modulus > 0.0 ? config.material.rail_poisson : config.material.poisson;
+  read_materials(config, options);
   options.effusivities = {effusivity_of(config.wheel_heat), effusivity_of(config.rail_heat)};
   options.wheelset.nominal_radius = config.wheelset.wheel_radius;
-  options.wheelset.flange_back_distance = config.wheelset.flange_back_distance;
+  options.wheelset.tape_circle_distance = config.wheelset.tape_circle_distance;
   options.track = {.gauge = config.track.gauge,
                    .gauge_depth = config.track.gauge_depth,
                    .rail_inclination = config.track.rail_inclination,

@@ -27,7 +27,7 @@
 struct wrc_exact_transient {
   std::uint64_t tag;
   wrc_grid grid;
-  wrc_materials materials;
+  wrc_material wheel, rail;
   wrc::halfspace::TransientSolver solver;
 };
 
@@ -66,12 +66,16 @@ halfspace::Grid grid_of(const wrc_grid& checked) {
           .y0 = checked.y0};
 }
 
-Material material_of(const wrc_materials& checked) {
-  return combined({checked.shear_modulus_1, checked.poisson_1}, {checked.shear_modulus_2, checked.poisson_2});
-}
+Material elastic(const wrc_material& checked) { return {checked.shear_modulus, checked.poisson}; }
 
-double coupling_of(const wrc_materials& checked) {
-  return coupling({checked.shear_modulus_1, checked.poisson_1}, {checked.shear_modulus_2, checked.poisson_2});
+/// Elastic constants of both bodies together, and what couples normal and tangential contact.
+struct PressedBodies {
+  Material material;
+  double coupling = 0.0;
+};
+
+PressedBodies bodies_of(const wrc_material& wheel, const wrc_material& rail) {
+  return {combined(elastic(wheel), elastic(rail)), coupling(elastic(wheel), elastic(rail))};
 }
 
 /// A field of one number per cell.
@@ -96,7 +100,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   if (fault.failed()) return fault;
   const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());
-  const Material material = material_of(ours.materials);
+  const Material material = bodies_of(ours.wheel_material, ours.rail_material).material;
   halfspace::GapProblem problem;
   fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
@@ -274,8 +278,9 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
                          halfspace::RollingSolution found;
                          found.fault = {.status = WRC_FLAG_NO_CONTACT};
                          if (!touching(problem)) return found;
-                         return halfspace::RollingSolver(grid_of(ours.grid), material_of(ours.materials), {},
-                                                         coupling_of(ours.materials))
+                         const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
+                         return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {},
+                                                         bodies.coupling)
                              .solve(problem);
                        });
 }
@@ -300,8 +305,6 @@ double friction_at(Contact& contact, double y) {
 /// The contact's own problem, exactly: all its strips with their pressure on one grid.
 Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Reporter& reporter,
                     wrc_exact_check_result& result) {
-  Fault fault = first_of({check(nx, "nx", "", 8.0, 512.0), check(ny, "ny", "", 8.0, 512.0)});
-  if (fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "contact",
@@ -444,12 +447,12 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (fault.failed()) return fault;
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
-  if (placed.problem.law && placed.problem.law->fall == FrictionLaw::Fall::heat) {
+  if (placed.problem.law && placed.problem.law->heated()) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.kind",
-            .value = static_cast<double>(WRC_FRICTION_TEMPERATURE),
+            .field = "input.friction.temperature_law",
+            .value = static_cast<double>(WRC_TEMPERATURE_LAW_LINEAR),
             .unit = "",
-            .cause = "the exact solution has no temperatures: take another law"};
+            .cause = "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE"};
   }
   const SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;
@@ -489,7 +492,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
     if (row.s > end || row.face != face) {
       wrench.normal_force += std::sqrt(along * along + across * across);
       along = across = 0.0;
-      ++wrench.region_count;
+      ++wrench.regions;
     }
     end = row.s + 1.5 * solver.cell_s;
     face = row.face;
@@ -499,10 +502,10 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
     wrench.steepest_angle = std::max(wrench.steepest_angle, std::abs(row.angle));
   }
   wrench.normal_force += std::sqrt(along * along + across * across);
-  const std::int32_t regions = std::exchange(wrench.region_count, 0);  // without points to turn
+  const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
   hand_back(model, placed, result);
   ours = wrench_of(result);
-  ours.regions = regions;
+  ours.region_count = regions;
   if (!hosted.load_prescribed) ours.z = hosted.z;
   return fault;
 }
@@ -511,19 +514,21 @@ bool equal(const wrc_grid& a, const wrc_grid& b) {
   return a.nx == b.nx && a.ny == b.ny && a.dx == b.dx && a.dy == b.dy && a.x0 == b.x0 && a.y0 == b.y0;
 }
 
-bool equal(const wrc_materials& a, const wrc_materials& b) {
-  return a.shear_modulus_1 == b.shear_modulus_1 && a.poisson_1 == b.poisson_1 &&
-         a.shear_modulus_2 == b.shear_modulus_2 && a.poisson_2 == b.poisson_2;
+bool equal(const wrc_material& a, const wrc_material& b) {
+  return a.shear_modulus == b.shear_modulus && a.poisson == b.poisson;
 }
 
-Fault create_transient(const wrc_grid* grid, const wrc_materials* materials, wrc_exact_transient*& handle) {
+Fault create_transient(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
+                       wrc_exact_transient*& handle) {
   wrc_grid cells;
-  wrc_materials bodies;
-  const Fault fault = first_of({read(grid, "grid", cells), read(materials, "materials", bodies)});
+  wrc_material of_wheel, of_rail;
+  const Fault fault = first_of({read(grid, "grid", cells), read_or_defaults(wheel, "wheel", of_wheel),
+                                read_or_defaults(rail, "rail", of_rail)});
   if (fault.failed()) return fault;
+  const PressedBodies bodies = bodies_of(of_wheel, of_rail);
   handle = new wrc_exact_transient{
-      transient_tag, cells, bodies,
-      halfspace::TransientSolver(grid_of(cells), material_of(bodies), coupling_of(bodies))};
+      transient_tag, cells, of_wheel, of_rail,
+      halfspace::TransientSolver(grid_of(cells), bodies.material, bodies.coupling)};
   return {};
 }
 
@@ -533,9 +538,9 @@ Fault step_transient(wrc_exact_transient& handle, const wrc_exact_rolling_proble
       theirs, solution, [&](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
         const bool other_grid = !equal(ours.grid, handle.grid);
         halfspace::RollingSolution found;
-        if (other_grid || !equal(ours.materials, handle.materials)) {
+        if (other_grid || !equal(ours.wheel_material, handle.wheel) || !equal(ours.rail_material, handle.rail)) {
           found.fault = {.status = WRC_ERROR_RANGE,
-                         .field = other_grid ? "problem.grid" : "problem.materials",
+                         .field = other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
                          .cause = "other than the handle was made with: its history does not fit"};
           return found;
         }
@@ -560,9 +565,10 @@ wrc_exact_rolling_solution emptied(const wrc_exact_rolling_solution& theirs) {
   return ours;
 }
 
+/// `function`: the call's name, for the sentence.
 template <typename Problem, typename Solution, typename Solve>
-int32_t solve_into(const Problem* problem, Solution* solution, char* text, std::uint64_t size,
-                   Solve&& solve) {
+int32_t solve_into(const char* function, const Problem* problem, Solution* solution, char* text,
+                   std::uint64_t size, Solve&& solve) {
   const Fault fault = guarded([&]() -> Fault {
     Solution theirs;
     Fault found = read(solution, "solution", theirs);
@@ -570,10 +576,11 @@ int32_t solve_into(const Problem* problem, Solution* solution, char* text, std::
     Solution ours = emptied(theirs);
     write(ours, solution);
     found = solve(problem, ours);
+    ours.flags = found.all_flags();
     if (!found.failed()) write(ours, solution);
     return found;
   });
-  return finish(fault, text, size);
+  return finish(function, fault, text, size);
 }
 
 }  // namespace
@@ -601,23 +608,24 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     abi::sample_gap(inside, ours, gap);
     return fault;
   });
+  inside.last.call = __func__;
   return inside.last.status;
 }
 
 int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
                          char* text, uint64_t size) {
-  return abi::solve_into(problem, solution, text, size, abi::solve_normal_problem);
+  return abi::solve_into(__func__, problem, solution, text, size, abi::solve_normal_problem);
 }
 
 int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
                           char* text, uint64_t size) {
-  return abi::solve_into(problem, solution, text, size, abi::solve_rolling_problem);
+  return abi::solve_into(__func__, problem, solution, text, size, abi::solve_rolling_problem);
 }
 
 int32_t wrc_exact_stress(const wrc_exact_loads* loads, const double* points, uint32_t count, double* stresses,
                          char* text, uint64_t size) {
   const Fault fault = abi::guarded([&] { return abi::find_stresses(loads, points, count, stresses); });
-  return abi::finish(fault, text, size);
+  return abi::finish(__func__, fault, text, size);
 }
 
 int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* depths, uint32_t count,
@@ -632,22 +640,23 @@ int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* d
     if (!found.failed()) abi::write(ours, stresses);
     return found;
   });
-  return abi::finish(fault, text, size);
+  return abi::finish(__func__, fault, text, size);
 }
 
-int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_materials* materials,
+int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
                                    wrc_exact_transient** transient, char* text, uint64_t size) {
   if (transient == nullptr) return WRC_ERROR_NULL;
   *transient = nullptr;
   return abi::finish(
-      abi::guarded([&]() -> Fault { return abi::create_transient(grid, materials, *transient); }), text,
+      __func__,
+      abi::guarded([&]() -> Fault { return abi::create_transient(grid, wheel, rail, *transient); }), text,
       size);
 }
 
 int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,
                                  wrc_exact_rolling_solution* solution, char* text, uint64_t size) {
   return abi::solve_into(
-      problem, solution, text, size,
+      __func__, problem, solution, text, size,
       [&](const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& ours) -> Fault {
         if (!abi::is_transient(transient)) return {.status = WRC_ERROR_NULL, .field = "transient"};
         return abi::step_transient(*transient, theirs, ours);
@@ -660,19 +669,24 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
   delete transient;
 }
 
-int32_t wrc_exact_check(wrc_contact* contact, uint32_t nx, uint32_t ny, wrc_progress progress, void* user,
+int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
   const Fault cleared = abi::clear(result);
   if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
   inside.last = abi::guarded([&]() -> Fault {
     if (cleared.failed()) return cleared;
-    abi::Reporter reporter{.progress = progress, .user = user};
+    wrc_exact_check_options how;
+    Fault fault = abi::read_or_defaults(options, "options", how);
+    if (fault.failed()) return fault;
+    abi::Reporter reporter{.progress = how.progress, .user = how.user};
     wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
-    const Fault fault = abi::check_contact(inside, nx, ny, reporter, ours);
+    fault = abi::check_contact(inside, how.nx, how.ny, reporter, ours);
+    ours.flags = fault.all_flags();
     if (!fault.failed()) abi::write(ours, result);
     return fault;
   });
+  inside.last.call = __func__;
   return inside.last.status;
 }
 
@@ -685,9 +699,11 @@ int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
     if (cleared.failed()) return cleared;
     wrc_wrench ours = abi::empty<wrc_wrench>();
     const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
+    ours.flags = fault.all_flags();
     if (!fault.failed()) abi::write(ours, wrench);
     return fault;
   });
+  inside.last.call = __func__;
   return inside.last.status;
 }
 

@@ -24,10 +24,4 @@ Fault guarded(Work&& work, const char* of = "grid",
   }
 }
 
-/// The status, and its sentence where it is wanted.
-inline std::int32_t finish(const Fault& fault, char* text, std::uint64_t size) {
-  if (text != nullptr && size > 0) write_sentence(fault, text, size);
-  return fault.status;
-}
-
 }  // namespace wrc::abi

@@ -52,7 +52,7 @@ constexpr std::size_t addressed = sizeof(void*) + sizeof(Fault);
 /// The beginning of a state without addresses: of the last fault its status and number of an element.
 void without_addresses(const Contact& contact, unsigned char (&bytes)[addressed]) {
   std::memset(bytes, 0, sizeof bytes);
-  const Fault last{.status = contact.last.status, .index = contact.last.index};
+  const Fault last{.status = contact.last.status, .index = contact.last.index, .flags = contact.last.flags};
   std::memcpy(bytes + sizeof(void*), &last, sizeof last);
 }
 
@@ -112,11 +112,18 @@ int32_t wrc_contact_portable_size(const wrc_model* model, uint64_t* bytes) {
   return WRC_OK;
 }
 
-int32_t wrc_contact_save_portable(const wrc_contact* handle, void* buffer, uint64_t bytes) {
-  if (!abi::valid(handle) || buffer == nullptr) return WRC_ERROR_NULL;
+int32_t wrc_contact_save_portable(wrc_contact* handle, void* buffer, uint64_t bytes) {
+  if (!abi::valid(handle)) return WRC_ERROR_NULL;
   const wrc::Contact& contact = *handle->contact;
   const std::size_t state = wrc::state_bytes(*contact.model);
-  if (bytes < sizeof(abi::PortableHeader) + state) return WRC_ERROR_BUFFER;
+  if (buffer == nullptr) return abi::keep(*handle, __func__, {.status = WRC_ERROR_NULL, .field = "buffer"});
+  if (bytes < sizeof(abi::PortableHeader) + state)
+    return abi::keep(*handle, __func__,
+                     {.status = WRC_ERROR_BUFFER,
+                      .field = "bytes",
+                      .value = static_cast<double>(bytes),
+                      .unit = "",
+                      .cause = "a portable state is as long as wrc_contact_portable_size says"});
   auto* const begin = static_cast<unsigned char*>(buffer) + sizeof(abi::PortableHeader);
   std::memcpy(begin, handle->contact, state);
   unsigned char first[abi::addressed];
@@ -154,10 +161,7 @@ int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, ui
       fault.failed() ? nullptr : static_cast<const unsigned char*>(buffer) + sizeof header;
   if (!fault.failed() && header.checksum != abi::checksum_of(header, begin, state))
     fault = abi::damaged("bytes of it have changed since it was written");
-  if (fault.failed()) {
-    contact.last = fault;
-    return fault.status;
-  }
+  if (fault.failed()) return abi::keep(*handle, __func__, fault);
   const wrc::Model* const model = contact.model;
   std::memcpy(handle->contact, begin, state);
   contact.model = model;

@@ -45,21 +45,21 @@ Fault use(wrc_config* config, const char* name) {
   if (preset == std::end(presets))
     return {.status = WRC_ERROR_UNSUPPORTED, .field = "name", .cause = known_names};
   wrc_config ours = abi::defaults<wrc_config>();
-  std::memcpy(&ours, config, config->struct_size);  // not checked: other members may not be set yet
+  const std::size_t known = std::min<std::size_t>(config->struct_size, sizeof ours);
+  std::memcpy(&ours, config, known);  // not checked: other members may not be set yet
   wrc_config_tangential& tangential = ours.tangential;
   tangential.method = preset->method;
   tangential.patch_model = preset->patch_model;
   tangential.bound = preset->bound;
   tangential.flexibility = preset->flexibility;
-  planar.regularisation = preset->regularisation;
-  abi::write(ours, config);
+  ours.planar.regularisation = preset->regularisation;
+  ours.struct_size = config->struct_size;
+  std::memcpy(config, &ours, known);  // members of a newer header stay
   return {};
 }
 
 }  // namespace
 
 extern "C" int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size) {
-  const Fault fault = use(config, name);
-  if (text != nullptr && size > 0) abi::write_sentence(fault, text, size);
-  return fault.status;
+  return abi::finish(__func__, use(config, name), text, size);
 }

@@ -8,7 +8,7 @@
 #include "profiles/conicity.hpp"
 #include "profiles/contact_functions.hpp"
 #include "profiles/evolution.hpp"
-#include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 namespace wrc::abi {
 namespace {
@@ -61,7 +61,7 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
   const Fault fault = first_of({read(conicity, "conicity", into), read(theirs, "problem", problem)});
   if (fault.failed()) return fault;
   for (double* each : {into.conicity, into.wavelength, into.centre})
-    if (each != nullptr) std::fill_n(each, problem.amplitudes, 0.0);
+    if (each != nullptr) std::fill_n(each, problem.amplitude_count, 0.0);
   for (std::uint32_t i = 1; i < problem.count; ++i) {
     if (!(problem.lateral[i] > problem.lateral[i - 1]))
       return {.status = WRC_ERROR_RANGE,
@@ -72,12 +72,12 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
               .cause = "displacements must increase"};
   }
   const double widest = 0.5 * (problem.lateral[problem.count - 1] - problem.lateral[0]);
-  for (std::uint32_t i = 0; i < problem.amplitudes; ++i) {
-    if (problem.amplitude[i] > widest * (1.0 + 1e-12))
+  for (std::uint32_t i = 0; i < problem.amplitude_count; ++i) {
+    if (problem.amplitudes[i] > widest * (1.0 + 1e-12))
       return {.status = WRC_ERROR_RANGE,
               .index = static_cast<std::int32_t>(i),
-              .field = "problem.amplitude",
-              .value = problem.amplitude[i],
+              .field = "problem.amplitudes",
+              .value = problem.amplitudes[i],
               .unit = "m",
               .low = 1e-6,
               .high = widest,
@@ -88,8 +88,8 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
   integrate(of);
   const auto method =
       problem.method == WRC_CONICITY_WAVELENGTH ? conicity_by_wavelength : conicity_by_regression;
-  for (std::uint32_t i = 0; i < problem.amplitudes; ++i) {
-    const Conicity found = method(of, problem.amplitude[i], problem.contact_distance, problem.radius);
+  for (std::uint32_t i = 0; i < problem.amplitude_count; ++i) {
+    const Conicity found = method(of, problem.amplitudes[i], problem.contact_distance, problem.radius);
     if (into.conicity != nullptr) into.conicity[i] = found.conicity;
     if (into.wavelength != nullptr) into.wavelength[i] = found.wavelength;
     if (into.centre != nullptr) into.centre[i] = found.centre;
@@ -111,7 +111,7 @@ Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
   WornProfile found;
   fault = wear_profile(ours.count, ours.y, ours.z,
                        {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
-                        .bins = ours.bins,
+                        .bins = ours.bin_count,
                         .first = ours.first,
                         .width = ours.width,
                         .depth = ours.depth,
@@ -155,7 +155,7 @@ Fault find_flange(std::uint32_t count, const double* y, const double* z, double 
   FlangeDimensions found;
   fault = measure_flange(count, y, z, back, found);
   if (fault.failed()) return fault;
-  *flange = {found.height, found.thickness, found.slope};
+  *flange = {found.height, found.thickness, found.slope, {}};
   return fault;
 }
 
@@ -170,27 +170,27 @@ extern "C" {
 
 int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
                                       wrc_wheelset_geometry* functions, char* text, uint64_t size) {
-  return abi::finish(abi::guarded([&] { return abi::find_functions(model, problem, functions); },
+  return abi::finish(__func__, abi::guarded([&] { return abi::find_functions(model, problem, functions); },
                                   abi::memory_of, abi::memory_cause),
                      text, size);
 }
 
 int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
                                 uint64_t size) {
-  return abi::finish(
+  return abi::finish(__func__, 
       abi::guarded([&] { return abi::find_conicity(problem, conicity); }, abi::memory_of, abi::memory_cause),
       text, size);
 }
 
 int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
                              uint64_t size) {
-  return abi::finish(
+  return abi::finish(__func__, 
       abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause), text, size);
 }
 
 int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
                               wrc_flange* flange, char* text, uint64_t size) {
-  return abi::finish(
+  return abi::finish(__func__, 
       abi::guarded([&] { return abi::find_flange(count, y, z, flange_back_to_origin, flange); },
                    abi::memory_of, abi::memory_cause),
       text, size);

@@ -2,30 +2,19 @@
 #include <algorithm>
 
 #include "abi/call.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace abi = wrc::abi;
 
-extern "C" int32_t wrc_planar_tangential_derivatives(wrc_contact* handle, wrc_planar_derivatives* sensitivity) {
-  return abi::call(handle, abi::clear(sensitivity), [&](wrc::Contact& contact) {
+extern "C" int32_t wrc_planar_tangential_derivatives(wrc_contact* handle, wrc_planar_derivatives* derivatives) {
+  return abi::call(__func__, handle, abi::clear(derivatives), [&](wrc::Contact& contact) {
     wrc::TangentialSensitivities found;
     const wrc::Fault outcome = wrc::find_sensitivities(contact, found);
     if (outcome.failed()) return outcome;
     wrc_planar_derivatives result = abi::defaults<wrc_planar_derivatives>();
-    std::copy_n(&found.d[0][0], 15, &result.forces[0][0]);
-    abi::write(result, sensitivity);
-    return outcome;
-  });
-}
-
-extern "C" int32_t wrc_contact_step_sensitivities(wrc_contact* handle, wrc_step_sensitivity* sensitivity) {
-  return abi::call(handle, abi::clear(sensitivity), [&](wrc::Contact& contact) {
-    wrc::StepSensitivities found;
-    const wrc::Fault outcome = wrc::find_step_sensitivities(contact, found);
-    if (outcome.failed()) return outcome;
-    wrc_step_sensitivity result = abi::defaults<wrc_step_sensitivity>();
-    std::copy_n(found.by_load, 4, result.by_load);
-    std::copy_n(found.by_lateral, 4, result.by_lateral);
-    abi::write(result, sensitivity);
+    constexpr int columns = 5;
+    for (int i = 0; i < 3; ++i) std::copy_n(found.d[i], columns, result.forces[i]);
+    abi::write(result, derivatives);
     return outcome;
   });
 }

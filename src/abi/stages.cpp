@@ -1,13 +1,14 @@
-/// The stages, the step and the field views: arguments checked and translated, outputs zeroed on failure.
+/// The stages and the step: arguments checked and translated, outputs zeroed on failure.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "abi/results.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
-#include "contact/fields.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace wrc::abi {
 namespace {
@@ -19,6 +20,19 @@ Pose pose_of(const wrc_planar_pose& checked) {
   return {.lateral = flush_subnormals(checked.lateral),
           .roll = flush_subnormals(checked.roll),
           .yaw = flush_subnormals(checked.yaw)};
+}
+
+/// A load of a contact plane prescribes its force or its approach, not a height.
+Fault check_prescribed(std::int32_t prescribed, const char* of) {
+  if (prescribed == WRC_PRESCRIBE_NORMAL_FORCE || prescribed == WRC_PRESCRIBE_APPROACH) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .of = of,
+          .field = "prescribed",
+          .value = static_cast<double>(prescribed),
+          .unit = "",
+          .cause =
+              "WRC_PRESCRIBE_HEIGHT and _VERTICAL_LOAD are of wrc_contact_wrench: take "
+              "WRC_PRESCRIBE_NORMAL_FORCE (2) or WRC_PRESCRIBE_APPROACH (3)"};
 }
 
 Load load_of(const wrc_planar_load& checked) {
@@ -74,7 +88,7 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
 }
 
 Fault check_stride(const wrc_planar_gap& gap, const char* of) {
-  Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "", static_cast<double>(gap.columns),
+  Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "", static_cast<double>(gap.column_count),
                       1e12, "rows overlap: the stride is in elements");
   fault.of = of;
   return fault;
@@ -85,23 +99,23 @@ Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
   Fault fault = read(theirs, of, gap);
   if (fault.failed()) return fault;
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  fault = first_of({check(member<wrc_planar_gap>("rows"), of, gap.rows, room),
-                    check_increasing(gap.y, gap.rows, of, "y", "y: spacing",
+  fault = first_of({check(member<wrc_planar_gap>("row_count"), of, gap.row_count, room),
+                    check_increasing(gap.y, gap.row_count, of, "y", "y: spacing",
                                      "rows must be in order of strictly increasing y")});
   if (fault.failed()) return fault;
-  const auto rows = static_cast<std::int32_t>(gap.rows);
+  const auto rows = static_cast<std::int32_t>(gap.row_count);
 
-  if (gap.columns > 0) {
+  if (gap.column_count > 0) {
     fault = first_of(
-        {check_stride(gap, of), check_increasing(gap.x, gap.columns, of, "x", "x: spacing",
+        {check_stride(gap, of), check_increasing(gap.x, gap.column_count, of, "x", "x: spacing",
                                                  "columns must be in order of strictly increasing x")});
     if (fault.failed()) return fault;
-    for (std::uint32_t j = 0; j < gap.rows; ++j) {
-      fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.columns);
+    for (std::uint32_t j = 0; j < gap.row_count; ++j) {
+      fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.column_count);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
-    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.columns), gap.x, gap.y, gap.h,
+    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.column_count), gap.x, gap.y, gap.h,
                                           static_cast<std::int64_t>(gap.row_stride)});
   }
 
@@ -161,24 +175,16 @@ wrc_planar_point point_of(const Contact& contact) {
   return ours;
 }
 
-/// The equivalent double ellipse of one patch, with its load.
-wrc_ellipse ellipse_of(const Patch& patch) {
-  return {.a = patch.sdec.a,
-          .b = patch.sdec.b,
-          .psi = patch.sdec.psi,
-          .y = patch.y_contact,
-          .normal_force = patch.extent.normal_force};
-}
-
 wrc_planar_normal_solution normal_of(const Contact& contact) {
   wrc_planar_normal_solution ours{};
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
   const StripTotals& extent = contact.extent;
-  ours.patches = contact.patches;
-  ours.strips = contact.strips;
+  ours.patch_count = contact.patches;
+  ours.strip_count = contact.strips;
   ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
-  ours.ellipse = ellipse_of(contact.patch[contact.main_patch]);
+  const Patch& main = contact.patch[contact.main_patch];
+  ours.ellipse = ellipse_of(main.sdec, main.y_contact, main.extent.normal_force);
   ours.normal_force = extent.normal_force;
   ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
   ours.stiffness = contact.normal.stiffness;
@@ -213,55 +219,13 @@ wrc_planar_forces forces_of(const Contact& contact) {
   return forces_of(contact, contact.forces, contact.extent.normal_force);
 }
 
-/// One patch; its place is in the track frame, where the contact plane is the tangent plane at the contact
-/// point.
-wrc_patch patch_of(const Contact& contact, const Patch& patch) {
-  wrc_patch ours = empty<wrc_patch>();
-  ours.strips = patch.count;
-  ours.ellipse = ellipse_of(patch);
-  if (contact.reached >= Stage::tangential)
-    ours.forces = forces_of(contact, patch.forces, patch.extent.normal_force);
-  ours.peak_pressure = patch.extent.peak_pressure;
-  ours.area = patch.extent.area;
-  ours.length = patch.extent.length;
-  ours.width = patch.extent.y_max - patch.extent.y_min;
-  ours.y_min = patch.extent.y_min;
-  ours.y_max = patch.extent.y_max;
-  if (contact.posed && contact.pressed) {
-    const auto [sine, cosine] = sine_cosine(contact.point.angle);
-    ours.available = WRC_AVAILABLE_PLACE;
-    ours.point[0] = contact.point.x;
-    ours.point[1] = contact.point.y + cosine * patch.y_contact;
-    ours.point[2] = contact.point.z + sine * patch.y_contact;
-    ours.normal[1] = -sine;
-    ours.normal[2] = cosine;
-  }
-  return ours;
-}
-
-wrc_damage damage_of(const Contact& contact) {
-  wrc_damage ours{};
-  if (!contact.touching) return ours;
-  ours.power = contact.damage.power;
-  ours.t_gamma = contact.damage.t_gamma;
-  ours.t_gamma_no_spin = contact.damage.t_gamma_no_spin;
-  ours.utilisation = contact.damage.utilisation;
-  ours.load_factor = contact.damage.load_factor;
-  ours.shakedown_limit = contact.damage.shakedown_limit;
-  ours.fatigue_index = contact.damage.fatigue_index;
-  ours.available = of_tractions(contact);
-  if (ours.available == 0) return ours;
-  ours.peak_power_density = contact.damage.peak_power_density;
-  ours.local_fatigue_index = contact.damage.local_fatigue_index;
-  return ours;
-}
-
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
 Fault solve_step(Contact& contact, const wrc_planar_input* input) {
   wrc_planar_input in;
   Fault outcome = read(input, "input", in);
+  if (!outcome.failed()) outcome = check_prescribed(in.load.prescribed, "input.load");
   if (outcome.failed()) return outcome;
   Friction friction;
   outcome = read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction);
@@ -281,14 +245,15 @@ Fault solve_step(Contact& contact, const wrc_planar_input* input) {
 }
 
 std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
-  return call(handle, clear(output), [&](Contact& contact) {
+  return call("wrc_planar_step", handle, clear(output), [&](Contact& contact) {
     const Fault outcome = solve_step(contact, input);
     if (outcome.failed() || output == nullptr) return outcome;
     wrc_planar_output ours = empty<wrc_planar_output>();
     if (contact.posed) ours.point = point_of(contact);
-    ours.normal = normal_of(contact);
-    ours.forces = forces_of(contact);
-    ours.damage = damage_of(contact);
+    ours.flags = outcome.all_flags();
+    ours.normal = with_flags(normal_of(contact), outcome);
+    ours.forces = with_flags(forces_of(contact), outcome);
+    if (contact.touching) ours.damage = damage_of(contact.damage, gives_fields(contact));
     write(ours, output);
     return outcome;
   });
@@ -304,7 +269,7 @@ namespace abi = wrc::abi;
 extern "C" {
 
 int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wrc_planar_point* point) {
-  return abi::call(handle, abi::clear(point), [&](Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(point), [&](Contact& contact) {
     wrc_planar_pose ours;
     Fault outcome = abi::read(pose, "pose", ours);
     if (outcome.failed()) return outcome;
@@ -315,7 +280,7 @@ int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wr
 }
 
 int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motion, wrc_creepage* creepage) {
-  return abi::call(handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
+  return abi::call(__func__, handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
     wrc_planar_motion ours;
     Fault outcome = abi::read(motion, "motion", ours);
     if (outcome.failed()) return outcome;
@@ -343,29 +308,30 @@ int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motio
 
 int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const wrc_planar_load* load,
                            wrc_planar_normal_solution* normal) {
-  return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     wrc_planar_load ours;
     Fault outcome = abi::read(load, "load", ours);
+    if (!outcome.failed()) outcome = abi::check_prescribed(ours.prescribed, "load");
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
     if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::write(abi::normal_of(contact), normal);
+    if (!outcome.failed()) abi::write(abi::with_flags(abi::normal_of(contact), outcome), normal);
     return outcome;
   });
 }
 
 int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* strips, wrc_planar_normal_solution* normal) {
-  return abi::call(handle, abi::clear(normal), [&](Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::write(abi::normal_of(contact), normal);
+    if (!outcome.failed()) abi::write(abi::with_flags(abi::normal_of(contact), outcome), normal);
     return outcome;
   });
 }
 
 int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
-  return abi::call(handle, {}, [&](Contact& contact) -> Fault {
+  return abi::call(__func__, handle, {}, [&](Contact& contact) -> Fault {
     if (!contact.model->options.non_steady) {
       return {.status = WRC_ERROR_UNSUPPORTED,
               .field = "distance",
@@ -384,7 +350,7 @@ int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
 
 int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
                                const wrc_friction* friction, wrc_planar_forces* forces) {
-  return abi::call(handle, abi::clear(forces), [&](Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(forces), [&](Contact& contact) {
     wrc_creepage ours;
     wrc_friction theirs;
     wrc::Friction law;
@@ -395,96 +361,13 @@ int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, c
     if (!outcome.failed() && ellipse != nullptr) outcome = abi::take_ellipse(contact, ellipse);
     if (!outcome.failed())
       keep_worst(outcome, wrc::solve_tangential(contact, abi::creepage_of(ours), law, abi::rolling_of(ours)));
-    if (!outcome.failed()) abi::write(abi::forces_of(contact), forces);
-    return outcome;
-  });
-}
-
-int32_t wrc_contact_damage(wrc_contact* handle, wrc_damage* damage) {
-  return abi::call(handle, abi::clear(damage), [&](Contact& contact) {
-    const Fault outcome = wrc::assess_damage(contact);
-    if (!outcome.failed()) abi::write(abi::damage_of(contact), damage);
+    if (!outcome.failed()) abi::write(abi::with_flags(abi::forces_of(contact), outcome), forces);
     return outcome;
   });
 }
 
 int32_t wrc_planar_step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
   return abi::step(handle, input, output);
-}
-
-int32_t wrc_contact_step_batch(wrc_contact* const* contacts, uint32_t count, const wrc_planar_input* inputs,
-                               uint64_t input_stride, wrc_planar_output* outputs, uint64_t output_stride,
-                               int32_t* statuses) {
-  return abi::batch(contacts, count, inputs, input_stride, outputs, output_stride, statuses, abi::step);
-}
-
-int32_t wrc_contact_step_flat(wrc_contact* handle, const double* in, double* out) {
-  if (out != nullptr) std::fill_n(out, WRC_FLAT_OUTPUTS, 0.0);
-  return abi::call(handle, {}, [&](Contact& contact) -> Fault {
-    if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
-    if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
-    wrc_planar_input input = abi::defaults<wrc_planar_input>();
-    input.pose.lateral = in[0];
-    input.pose.roll = in[1];
-    input.pose.yaw = in[2];
-    input.load.normal_force = in[3];
-    input.creepage.longitudinal = in[4];
-    input.creepage.lateral = in[5];
-    input.creepage.spin = in[6];
-    input.friction.coefficient = in[7];
-    const Fault outcome = abi::solve_step(contact, &input);
-    if (outcome.failed()) return outcome;
-    const wrc_planar_forces forces = abi::forces_of(contact);
-    const wrc_planar_normal_solution normal = abi::normal_of(contact);
-    const double values[WRC_FLAT_OUTPUTS] = {forces.fx,
-                                             forces.fy,
-                                             forces.fn,
-                                             forces.mz,
-                                             forces.power,
-                                             normal.approach,
-                                             normal.peak_pressure,
-                                             normal.area,
-                                             normal.ellipse.a,
-                                             normal.ellipse.b,
-                                             normal.ellipse.psi,
-                                             abi::damage_of(contact).fatigue_index};
-    std::copy_n(values, WRC_FLAT_OUTPUTS, out);
-    return outcome;
-  });
-}
-
-int32_t wrc_contact_patch(const wrc_contact* handle, int32_t index, wrc_patch* patch) {
-  return abi::look(handle, abi::clear(patch), [&](const Contact& contact) -> int32_t {
-    if (patch == nullptr) return WRC_ERROR_NULL;
-    if (contact.patches == 0) return WRC_ERROR_SEQUENCE;
-    if (index < 0 || index >= contact.patches) return WRC_ERROR_RANGE;
-    abi::write(abi::patch_of(contact, contact.patch[index]), patch);
-    return WRC_OK;
-  });
-}
-
-int32_t wrc_contact_field(const wrc_contact* handle, int32_t patch, int32_t field, wrc_view* view) {
-  return abi::look(handle, abi::clear(view), [&](const Contact& contact) -> int32_t {
-    if (view == nullptr) return WRC_ERROR_NULL;
-    if (field < 0 || field >= static_cast<int32_t>(std::size(wrc::field_rows))) return WRC_ERROR_UNSUPPORTED;
-    const wrc::FieldRow& row = wrc::field_rows[field];
-    if (!gives_fields(contact) && row.is_of_tractions()) return WRC_ERROR_UNSUPPORTED;
-    const bool of_patch = row.grid != wrc::FieldGrid::gap_rows && contact.patches > 0;
-    if (of_patch && (patch < 0 || patch >= contact.patches)) return WRC_ERROR_RANGE;
-    const wrc::Field found = find_field(contact, of_patch ? &contact.patch[patch] : nullptr, row);
-    if (found.data == nullptr) return WRC_ERROR_SEQUENCE;
-    const bool cells = found.cells > 0;
-    const auto elements = static_cast<uint64_t>(found.elements);
-    wrc_view ours{};
-    ours.data = found.data;
-    ours.rank = cells ? 2 : 1;
-    ours.count[0] = cells ? static_cast<uint64_t>(found.cells) : elements;
-    ours.count[1] = cells ? elements : 1;
-    ours.stride[0] = cells ? elements : 1;
-    ours.stride[1] = 1;
-    abi::write(ours, view);
-    return WRC_OK;
-  });
 }
 
 }  // extern "C"

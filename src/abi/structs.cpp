@@ -24,7 +24,8 @@ Fault refuse(const Member& member, const char* of, double value, std::int32_t in
     fault.status = WRC_ERROR_UNSUPPORTED;
     fault.cause = member.enumeration->names;
   } else if (member.rule == Rule::zero) {
-    fault.cause = "it is kept for later and must be 0: was the struct initialised?";
+    fault.cause = "it is kept for later versions and must be 0: was the struct initialised, or is the program's header newer than "
+                  "this library?";
   } else {
     fault.low = member.low;
     fault.high = member.high;
@@ -35,6 +36,24 @@ Fault refuse(const Member& member, const char* of, double value, std::int32_t in
     }
   }
   return fault;
+}
+
+Fault check_tail(const void* theirs, std::size_t size, std::size_t ours, const char* name) {
+  const auto* const bytes = static_cast<const unsigned char*>(theirs);
+  for (std::size_t i = ours; i < size; ++i) {
+    if (bytes[i] == 0) continue;
+    return {.status = WRC_ERROR_STRUCT_SIZE,
+            .of = name,
+            .field = "struct_size",
+            .value = static_cast<double>(size),
+            .unit = "bytes",
+            .low = static_cast<double>(ours),
+            .high = static_cast<double>(ours),
+            .cause =
+                "a member beyond what this library knows is set: the program's header is newer than the "
+                "library. Leave the member 0, or ship the library of that header"};
+  }
+  return {};
 }
 
 }  // namespace wrc::abi

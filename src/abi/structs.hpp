@@ -2,6 +2,7 @@
 /// its description, write today's result into the caller's version.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -29,23 +30,29 @@ constexpr Struct defaults() {
   return Description<Struct>::defaults;
 }
 
-/// Is the caller's struct_size one we know? Larger than ours is a newer header than this library.
+/// Most bytes by which a caller's struct may be larger than ours: a newer header than this library.
+inline constexpr std::uint32_t most_newer_bytes = 1024;
+
+/// Is the caller's struct_size one that can be? Smaller is an older header, larger a newer one.
 template <typename Struct>
 Fault check_size(const Struct& theirs) {
   if constexpr (Description<Struct>::versioned) {
-    if (theirs.struct_size < Description<Struct>::first || theirs.struct_size > sizeof(Struct))
+    if (theirs.struct_size < Description<Struct>::first ||
+        theirs.struct_size > sizeof(Struct) + most_newer_bytes)
       return {.status = WRC_ERROR_STRUCT_SIZE,
-              .field = Description<Struct>::name,
+              .of = Description<Struct>::name,
+              .field = "struct_size",
               .value = static_cast<double>(theirs.struct_size),
               .unit = "bytes",
               .low = static_cast<double>(Description<Struct>::first),
-              .high = static_cast<double>(sizeof(Struct)),
-              .cause =
-                  "begin with its _default(), or set struct_size = sizeof the struct before its _init(); "
-                  "is the library older than the header?"};
+              .high = static_cast<double>(sizeof(Struct) + most_newer_bytes),
+              .cause = "set it to sizeof the struct, or begin with its _default()"};
   }
   return {};
 }
+
+/// What a caller with a newer header set beyond the bytes known to this library. `size`: theirs.
+Fault check_tail(const void* theirs, std::size_t size, std::size_t ours, const char* name);
 
 /// Why `value` of that member is refused. `of`: what the caller knows the struct as.
 Fault refuse(const Member& member, const char* of, double value, std::int32_t index = -1);
@@ -158,9 +165,10 @@ Fault read(const Struct* theirs, const char* name, Struct& ours) {
   ours = defaults<Struct>();
   if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
   if constexpr (Description<Struct>::versioned) {
-    const Fault fault = check_size(*theirs);
+    Fault fault = check_size(*theirs);
+    if (!fault.failed()) fault = check_tail(theirs, theirs->struct_size, sizeof(Struct), name);
     if (fault.failed()) return fault;
-    std::memcpy(&ours, theirs, theirs->struct_size);
+    std::memcpy(&ours, theirs, std::min<std::size_t>(theirs->struct_size, sizeof(Struct)));
     ours.struct_size = sizeof(Struct);
   } else {
     ours = *theirs;
@@ -177,13 +185,25 @@ Fault read_or_defaults(const Struct* theirs, const char* name, Struct& ours) {
   return {};
 }
 
-/// Writes as much of `ours` as the caller's version holds; NULL means not wanted.
+/// One of an array of the caller's structs, `size` bytes of it; else as read().
+template <typename Struct>
+Fault read_element(const void* theirs, std::size_t size, const char* name, Struct& ours) {
+  ours = defaults<Struct>();
+  const Fault fault = check_tail(theirs, size, sizeof(Struct), name);
+  if (fault.failed()) return fault;
+  std::memcpy(&ours, theirs, std::min(size, sizeof(Struct)));
+  return detail::check_members(ours, name,
+                               std::make_index_sequence<std::size(Description<Struct>::members)>());
+}
+
+/// Writes as much of `ours` as the caller's version holds, and zeros beyond; NULL means not wanted.
 template <typename Struct>
 void write(const Struct& ours, Struct* theirs) {
   if (theirs == nullptr || check_size(*theirs).failed()) return;
   if constexpr (Description<Struct>::versioned) {
     const std::uint32_t size = theirs->struct_size;
-    std::memcpy(theirs, &ours, size);
+    std::memcpy(theirs, &ours, std::min<std::size_t>(size, sizeof(Struct)));
+    if (size > sizeof(Struct)) std::memset(reinterpret_cast<char*>(theirs) + sizeof(Struct), 0, size - sizeof(Struct));
     theirs->struct_size = size;
   } else {
     *theirs = ours;

@@ -1,7 +1,7 @@
-/// Contact temperatures: bulk temperatures checked, results handed back.
+/// Flash temperatures of the caller's power densities.
 #include "abi/temperature.hpp"
 
-#include "abi/call.hpp"
+#include "abi/fp_environment.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -46,19 +46,6 @@ Fault find_flash_temperature(std::uint32_t count, double cell, const double* pow
 }  // namespace wrc::abi
 
 extern "C" {
-
-int32_t wrc_contact_temperature(wrc_contact* handle, const wrc_bulk_temperatures* bulk,
-                                wrc_temperature* temperature) {
-  namespace abi = wrc::abi;
-  return abi::call(handle, abi::clear(temperature), [&](wrc::Contact& contact) {
-    wrc_bulk_temperatures ours;
-    wrc::TemperatureNumbers numbers;
-    wrc::Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);
-    if (!outcome.failed()) outcome = wrc::assess_temperature(contact, {ours.wheel, ours.rail}, numbers);
-    if (!outcome.failed()) abi::write(abi::temperature_of(numbers), temperature);
-    return outcome;
-  });
-}
 
 int32_t wrc_flash_temperature(uint32_t count, double cell, const double* power_density, double speed,
                               const wrc_heat_properties* wheel, const wrc_heat_properties* rail,

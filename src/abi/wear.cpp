@@ -1,7 +1,6 @@
-/// Wear by the laws: parameters checked and translated, results handed back.
+/// Wear by the laws: parameters checked and translated.
 #include "abi/wear.hpp"
 
-#include "abi/call.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -62,21 +61,3 @@ Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& la
 }
 
 }  // namespace wrc::abi
-
-extern "C" int32_t wrc_contact_wear(wrc_contact* handle, const wrc_wear_laws* laws, wrc_wear* wear) {
-  namespace abi = wrc::abi;
-  return abi::call(handle, abi::clear(wear), [&](wrc::Contact& contact) {
-    wrc::WearLaws ours;
-    wrc::WearNumbers numbers;
-    wrc::Fault outcome = abi::read_wear_laws(laws, "laws", ours);
-    if (!outcome.failed()) outcome = wrc::assess_wear(contact, ours, numbers);
-    if (outcome.failed()) return outcome;
-    wrc_wear result = abi::defaults<wrc_wear>();
-    result.worn_area_rate = numbers.worn_area_rate;
-    result.largest_depth_rate = numbers.largest_depth_rate;
-    result.largest_depth_velocity = numbers.largest_depth_velocity;
-    result.largest_power_depth_velocity = numbers.largest_power_depth_velocity;
-    abi::write(result, wear);
-    return outcome;
-  });
-}

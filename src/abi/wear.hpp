@@ -3,7 +3,7 @@
 
 #include "abi/structs.hpp"
 #include "contact/contact.hpp"
-#include "wrc/wrc.h"
+#include "wrc/wrc_damage.h"
 
 namespace wrc::abi {
 

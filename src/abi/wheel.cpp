@@ -6,7 +6,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
-#include "abi/temperature.hpp"
+#include "abi/results.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
 
@@ -123,7 +123,7 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
 Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
-  hosted.frictionless = ours.coefficient == 0.0 && ours.zones == 0;
+  hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
   if (fault.failed()) return fault;
@@ -166,9 +166,8 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
 wrc_wrench wrench_of(const HostedWrench& hosted) {
   const Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
-  ours.regions = wrench.region_count;
+  ours.region_count = wrench.regions;
   ours.iterations = wrench.sweeps;
-  ours.leaps = wrench.leaps;
   for (int i = 0; i < 3; ++i) {
     ours.force[i] = wrench.force[i];
     ours.moment[i] = wrench.moment[i];
@@ -186,48 +185,12 @@ wrc_wrench wrench_of(const HostedWrench& hosted) {
 
 namespace {
 
-wrc_region region_of(const Contact& contact, std::int32_t index) {
-  const SurfaceRegion& region = contact.wheel.wrench.region[index];
-  const RegionPlace& place = contact.wheel.place[index];
-  wrc_region ours = empty<wrc_region>();
-  for (int i = 0; i < 3; ++i) {
-    ours.point[i] = region.point[i];
-    ours.force[i] = region.force[i];
-    ours.moment[i] = region.moment[i];
-    ours.creepage[i] = region.creepage[i];
-  }
-  ours.y_wheel = place.y_wheel;
-  ours.z_wheel = place.z_wheel;
-  ours.y_rail = place.y_rail;
-  ours.z_rail = place.z_rail;
-  ours.angle = region.angle;
-  ours.normal_force = region.normal_force;
-  ours.area = region.area;
-  ours.peak_pressure = region.peak_pressure;
-  ours.power = region.power;
-  ours.strips = region_strip_count(contact, index);
-  ours.face = region_face(contact, index);
-  ours.cells = contact.model->options.sizes.cells;
-  return ours;
-}
-
-wrc_wrench_derivatives sensitivities_of(const HostedSlopes& slopes) {
+wrc_wrench_derivatives derivatives_of(const HostedSlopes& slopes) {
   static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
-  wrc_wrench_derivatives ours{};
-  std::copy_n(&slopes.wrench[0][0], 6 * hosted_inputs, &ours.wrench[0][0]);
+  wrc_wrench_derivatives ours = empty<wrc_wrench_derivatives>();
+  for (int i = 0; i < 6; ++i) std::copy_n(slopes.wrench[i], hosted_inputs, ours.wrench[i]);
   std::copy_n(slopes.z, hosted_inputs, ours.z);
   return ours;
-}
-
-static_assert(same<WRC_FIELD_TRACTION_Y>(RegionField::traction_y) &&
-              same<WRC_FIELD_STRIP_Y>(RegionField::strip_s) &&
-              same<WRC_FIELD_TEMPERATURE_RISE + 1>(RegionField::count_));
-
-/// Is there that region of a solution, and somewhere to write what is asked of it?
-int32_t find_region(const Contact& contact, int32_t index, const void* result) {
-  if (result == nullptr) return WRC_ERROR_NULL;
-  if (contact.wheel_solved == 0) return WRC_ERROR_SEQUENCE;
-  return index < 0 || index >= contact.wheel.wrench.region_count ? WRC_ERROR_RANGE : WRC_OK;
 }
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
@@ -239,9 +202,9 @@ Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes
 }
 
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
-  return call(handle, clear(wrench), [&](Contact& contact) {
+  return call("wrc_contact_wrench", handle, clear(wrench), [&](Contact& contact) {
     const Fault outcome = solve(contact, input);
-    if (!outcome.failed()) write(wrench_of(contact.wheel), wrench);
+    if (!outcome.failed()) write(with_flags(wrench_of(contact.wheel), outcome), wrench);
     return outcome;
   });
 }
@@ -258,92 +221,16 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
 }
 
 int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input,
-                                         wrc_wrench* wrench, wrc_wrench_derivatives* sensitivities) {
+                                         wrc_wrench* wrench, wrc_wrench_derivatives* derivatives) {
   return abi::call(
-      handle, abi::first_of({abi::clear(wrench), abi::clear(sensitivities)}), [&](wrc::Contact& contact) {
+      __func__, handle, abi::first_of({abi::clear(wrench), abi::clear(derivatives)}), [&](wrc::Contact& contact) {
         wrc::HostedSlopes slopes;
-        const wrc::Fault outcome = abi::solve(contact, input, sensitivities == nullptr ? nullptr : &slopes);
+        const wrc::Fault outcome = abi::solve(contact, input, derivatives == nullptr ? nullptr : &slopes);
         if (outcome.failed()) return outcome;
-        abi::write(abi::wrench_of(contact.wheel), wrench);
-        if (sensitivities != nullptr) abi::write(abi::sensitivities_of(slopes), sensitivities);
+        abi::write(abi::with_flags(abi::wrench_of(contact.wheel), outcome), wrench);
+        if (derivatives != nullptr) abi::write(abi::derivatives_of(slopes), derivatives);
         return outcome;
       });
-}
-
-int32_t wrc_contact_region(const wrc_contact* handle, int32_t index, wrc_region* region) {
-  return abi::look(handle, abi::clear(region), [&](const wrc::Contact& contact) -> int32_t {
-    const int32_t status = abi::find_region(contact, index, region);
-    if (status == WRC_OK) abi::write(abi::region_of(contact, index), region);
-    return status;
-  });
-}
-
-int32_t wrc_contact_region_ellipse(const wrc_contact* handle, int32_t index, wrc_ellipse* ellipse) {
-  return abi::look(handle, abi::clear(ellipse), [&](const wrc::Contact& contact) -> int32_t {
-    const int32_t status = abi::find_region(contact, index, ellipse);
-    if (status != WRC_OK) return status;
-    wrc::RegionEllipse found;
-    const wrc::Fault fault = wrc::region_ellipse(contact, index, found);
-    abi::write({.a = found.sdec.a,
-                .b = found.sdec.b,
-                .psi = found.sdec.psi,
-                .y = found.joint,
-                .normal_force = found.normal_force},
-               ellipse);
-    return fault.status;
-  });
-}
-
-int32_t wrc_contact_region_damage(wrc_contact* handle, int32_t index, wrc_damage* damage) {
-  return abi::look(handle, abi::clear(damage), [&](wrc::Contact& contact) -> int32_t {
-    const int32_t status = abi::find_region(contact, index, damage);
-    if (status != WRC_OK) return status;
-    wrc::DamageNumbers found;
-    wrc::region_damage(contact, index, found);
-    abi::write({.power = found.power,
-                .peak_power_density = found.peak_power_density,
-                .t_gamma = found.t_gamma,
-                .t_gamma_no_spin = found.t_gamma_no_spin,
-                .utilisation = found.utilisation,
-                .load_factor = found.load_factor,
-                .shakedown_limit = found.shakedown_limit,
-                .fatigue_index = found.fatigue_index,
-                .local_fatigue_index = found.local_fatigue_index,
-                .available = wrc::wheel_gives_fields(contact) ? uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U,
-                .reserved = 0},
-               damage);
-    return WRC_OK;
-  });
-}
-
-int32_t wrc_contact_region_temperature(wrc_contact* handle, int32_t index, const wrc_bulk_temperatures* bulk,
-                                       wrc_temperature* temperature) {
-  return abi::look(handle, abi::clear(temperature), [&](wrc::Contact& contact) -> int32_t {
-    const int32_t status = abi::find_region(contact, index, temperature);
-    if (status != WRC_OK) return status;
-    wrc_bulk_temperatures ours;
-    wrc::TemperatureNumbers numbers;
-    wrc::Fault fault = abi::read_or_defaults(bulk, "bulk", ours);
-    if (!fault.failed()) fault = wrc::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
-    if (!fault.failed()) abi::write(abi::temperature_of(numbers), temperature);
-    return fault.status;
-  });
-}
-
-int32_t wrc_contact_region_field(wrc_contact* handle, int32_t index, int32_t field, double* values,
-                                 uint64_t count) {
-  return abi::look(handle, {}, [&](wrc::Contact& contact) -> int32_t {
-    const int32_t status = abi::find_region(contact, index, values);
-    if (status != WRC_OK) return status;
-    if (field < 0 || field >= static_cast<int32_t>(wrc::RegionField::count_)) return WRC_ERROR_UNSUPPORTED;
-    const auto which = static_cast<wrc::RegionField>(field);
-    if (wrc::of_tractions(which) && !wrc::wheel_gives_fields(contact)) return WRC_ERROR_UNSUPPORTED;
-    const auto strips = static_cast<uint64_t>(wrc::region_strip_count(contact, index));
-    const auto cells = static_cast<uint64_t>(contact.model->options.sizes.cells);
-    if (count < strips * (wrc::over_cells(which) ? cells : 1)) return WRC_ERROR_BUFFER;
-    wrc::region_field(contact, index, which, values);
-    return WRC_OK;
-  });
 }
 
 int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
@@ -351,62 +238,6 @@ int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, c
                                  int32_t* statuses) {
   return abi::batch(contacts, count, inputs, input_stride, wrenches, wrench_stride, statuses,
                     abi::wheel_step);
-}
-
-int32_t wrc_contact_wrench_flat(wrc_contact* handle, const double* in, double* out) {
-  if (out != nullptr) std::fill_n(out, WRC_FLAT_WHEEL_OUTPUTS, 0.0);
-  return abi::call(handle, {}, [&](wrc::Contact& contact) -> wrc::Fault {
-    if (in == nullptr) return {.status = WRC_ERROR_NULL, .field = "in"};
-    if (out == nullptr) return {.status = WRC_ERROR_NULL, .field = "out"};
-    for (const int32_t k : {0, 18}) {
-      if (in[k] == 0.0 || in[k] == 1.0) continue;
-      return {.status = std::isfinite(in[k]) ? WRC_ERROR_RANGE : WRC_ERROR_NOT_FINITE,
-              .index = k,
-              .field = "in",
-              .value = in[k],
-              .unit = "",
-              .cause = "it stands for one of an enumeration: 0 or 1"};
-    }
-    wrc_wheel_input input = abi::defaults<wrc_wheel_input>();
-    input.wheel.reference = static_cast<int32_t>(in[0]);
-    input.wheel.y = in[1];
-    input.wheel.z = in[2];
-    input.wheel.roll = in[3];
-    input.wheel.yaw = in[4];
-    std::copy_n(in + 5, 3, input.wheel.velocity);
-    std::copy_n(in + 8, 3, input.wheel.angular_velocity);
-    input.rail.y = in[11];
-    input.rail.z = in[12];
-    input.rail.roll = in[13];
-    input.rail.y_velocity = in[14];
-    input.rail.z_velocity = in[15];
-    input.rail.roll_rate = in[16];
-    input.friction.coefficient = in[17];
-    input.prescribed = static_cast<int32_t>(in[18]);
-    input.vertical_load = in[19];
-    input.damping = in[20];
-    input.distance = in[21];
-    input.angle = in[22];
-    input.roller_rate = in[23];
-    input.frame.speed = in[24];
-    input.frame.curvature = in[25];
-    input.frame.vertical_curvature = in[26];
-    input.frame.twist = in[27];
-    const wrc::Fault outcome = abi::solve(contact, &input);
-    if (outcome.failed()) return outcome;
-    const wrc_wrench wrench = abi::wrench_of(contact.wheel);
-    std::copy_n(wrench.force, 3, out);
-    std::copy_n(wrench.moment, 3, out + 3);
-    std::copy_n(wrench.rail_force, 3, out + 6);
-    std::copy_n(wrench.rail_moment, 3, out + 9);
-    out[12] = wrench.z;
-    out[13] = wrench.normal_force;
-    out[14] = wrench.area;
-    out[15] = wrench.peak_pressure;
-    out[16] = wrench.power;
-    out[17] = wrench.region_count;
-    return outcome;
-  });
 }
 
 }  // extern "C"

@@ -91,7 +91,7 @@ Fault find_patches(Contact& contact) {
     }
     if (contact.patches == contact.model->options.max_patches) {
       return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "config.grid.max_patches",
+              .field = "config.planar.max_patches",
               .value = static_cast<double>(contact.patches),
               .unit = "patches"};
     }
@@ -303,7 +303,6 @@ Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0) return sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
   contact.pressed = true;
-  contact.load = load;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
     return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach"};

@@ -85,14 +85,6 @@ struct Load {
   double damping = 0.0;            ///< alpha of normal/damping.hpp [s/m]
 };
 
-/// Central differences of the whole step, rows Fx, Fy, Mz and what follows from the load: the approach, or
-/// the normal force where the approach is prescribed.
-struct StepSensitivities {
-  double by_load[4] = {};  ///< with respect to what is prescribed
-  double by_lateral[4] =
-      {};  ///< with respect to the lateral shift of the wheelset; zero for a gap of the host
-};
-
 /// A wheel on a rail as a host has them, track axes; what the wheel is displaced from is in wrc_wheel.h.
 struct HostedWheel {
   bool of_wheelset = true;  ///< the reference point is the middle of the axle; otherwise that of the wheel
@@ -195,7 +187,6 @@ struct Contact {
 
   Pose pose;  ///< of the last geometry stage
   ContactPoint point;
-  Load load;  ///< of the last normal stage
   NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one
   StripTotals extent;           ///< of all patches together
@@ -217,20 +208,19 @@ struct Contact {
 // in their bytes. Each line is a struct and what its members come to.
 static_assert(sizeof(FrictionLaw) == 13 * sizeof(double));
 static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + sizeof(SlopeFall));
-static_assert(sizeof(Load) == 4 * sizeof(double));
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
                                    sizeof(TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) ==
-              sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) + sizeof(std::uint8_t) +
-                  4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) + sizeof(ContactPoint) +
-                  sizeof(Load) + sizeof(NormalSolution) + sizeof(StripTotals) +
-                  sizeof(Patch[patch_capacity]) + sizeof(Creepage) + sizeof(Friction) +
-                  (3 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) + sizeof(TangentialForces) +
-                  sizeof(DamageNumbers) + sizeof(std::int64_t) + sizeof(HostedWrench));
+static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) +
+                                     sizeof(std::uint8_t) + 4 * sizeof(std::int32_t) + sizeof(std::int64_t) +
+                                     sizeof(Pose) + sizeof(ContactPoint) + sizeof(NormalSolution) +
+                                     sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
+                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
+                                     sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
+                                     sizeof(std::int64_t) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
-              4 * sizeof(std::int32_t) + 15 * sizeof(double) +
+              2 * sizeof(std::int32_t) + 15 * sizeof(double) +
                   most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the
@@ -401,10 +391,8 @@ struct DamageTotals {
 Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals);
 
-/// Derivatives of the last tangential stage, and of the whole step that led to it (sensitivities.cpp). They
-/// work on a copy: the contact stays as it is.
+/// Derivatives of the last tangential stage (sensitivities.cpp), found on a copy: the contact stays as it is.
 Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities);
-Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities);
 
 /// The surfaces whose expansion are the rows of find_gap(), heights up to one constant; of a contact that is
 /// `posed`. Not real-time code.

@@ -198,7 +198,7 @@ SurfaceMethods surface_methods(const ModelOptions& options) {
                     .bound = options.traction_bound,
                     .form = options.flexibility};
   if (tangential.workspace)
-    methods.region.workspace_bytes = tangential.workspace(most_overlapping_strips, options.sizes.cells);
+    methods.region.workspace_bytes = tangential.workspace(most_overlapping_strips, options.surface_cells);
   return methods;
 }
 

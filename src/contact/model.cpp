@@ -143,7 +143,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
   sizes.surface_workspace_bytes = surface_workspace_bytes(
-      node_count(options.wheel), surface_methods(options), options.sizes.cells,
+      node_count(options.wheel), surface_methods(options), options.surface_cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 
@@ -254,7 +254,7 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                               .influence = model.influence,
                               .kernels = model.kernels,
                               .ellipse = &model.linear_theory.ellipse(),
-                              .grid = &model.march_grid,
+                              .grid = &model.surface_grid,
                               .methods = methods},
                              surface, model.surface);
   // planar stages do without what has no surface
@@ -304,7 +304,7 @@ std::size_t model_bytes(const ModelOptions& options) {
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
   return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
          table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + 3 * profiles + scratch + arcs(options));
+         sizeof(double) * (march_grid_size(options.sizes.cells) + march_grid_size(options.surface_cells) + 3 * profiles + scratch + arcs(options));
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -338,6 +338,8 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
   arrays += march_grid_size(options.sizes.cells);
+  model->surface_grid = make_march_grid(options.surface_cells, arrays, *model->kernels);
+  arrays += march_grid_size(options.surface_cells);
 
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {

@@ -58,6 +58,7 @@ struct ModelOptions {
   FlexibilityForm flexibility = FlexibilityForm::separate;
   InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
   ArraySizes sizes;
+  std::int32_t surface_cells = 0;  ///< along each strip of a wheel on a rail
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool non_steady = false;        ///< contacts remember their tractions
@@ -98,7 +99,8 @@ struct Model {
   double rail_deviation = 0.0;   ///< see wheel_deviation
   const InfluenceTables* influence = nullptr;  ///< with NormalMethod::half_space
   SdecTable linear_theory;                     ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                        ///< along each strip
+  MarchGrid march_grid;                        ///< along each strip of a contact plane
+  MarchGrid surface_grid;                      ///< along each strip of a wheel on a rail
   const Kernels* kernels = nullptr;            ///< of the instruction set; everything else has this pointer
   ForceTable force_table;                      ///< with Option::force_table
   const SurfaceModel* surface = nullptr;       ///< with profiles

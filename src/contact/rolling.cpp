@@ -145,9 +145,9 @@ RollingMemory memory_of(Contact& contact, const Patch& patch) {
 /// A model that remembers rolls forwards, and its friction is not solved for.
 Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
   if (!contact.model->options.non_steady) return {};
-  if (friction.law.fall == FrictionLaw::Fall::heat) {
+  if (friction.law.heated()) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "friction.kind",
+            .field = "friction.temperature_law",
             .cause = "config.non_steady rolls on once a step, friction over temperature would several times"};
   }
   if (rolling.way > 0.0 && rolling.reverse_share == 0.0) return {};
@@ -190,8 +190,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   if (model.options.non_steady) rolling.memory = memory_of(contact, patch);
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
-  patch.forces = friction.law.fall == FrictionLaw::Fall::heat
-                     ? roll_heated(contact, patch, friction.law, fields, rolling, fault)
+  patch.forces = friction.law.heated() ? roll_heated(contact, patch, friction.law, fields, rolling, fault)
                  : model.options.non_steady ? roll_with_memory(rolling, fields, fault)
                                             : method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside.
@@ -280,7 +279,7 @@ bool differentiates(const Contact& contact) {
   const ModelOptions& options = contact.model->options;
   const Friction& friction = contact.law;
   return options.tangential_method->gives_derivatives && options.flexibility == FlexibilityForm::separate &&
-         friction.law.fall == FrictionLaw::Fall::none && !friction.slope.falls();
+         !friction.law.falls() && !friction.slope.falls();
 }
 
 Friction friction_of(const Contact& contact) {

@@ -1,4 +1,4 @@
-/// Derivatives of the tangential stage and of the whole step, found on a copy of the contact's state.
+/// Derivatives of the tangential stage, found on a copy of the contact's state.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,27 +14,6 @@ Contact& copy_of(Contact& contact) {
   void* const behind = reinterpret_cast<char*>(&contact) + bytes;
   std::memcpy(behind, static_cast<const void*>(&contact), bytes);
   return *static_cast<Contact*>(behind);
-}
-
-/// The step that led to the contact's forces, with another load or another lateral shift.
-Fault step(Contact& contact, const Load& load, double shift, double (&result)[4]) {
-  const Creepage creepage = contact.creepage;
-  const Friction friction = friction_of(contact);
-  const Rolling rolling = contact.rolling;
-  Fault fault;
-  if (shift != 0.0) {
-    Pose pose = contact.pose;
-    pose.lateral += shift;
-    keep_worst(fault, find_gap(contact, pose));
-  }
-  if (!fault.failed()) keep_worst(fault, solve_normal(contact, load));
-  if (!fault.failed()) keep_worst(fault, regularise_patch(contact));
-  if (!fault.failed()) keep_worst(fault, solve_tangential(contact, creepage, friction, rolling));
-  result[0] = contact.forces.fx;
-  result[1] = contact.forces.fy;
-  result[2] = contact.forces.mz;
-  result[3] = load.prescribed == Prescribed::load ? contact.normal.approach : contact.extent.normal_force;
-  return fault;
 }
 
 /// A law whose coefficients are all larger by a factor.
@@ -109,40 +88,6 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
   if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
   Contact& copy = copy_of(contact);
   return solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);
-}
-
-Fault find_step_sensitivities(Contact& contact, StepSensitivities& sensitivities) {
-  sensitivities = {};
-  if (const Fault fault = check_steady(contact); fault.failed()) return fault;
-  if (contact.reached >= Stage::tangential && !contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-  if (contact.reached < Stage::tangential || !contact.pressed) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "forces",
-            .cause = "call wrc_planar_step, or wrc_planar_normal and wrc_planar_tangential, first"};
-  }
-  // Wide enough that the last digits of the normal solution, whose strips are cut anew for every patch, do
-  // not show: they are 1e-4 of the forces.
-  constexpr double relative_load_step = 0.01;
-  constexpr double lateral_step = 1e-4;  // [m]
-  const double load_step = relative_load_step * contact.load.value;
-  const auto difference = [&](double by_load, double by_shift, double(&result)[4]) {
-    double ends[2][4];
-    Fault fault;
-    for (int end = 0; end < 2; ++end) {
-      const double sign = end == 0 ? -1.0 : 1.0;
-      Load load = contact.load;
-      load.value += sign * by_load;
-      keep_worst(fault, step(copy_of(contact), load, sign * by_shift, ends[end]));
-    }
-    if (fault.failed()) return fault;
-    for (int r = 0; r < 4; ++r) result[r] = (ends[1][r] - ends[0][r]) / (2.0 * (by_load + by_shift));
-    return fault;
-  };
-  Fault fault = difference(load_step, 0.0, sensitivities.by_load);
-  if (!fault.failed() && contact.posed)
-    keep_worst(fault, difference(0.0, lateral_step, sensitivities.by_lateral));
-  if (fault.failed()) sensitivities = {};
-  return fault;
 }
 
 }  // namespace wrc

@@ -118,7 +118,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   const bool same_everywhere = surface.varying.faces == 0 || model.options.check_rail;
   if (hosted.distance != 0.0 && same_everywhere && !roller)
     return not_read("input.distance", hosted.distance, "m",
-                    "the rail is the same everywhere: give config.rail_section, or leave it 0");
+                    "the rail is the same everywhere: give config.rail_sections, or leave it 0");
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
     return not_read("input.angle", hosted.angle, "rad",
                     "the wheel is round: give config.roundness, or leave it 0");
@@ -148,7 +148,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   problem.vertical_load = hosted.vertical_load;
   const FrictionLaw& law = hosted.friction.law;
   problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
-  if (law.zones.count > 0 || law.fall != FrictionLaw::Fall::none) problem.law = &law;
+  if (!law.is_one_number()) problem.law = &law;
   problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
@@ -188,7 +188,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   }
   if (model.options.non_steady) {
     return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.non_steady",
+            .field = "config.planar.non_steady",
             .cause = "wrc_contact_wrench rolls steadily: use a model without it"};
   }
 
@@ -200,7 +200,7 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state,
                               array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr,
                               slopes ? &by_track : nullptr);
-  const bool touching = wrench.regions > 0 || fault.status == WRC_FLAG_CLIMBING;
+  const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
     if (fault.failed()) return fault;

@@ -111,7 +111,7 @@ void BinAdder::flush() {
   Shares rows(bins_.along, from_, to_);
   for (Share row{}; rows.next(row);) {
     const bool beside = row.index < 0 || at_ < 0;
-    DamageBin& bin = bins_.bin[beside ? bins_.outside() : row.index * bins_.across.count + at_];
+    DamageBin& bin = bins_.bin(beside ? bins_.outside() : row.index * bins_.across.count + at_);
     for (int i = 0; i < damage_sums; ++i) {
       const double scaled = open_.sum[i] * damage_scale[i] * row.part;
       if (scaled == 0.0) continue;
@@ -137,8 +137,8 @@ bool BinAdder::finish() {
 bool merge(const DamageBins& into, const DamageBins& from) {
   bool in_range = true;
   for (std::int64_t k = 0; k <= into.outside(); ++k) {
-    DamageBin& bin = into.bin[k];
-    const DamageBin& other = from.bin[k];
+    DamageBin& bin = into.bin(k);
+    const DamageBin& other = from.bin(k);
     bin.overflow |= other.overflow;
     for (int i = 0; i < damage_sums; ++i) in_range = add_whole(bin, i, other.sum[i]) && in_range;
     bin.largest_pressure = std::max(bin.largest_pressure, other.largest_pressure);

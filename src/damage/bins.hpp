@@ -27,12 +27,16 @@ enum DamageSum : std::int32_t {
 inline constexpr double damage_scale[damage_sums] = {0x1p20, 0x1p40, 0x1p40, 0x1p40,
                                                      0x1p40, 0x1p40, 0x1p40, 0x1p40};
 
+/// Places for sums in a bin, those in use and those for later.
+inline constexpr std::int32_t damage_sum_places = 16;
+
 /// One bin, laid out as the caller's (wrc_damage_bin).
 struct DamageBin {
-  WholeNumber sum[damage_sums];
+  WholeNumber sum[damage_sum_places];
   double largest_pressure = 0.0;  ///< [Pa]
   double largest_traction = 0.0;  ///< [Pa]
   std::uint64_t overflow = 0;     ///< bit i: sum i is worthless
+  double reserved[4] = {};        ///< 0
 };
 
 /// `count` intervals of `length` from `first` on; length 0: one, which holds everything.
@@ -44,8 +48,12 @@ struct Axis {
 /// rows * bins of a row + 1, row by row; the last has what lies beside all others.
 struct DamageBins {
   Axis across, along;
-  DamageBin* bin = nullptr;
+  DamageBin* first = nullptr;
+  std::int64_t stride = sizeof(DamageBin);  ///< from one bin of the caller to the next [bytes]
   std::int64_t outside() const { return across.count * along.count; }
+  DamageBin& bin(std::int64_t k) const {
+    return *reinterpret_cast<DamageBin*>(reinterpret_cast<char*>(first) + k * stride);
+  }
 };
 
 /// A strip in contact. Arc lengths are from the profiles' origins, flange or gauge side negative.

@@ -44,7 +44,7 @@ double HeatedFriction::settled(double* rise, std::int32_t strips, double before)
     for (std::int32_t i = 0; i < cells_; ++i) {
       const double per_share = rise[i * strips];
       double slope = 0.0;
-      sum += weight_[i] * friction_when_hot(law_, entry_ + per_share * f, &slope);
+      sum += weight_[i] * temperature_factor(law_, entry_ + per_share * f, &slope);
       slopes += weight_[i] * slope * per_share;
     }
     const double excess = f - sum / weights_;

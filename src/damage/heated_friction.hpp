@@ -2,8 +2,8 @@
 ///
 /// A strip has the mean over its load of the law at the temperatures of its cells. Tractions are solved a
 /// few times, always as often, so that what is found is as continuous in the inputs as each of them; in
-/// between each strip's share f of its cold coefficient is settled by
-///     f = mean of friction_when_hot(T_entry + f / f_before * rise),
+/// between each strip's share f of its cold coefficient, that at its sliding speed, is settled by
+///     f = mean of temperature_factor(T_entry + f / f_before * rise),
 /// `rise` what f_before made: heat is proportional to friction where all slides. The right side falls as f
 /// grows, so that there is one solution. What is left is how slip changes with friction.
 #pragma once
@@ -23,7 +23,7 @@ class HeatedFriction {
   HeatedFriction(const FrictionLaw& law, const Effusivities& bodies, std::int32_t cells, double speed);
 
   /// The share where friction makes no heat: of strips that have none yet.
-  double share_at_entry() const { return friction_when_hot(law_, entry_); }
+  double share_at_entry() const { return temperature_factor(law_, entry_); }
 
   /// New shares in the place of those that `fields` were solved with; returns the largest change. `keep`:
   /// the old ones stay. `rise`: work space over the cells, may be one of the slips. `region`: counts and half
@@ -57,7 +57,7 @@ Fault solve_heated(HeatedFriction& heat, const Strips& region, const TangentialF
   constexpr double settled = 1e-3;
   if (!(change > settled)) return {};
   return {.status = WRC_FLAG_ITERATION_CAP,
-          .field = "friction.kind",
+          .field = "friction.temperature_law",
           .value = change,
           .unit = "",
           .cause = "friction over temperature has not settled: this is its last change"};

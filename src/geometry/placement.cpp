@@ -133,7 +133,7 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
 
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel) {
-  const double origin = 0.5 * wheelset.flange_back_distance + wheelset.flange_back_to_origin;
+  const double origin = 0.5 * wheelset.tape_circle_distance;
   Profile placed;
   const Fault fault = place(profile, Placement{.y = origin}, memory, placed);
   if (fault.failed()) return fault;

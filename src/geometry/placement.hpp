@@ -38,9 +38,8 @@ struct TrackDimensions {
 };
 
 struct WheelsetDimensions {
-  double flange_back_distance = 0.0;     ///< between the flange backs [m]
-  double flange_back_to_origin = 0.070;  ///< from the flange back to the origin of the wheel profile [m]
-  double nominal_radius = 0.0;           ///< at the origin of the wheel profile (tape circle) [m]
+  double tape_circle_distance = 0.0;  ///< between the origins of both wheels' profiles [m]
+  double nominal_radius = 0.0;        ///< at the origin of the wheel profile (tape circle) [m]
 };
 
 /// A rail in the track frame.
@@ -66,7 +65,7 @@ struct Wheel {
 Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side, const ProfileMemory& memory,
                  Rail& rail);
 
-/// Tape circle at half the flange-back distance plus flange_back_to_origin.
+/// Tape circle at half their distance.
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel);
 

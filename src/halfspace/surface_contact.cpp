@@ -228,7 +228,7 @@ Field friction_of_rows(const WheelOnRail& state, const SectionCurve& rail, const
       const double half = 0.5 * g.dy * std::abs(p.dy) + 1e-9;
       at_rest = mean_friction(law.zones, p.y - half, p.y + half);
     }
-    const double coefficient = at_rest * friction_fall(law, std::sqrt(squares / count));
+    const double coefficient = at_rest * speed_factor(law, std::sqrt(squares / count));
     for (int i = 0; i < g.nx; ++i) friction[g.index(i, j)] = coefficient;
   }
   return friction;

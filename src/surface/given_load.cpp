@@ -250,7 +250,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWo
   const double asked = in.vertical_load;
   const Fault found = search_height(model, in, HeightSearch(asked), false, w, start, height, out);
   if (!(in.friction > 0.0)) return found;
-  const bool capped = found.status == WRC_FLAG_ITERATION_CAP;
+  const bool capped = found.has(WRC_FLAG_ITERATION_CAP);
   const double searched = out.height;
   if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
     if (capped) find(model, in, w.seen, margin_of(model), w);  // derivatives are made of where rays end

@@ -57,7 +57,7 @@ class Solver {
       run.first = run.end++;
       while (run.end < n && overlaps_.strip[run.end] == overlaps_.strip[run.end - 1] + 1) ++run.end;
       const LobeCuts cuts = find_lobes(memory_.place, overlaps_.depth, run.first, run.end);
-      if (cuts.more) result_.leaps = true;
+      if (cuts.more) result_.jumps = true;
       for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
         if (!result_.fault.failed()) solve_part(run, {share, low, high});
       });
@@ -123,7 +123,7 @@ class Solver {
       const double t = smaller(10.0 * (-point.height / deepest - 0.9), 1.0);
       if (!(t > 0.0)) continue;
       if (points.count == most_points) {
-        result_.leaps = true;
+        result_.jumps = true;
         break;
       }
       const auto k = static_cast<std::size_t>(points.count++);

@@ -13,8 +13,8 @@
 /// squared half length in proportion to the width that lies on a strip of the rail. Load is kept, and what
 /// enters a strip enters at zero.
 ///
-/// What then still leaps is the method's own: a patch of several lobes has one lowest point, about which
-/// these methods solve it, and it leaps where two lobes are as deep as each other.
+/// What then still jumps is the method's own: a patch of several lobes has one lowest point, about which
+/// these methods solve it, and it jumps where two lobes are as deep as each other.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ inline constexpr double planar_margin = 0.15e-3;
 struct PlanarResult {
   Fault fault;                  ///< failed, or a flag
   std::int32_t iterations = 0;  ///< evaluations of the method
-  bool leaps = false;  ///< a patch has several lobes as deep as its deepest, within 10 % of the overlap
+  bool jumps = false;  ///< a patch has several lobes as deep as its deepest, within 10 % of the overlap
 };
 
 /// Doubles of working memory for at most so many candidates.

@@ -81,8 +81,6 @@ struct Wrench {
   double steepest_angle = 0.0;  ///< largest angle of a strip in contact, the rail's roll included [rad]
   std::int32_t regions = 0;
   std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
-  std::int32_t leaps = 0;   ///< 1: by a planar method where it leaps (PlanarResult)
-  std::int32_t unused = 0;  ///< no padding
   SurfaceRegion region[most_surface_regions];
 };
 

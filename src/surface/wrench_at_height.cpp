@@ -158,6 +158,12 @@ FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in
   return {mean, ((last - first) * 0.5 + (0.5 * (first + last) - mean) * half_by_y) / half};
 }
 
+double strip_speed_factor(const FrictionLaw& law, const WheelWork& w, std::int32_t k, double speed) {
+  const double turning = w.spin[k] * w.half_length[k];
+  const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
+  return speed_factor(law, speed * std::sqrt(slip2));
+}
+
 bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
   return model.methods.region.solve && (model.methods.by_region || in.slope.falls());
 }
@@ -222,16 +228,13 @@ void sliding_at(const Seen& s, double x, double y, double z, double (&v)[3]) {
   v[2] = s.velocity[2] + o[0] * y - o[1] * x;
 }
 
-/// The law's coefficient of each strip: over its width, at the root mean square of its rigid slip
-/// times `speed` (tangential/friction/friction.hpp).
+/// The law's coefficient of each strip while it is cold: over its width, at its sliding speed.
 void find_friction(const SurfaceModel& model, const WheelOnRail& in, double speed, std::int32_t count,
                    WheelWork& w) {
   const FrictionLaw& law = *in.law;
   for (std::int32_t k = 0; k < count; ++k) {
     const double at_rest = friction_at_rest(model, in, w, w.overlaps.strip[w.candidate[k]]).value;
-    const double turning = w.spin[k] * w.half_length[k];
-    const double slip2 = w.slip_x[k] * w.slip_x[k] + w.slip_y[k] * w.slip_y[k] + turning * turning / 3.0;
-    w.friction[k] = at_rest * friction_fall(law, speed * std::sqrt(slip2));
+    w.friction[k] = at_rest * strip_speed_factor(law, w, k, speed);
   }
 }
 
@@ -302,7 +305,7 @@ RollingReference roll_strips(const SurfaceModel& model, const WheelOnRail& in, c
   }
   if (!(in.friction > 0.0)) return reference;
   if (in.law) find_friction(model, in, speed, loaded.count, w);
-  const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
+  const bool heated = in.law && in.law->heated();
   if (heated) std::copy_n(w.friction, loaded.count, w.cold_friction);
   const auto roll_one_way = [&](bool backwards, const SurfaceRollingForces& forces) {
     return heated ? roll_heated(model, in, loaded.count, backwards, speed, w, forces)
@@ -334,7 +337,7 @@ constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
                             .field = "contact behind the flange's tip",
                             .cause =
                                 "the flange's back is against the rail's field side: is the wheel beside "
-                                "its rail (input.wheel.y, config.wheelset.flange_back_distance)?"};
+                                "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?"};
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
@@ -411,8 +414,9 @@ Fault press(const SurfaceModel& model, WheelWork& w, SurfaceStart& start, const 
     const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
                                                     *model.kernels, w.planar, w.pressure);
     out.sweeps += planar.iterations;
-    out.leaps = planar.leaps ? 1 : 0;
-    return planar.fault;
+    Fault fault = planar.fault;
+    if (planar.jumps) keep_worst(fault, {.status = WRC_FLAG_FORCE_JUMPS, .field = "config.normal.method"});
+    return fault;
   }
   const SurfaceNormalResult normal =
       solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,

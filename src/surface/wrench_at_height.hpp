@@ -26,6 +26,10 @@ struct FrictionAtRest {
 FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& w,
                                 std::int32_t strip);
 
+/// The law's factor of the sliding speed of a strip in contact: the root mean square of its rigid slip times
+/// `speed`, what slips are over [m/s] (tangential/friction/friction.hpp).
+double strip_speed_factor(const FrictionLaw& law, const WheelWork& w, std::int32_t k, double speed);
+
 /// Does the whole of a patch roll at a time?
 bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
 

@@ -90,8 +90,8 @@ void find_friction(const SurfaceModel& model, const WheelOnRail& in, const Numbe
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
-    const double falls = friction_fall(law, sliding.value);
-    s.friction[k] = at_rest.value * sliding.chain(falls, friction_fall_slope(law, sliding.value));
+    const double falls = speed_factor(law, sliding.value);
+    s.friction[k] = at_rest.value * sliding.chain(falls, speed_factor_slope(law, sliding.value));
     if (in.zones_on_wheel) s.friction[k] += y_on_wheel(w, k).chain(0.0, at_rest.by_wheel_y * falls);
   }
 }
@@ -203,15 +203,16 @@ void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const W
     if (again > 0) std::copy_n(share, s.count, work.heat_share);
     for (std::int32_t k = 0; k < s.count; ++k)
       for (int a = 0; a < numbers; ++a) to[a][k] = from[a][k].value + step * from[a][k].d[input];
+    const double slips_over = speed.value + step * speed.d[input];
     for (std::int32_t k = 0; k < s.count; ++k) {
       to[lengths][k] = larger(to[lengths][k], 0.0);
       const auto cold = friction_at_rest(model, in, work, work.overlaps.strip[work.candidate[k]]);
       work.cold_friction[k] = cold.value;
       if (in.zones_on_wheel)
         work.cold_friction[k] = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(w, k).d[input], 0.0);
+      work.cold_friction[k] *= strip_speed_factor(*in.law, work, k, slips_over);
     }
-    roll_heated(model, in, s.count, backwards, speed.value + step * speed.d[input], work,
-                {work.fx, work.fy, work.mz}, again);
+    roll_heated(model, in, s.count, backwards, slips_over, work, {work.fx, work.fy, work.mz}, again);
   };
   solve(0, 0.0, 0);
   for (int r = 0; r < results; ++r)
@@ -242,7 +243,7 @@ void roll_strips(const SurfaceModel& model, const WheelOnRail& in, const WheelWo
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
   if (in.law) find_friction(model, in, reference.divisor, work, w);
-  const bool heated = in.law && in.law->fall == FrictionLaw::Fall::heat;
+  const bool heated = in.law && in.law->heated();
   const auto roll_one_way = [&](bool backwards, Number* fx, Number* fy, Number* mz) {
     if (heated) {
       difference_heated(model, in, work, reference.divisor, backwards, w, fx, fy, mz);

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "not_finite.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_planar.h"
 
 namespace {
 
@@ -56,7 +58,7 @@ struct Bins {
 class Line : public testing::Test {
  protected:
   void SetUp() override {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 1.0 / 40.0;
@@ -82,7 +84,7 @@ class Line : public testing::Test {
   }
   wrc_wrench solve(double y, int32_t side = 0) const {
     const wrc_wheel_input input = wheel_at(y, side == 0 ? 1.0 : -1.0);
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     EXPECT_GE(wrc_contact_wrench(contact[side], &input, &wrench), WRC_OK);
     return wrench;
   }
@@ -95,12 +97,12 @@ class Line : public testing::Test {
     input.creepage.lateral = sign * 4e-3;
     input.creepage.spin = sign * 0.1;
     input.creepage.speed = 20.0;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     EXPECT_GE(wrc_planar_step(contact[side], &input, &output), WRC_OK);
     return output;
   }
   wrc_accumulation accumulation(int32_t source) const {
-    wrc_accumulation a = wrc_accumulation_default();
+    wrc_accumulation a = sized<wrc_accumulation>();
     a.source = source;
     a.duration = 1e-3;
     return a;
@@ -187,7 +189,7 @@ TEST_F(Line, NothingJumpsAtABinsBorder) {
 TEST_F(Line, LiesWhereTheContactIs) {
   for (const double y : {0.0, 0.003, -0.004, 0.0066}) {
     const wrc_wrench wrench = solve(y);
-    wrc_region region = wrc_region_default();
+    wrc_region region = sized<wrc_region>();
     double y_wheel = 0.0, y_rail = 0.0, load = 0.0;
     for (int32_t i = 0; i < wrench.region_count; ++i) {
       ASSERT_EQ(wrc_contact_region(contact[0], i, &region), WRC_OK);
@@ -314,7 +316,7 @@ TEST(Laws, WholeLifeAndPointShakedown) {
 }
 
 TEST(Profiles, ArcLengthsAreDistancesAlongTheCurve) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;

@@ -8,6 +8,7 @@
 #include "../check_rail_points.hpp"
 #include "not_finite.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -175,22 +176,6 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   }
 }
 
-TEST_F(AlongTrack, TheFlatCallKnowsDistanceAndAngle) {
-  give_ramp();
-  give_wheel(720, [](double a) { return 1e-4 * std::cos(7.0 * a); });
-  create();
-  input.distance = 2.6;
-  input.angle = -0.3;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  ASSERT_EQ(step(), WRC_OK) << error();
-  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[5] = wheel.velocity[0], in[9] = wheel.angular_velocity[1], in[17] = friction.coefficient;
-  in[18] = 1.0, in[19] = 60e3, in[21] = input.distance, in[22] = input.angle;
-  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
-}
-
 TEST_F(AlongTrack, AFlatLowersTheWheelAsItsSupportFunctionSays) {
   // a worn flat: a cosine of 0.5 mm over 90 mm, so long that it is convex
   constexpr double deep = 0.5e-3, half = 0.045 / radius;
@@ -236,7 +221,7 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   input.distance = 5.0;
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_EQ(wrench.region_count, 2);
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_NEAR(region.normal_force, alone, 0.01 * alone);
   ASSERT_EQ(wrc_contact_region(contact, 1, &region), WRC_OK);
@@ -287,7 +272,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     ASSERT_GE(step(), 0) << error();
     double carried = 0.0;
     for (int32_t i = 0; i < wrench.region_count; ++i) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       ASSERT_EQ(wrc_contact_region(contact, i, &region), WRC_OK);
       if (region.surface == 0) carried += region.normal_force;
     }
@@ -307,7 +292,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     running.profile = config.rail;
   }
   give();
-  config.check_rail = wrc_config_default().check_rail;
+  config.check_rail = test_config().check_rail;
   create();
   input.distance = 0.5;
   ASSERT_EQ(step(), status) << error();
@@ -421,7 +406,7 @@ TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {
 class ExactAlongTrack : public AlongTrack {
  protected:
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-  wrc_wrench exact = wrc_wrench_default();
+  wrc_wrench exact = sized<wrc_wrench>();
 
   ExactAlongTrack() { options.cell_x = options.cell_s = 4e-4; }
   int32_t solve() { return wrc_exact_wrench(contact, &input, &options, &exact); }
@@ -537,7 +522,7 @@ TEST_F(ExactAlongTrack, AnEccentricWheelIsARoundOneElsewhere) {
   create();
   carry();
   for (const double angle : {0.9, -1.2}) {
-    config.roundness = wrc_config_default().roundness;
+    config.roundness = test_config().roundness;
     const wrc_wheel_input as_it_is = input;
     // the material's angle 0 is below the axle before it has turned; +y turns the lowest point forwards
     const double x = off * std::sin(angle), z = off * std::cos(angle), w = wheel.angular_velocity[1];

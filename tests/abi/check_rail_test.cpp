@@ -7,6 +7,7 @@
 
 #include "../check_rail_points.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -59,7 +60,7 @@ class CheckRail : public testing::Test, protected PlacedWheel {
   }
 
   wrc_region region(int32_t index) {
-    wrc_region shown = wrc_region_default();
+    wrc_region shown = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     return shown;
   }
@@ -101,7 +102,7 @@ TEST_F(CheckRail, BothRailsAddUp) {
     EXPECT_GT(outward * check.angle, 1.0);
     EXPECT_NEAR(tread.y_rail, 0.0, 0.03);
 
-    config.check_rail = wrc_config_default().check_rail;
+    config.check_rail = test_config().check_rail;
     create(which);
     ASSERT_EQ(step(), WRC_OK) << error();
     const wrc_wrench rail_alone = wrench;
@@ -148,7 +149,7 @@ TEST_F(CheckRail, FarFromItNothingChanges) {
   const wrc_wrench with = wrench;
   ASSERT_EQ(wrench.region_count, 1);
   EXPECT_EQ(region(0).face, 1);
-  config.check_rail = wrc_config_default().check_rail;
+  config.check_rail = test_config().check_rail;
   create();
   ASSERT_EQ(step(), WRC_OK);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], with.force[k], 2e-3 * with.normal_force) << k;
@@ -175,7 +176,7 @@ TEST_F(CheckRail, DerivativesSeeIt) {
 TEST_F(CheckRail, ExactlyTheFlangesBackIsPressedAsInRealTime) {
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
   options.cell_x = options.cell_s = 4e-4;
-  wrc_wrench exact = wrc_wrench_default(), rail_alone = exact;
+  wrc_wrench exact = sized<wrc_wrench>(), rail_alone = exact;
   create();
   lean_on_check_rail(1.0);
   wheel.y -= 0.1e-3;
@@ -212,7 +213,7 @@ TEST_F(CheckRail, ExactlyTheFlangesBackIsPressedAsInRealTime) {
     EXPECT_NEAR(exact.power, wrench.power, 3.0 * within * wrench.power);
     // without it: the rest is what its region has
     const wrc_region check = region(0);
-    config.check_rail = wrc_config_default().check_rail;
+    config.check_rail = test_config().check_rail;
     create(which);
     ASSERT_EQ(wrc_exact_wrench(contact, &input, &options, &rail_alone), WRC_OK) << error();
     for (int k = 0; k < 3; ++k)
@@ -240,7 +241,7 @@ TEST_F(CheckRail, PeakPressuresOnItsSteepFaceAreNearExactOnes) {
       ASSERT_GE(step(), 0) << error();
       (wrench.normal_force > load ? low : high) = wheel.y;
     }
-    wrc_wrench exact = wrc_wrench_default();
+    wrc_wrench exact = sized<wrc_wrench>();
     ASSERT_EQ(wrc_exact_wrench(contact, &input, &options, &exact), WRC_OK) << error();
     EXPECT_NEAR(wrench.normal_force, load, 10.0);
     EXPECT_NEAR(wrench.normal_force, exact.normal_force, 0.02 * exact.normal_force);
@@ -258,10 +259,10 @@ TEST_F(CheckRail, WhatIsWrongIsNamed) {
   };
   const wrc_config good = config;
   refused(WRC_OK, {});
-  config.check_rail.profile = wrc_profile_default();
+  config.check_rail.profile = sized<wrc_profile>();
   config.check_rail.profile.kind = WRC_PROFILE_S1002;
   refused(WRC_ERROR_PROFILE, {"config.check_rail.profile", "wheel profile"});
-  config.check_rail.profile = wrc_profile_default();
+  config.check_rail.profile = sized<wrc_profile>();
   refused(WRC_ERROR_UNSUPPORTED, {"config.check_rail.y = -0.0813 m", "no check rail"});
   config = good;
   config.check_rail.y = -81.3;

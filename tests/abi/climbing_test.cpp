@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 
 namespace {
@@ -137,10 +138,10 @@ TEST_F(ClimbingFlange, WithLittleFrictionNothingIsFlagged) {
 
 /// Of S1002: slid down its flange with friction far above the slope, no height carries anything.
 TEST_F(ClimbingFlange, WhereTheForceNeverGrowsItIsZeroAtFirstTouch) {
-  config.wheel = config.rail = wrc_profile_default();
+  config.wheel = config.rail = sized<wrc_profile>();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.track = wrc_config_default().track;
+  config.track = test_config().track;
   wheel.y = 7.2e-3;
   friction.coefficient = 1.6;
   create();
@@ -159,7 +160,7 @@ TEST_F(ClimbingFlange, WhereTheForceNeverGrowsItIsZeroAtFirstTouch) {
 TEST_F(ClimbingFlange, WhatIsExtrapolatedIsFlagged) {
   create();
   friction.coefficient = 0.3;
-  wheel = wrc_wheel_state_default();
+  wheel = sized<wrc_wheel_state>();
   wheel.velocity[0] = 0.0999;
   force_at(0.1e-3);
   ASSERT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED);

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "offline_helpers.hpp"
-#include "wrc/wrc_offline.h"
+#include "test_config.hpp"
+#include "wrc/wrc_profiles.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ struct Points {
     for (double& value : z) value = height(value);
   }
   wrc_profile profile() const {
-    wrc_profile p = wrc_profile_default();
+    wrc_profile p = sized<wrc_profile>();
     p.kind = WRC_PROFILE_POINTS;
     p.count = static_cast<uint32_t>(y.size());
     p.y = y.data();
@@ -62,11 +63,11 @@ struct Functions {
   std::vector<double> y, vertical, roll, dr, radius[2], angle[2], y_wheel[2], y_rail[2];
 
   Functions(const wrc_model* model, std::vector<double> lateral, double load = 0.0) : y(std::move(lateral)) {
-    wrc_wheelset_geometry_problem problem = wrc_wheelset_geometry_problem_default();
+    wrc_wheelset_geometry_problem problem = sized<wrc_wheelset_geometry_problem>();
     problem.count = static_cast<uint32_t>(y.size());
     problem.lateral = y.data();
     problem.wheel_load = load;
-    wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
+    wrc_wheelset_geometry functions = sized<wrc_wheelset_geometry>();
     const auto take = [&](std::vector<double>& values) {
       values.resize(y.size());
       return values.data();
@@ -104,7 +105,7 @@ struct Conicities {
     problem.amplitude = amplitude.data();
     problem.contact_distance = e;
     problem.radius = r0;
-    wrc_conicity result = wrc_conicity_default();
+    wrc_conicity result = sized<wrc_conicity>();
     result.conicity = conicity.data();
     result.wavelength = wavelength.data();
     result.centre = centre.data();
@@ -123,7 +124,7 @@ std::vector<double> of(const std::vector<double>& y, const std::function<double(
 constexpr int32_t both_methods[] = {WRC_CONICITY_WAVELENGTH, WRC_CONICITY_REGRESSION};
 
 wrc_config new_profiles() {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;
@@ -222,7 +223,7 @@ TEST(ContactFunctions, OfConesOnRoundRails) {
   const double gamma = 0.05, R = 0.2, s = 0.75, r0 = 0.46, top = 0.755;
   const double angle = std::atan(gamma);
   const Points wheel(-0.040, 0.060, 101, [&](double y) { return -gamma * y; }), rail = arc_rail(R);
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel = wheel.profile();
   config.rail = rail.profile();
   config.track.placement = WRC_PLACEMENT_ORIGIN;
@@ -278,7 +279,7 @@ TEST(ContactFunctions, OfArcsOnArcsHaveTheClosedConicity) {
     return -std::sqrt(Rw * Rw - from_centre * from_centre) + depth * Rw;
   });
   const Points rail = arc_rail(Rr);
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel = wheel.profile();
   config.rail = rail.profile();
   config.track.placement = WRC_PLACEMENT_ORIGIN;
@@ -338,10 +339,10 @@ TEST(ContactFunctions, SayWhereTheyFail) {
   const Model model(new_profiles());
   const std::vector<double> y = {0.0, 0.09};
   std::vector<double> dr(2, 1.0);
-  wrc_wheelset_geometry_problem problem = wrc_wheelset_geometry_problem_default();
+  wrc_wheelset_geometry_problem problem = sized<wrc_wheelset_geometry_problem>();
   problem.count = 2;
   problem.lateral = y.data();
-  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
+  wrc_wheelset_geometry functions = sized<wrc_wheelset_geometry>();
   functions.radius_difference = dr.data();
   char text[256] = "";
   for (const double load : {0.0, 80e3}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "test_config.hpp"
 #include "reference_contact.hpp"
 
 namespace {
@@ -103,7 +104,7 @@ TEST_F(Damping, IsChecked) {
 TEST_F(Damping, VelocityComesFromTheWheelsetsMotion) {
   pose.lateral = -5e-3;  // an inclined contact plane
   ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK) << error();
-  wrc_planar_motion motion = wrc_planar_motion_default();
+  wrc_planar_motion motion = sized<wrc_planar_motion>();
   motion.vertical_velocity = 0.3;
   motion.lateral_velocity = -0.2;
   ASSERT_EQ(wrc_planar_creepages(contact, &motion, &creepage), WRC_FLAG_CREEPAGES_LIMITED);  // at standstill

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
 
@@ -16,7 +17,7 @@ using namespace offline_helpers;
 
 class ExactCheck : public ReferenceContact {
  protected:
-  wrc_exact_check_result result = wrc_exact_check_result_default();
+  wrc_exact_check_result result = sized<wrc_exact_check_result>();
 
   void SetUp() override {
     ReferenceContact::SetUp();
@@ -94,7 +95,7 @@ TEST_F(ExactCheck, LeavesTheContactAsItWas) {
 }
 
 TEST_F(ExactCheck, SolvesADoubleEllipseOfTheCaller) {
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 4e-3;
   own.b = 6e-3;
   own.psi = 0.4;
@@ -160,7 +161,7 @@ TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
   const std::size_t rows = view[0].count[0];
   const double lowest = *std::min_element(view[1].data, view[1].data + rows);
   for (const std::size_t row : {rows / 4, rows / 2, 3 * rows / 4}) {
-    wrc_grid grid = wrc_grid_default();
+    wrc_grid grid = sized<wrc_grid>();
     grid.nx = grid.ny = 4;
     grid.dx = 1e-3;
     grid.dy = 1e-4;
@@ -189,8 +190,8 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   const auto exact_peak = [&] {
     std::vector<double> gap(80 * 160);
     EXPECT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK) << error();
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
-    wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+    wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
+    wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
     problem.grid = grid;
     problem.gap = gap.data();
     problem.normal_force = load.normal_force;
@@ -206,7 +207,7 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
     ASSERT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_OK);
     row.emplace_back(view.data, view.data + view.count[0]);
   }
-  wrc_planar_gap rows = wrc_planar_gap_default();
+  wrc_planar_gap rows = sized<wrc_planar_gap>();
   rows.rows = static_cast<uint32_t>(row[0].size());
   rows.y = row[0].data();
   rows.height = row[1].data();
@@ -245,7 +246,7 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
     height.push_back(0.5 * 3.0 * from_hollow * from_hollow);
     curvature.push_back(1.0 / 0.46);
   }
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
   gap.rows = 161;
   gap.y = y.data();
   gap.height = height.data();
@@ -278,8 +279,8 @@ TEST_F(ExactCheck, ExactNormalOfTheProfilesCarriesTheLoad) {
   std::vector<double> gap(64 * 64);
   ASSERT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK);
   EXPECT_NEAR(*std::min_element(gap.begin(), gap.end()), 0.0, 1e-7);
-  wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
-  wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+  wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
+  wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
   problem.grid = grid;
   problem.gap = gap.data();
   problem.normal_force = 80e3;

@@ -9,6 +9,7 @@
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -17,7 +18,7 @@ namespace {
 class ExactWheel : public testing::Test, protected PlacedWheel {
  protected:
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-  wrc_wrench fast = wrc_wrench_default();
+  wrc_wrench fast = sized<wrc_wrench>();
 
   ExactWheel() {
     take_reference_bodies();
@@ -135,7 +136,7 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
         0.1 * 24e3);
   }
   // those on the wheel are those on the rail that lie under them
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   const wrc_wrench on_rail = wrench;
   const double apart = region.y_wheel - region.y_rail, wheel_y[] = {y[0] + apart, y[1] + apart};
@@ -149,7 +150,7 @@ TEST_F(ExactWheel, ZonesOfEqualFrictionAreNoZonesAndOthersLieOnTheRail) {
 /// A wheel that slides as a whole by a fifth of its speed: Polach's law at the speed of sliding.
 TEST_F(ExactWheel, FrictionFallsWithTheSlidingSpeed) {
   friction = wrc_friction_default();
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   const double sliding = 4.0, A = friction.kinetic_ratio, B = friction.fall_rate;
   wheel.angular_velocity[1] *= 0.8;
   prescribe_height();
@@ -164,7 +165,7 @@ TEST_F(ExactWheel, FrictionFallsWithTheSlidingSpeed) {
 /// x, yaw and the turning about y and z change sign in a mirror across the axle.
 TEST_F(ExactWheel, BackwardsIsTheMirrorImageOfForwards) {
   friction = wrc_friction_default();
-  friction.kind = WRC_FRICTION_FALLING;
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   wheel.y = 5e-3;
   wheel.yaw = 4e-3;
   wheel.velocity[1] = 0.02;
@@ -276,9 +277,9 @@ TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   expect(WRC_ERROR_UNSUPPORTED, {"options.influence = 2", "WRC_INFLUENCE_TURNED (0), _PLAIN (1)"});
   options.influence = WRC_INFLUENCE_TURNED;
   friction = wrc_friction_default();
-  friction.slope_fall = 0.5;
-  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.slope_fall = 0.5", "WRC_TANGENTIAL_FASTSIM"});
-  friction.slope_fall = 0.0;
+  friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+  expect(WRC_ERROR_UNSUPPORTED, {"input.friction.temperature_law = 1", "no temperatures"});
+  friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;
   wheel.y = 0.2;
   expect(WRC_ERROR_LOAD, {"input.vertical_load", "80000 N", "no rail"});
   wheel.y = 0.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 
 namespace {
@@ -112,7 +113,7 @@ TEST_F(FrameMotion, BothWaysHaveTheSameWrench) {
       wheel.z = path.z;
       wheel.roll = path.roll;
       wheel.yaw = path.yaw;
-      input.frame = wrc_frame_motion_default();
+      input.frame = sized<wrc_frame_motion>();
       put(rate([&](double t) { return path.position(t); }),
           turning([&](double t) { return path.rotation(t); }));
       ASSERT_EQ(step(), WRC_OK) << error();

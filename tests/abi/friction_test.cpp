@@ -9,6 +9,7 @@
 
 #include "presets.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -55,23 +56,29 @@ TEST(FrictionInterface, ZeroMeansZero) {
   wheel.friction = wrc_friction{};
   wheel.friction.coefficient = 0.35;
   wheel.friction.slope_reduction = 1.0;
-  EXPECT_EQ(wheel.step(), WRC_ERROR_UNSUPPORTED);  // what constant friction does not read is not the default
-  EXPECT_NE(wheel.error().find("friction.kinetic_ratio = 0"), std::string::npos) << wheel.error();
+  EXPECT_EQ(wheel.step(), WRC_ERROR_RANGE);  // of a law that is not chosen: checked all the same
+  EXPECT_NE(wheel.error().find("friction.half_speed = 0"), std::string::npos) << wheel.error();
 }
 
 TEST(FrictionInterface, BadLawsAreNamed) {
   Wheel wheel;
-  wheel.friction.kind = 9;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.kind = 9");
+  wheel.friction.speed_law = 9;
+  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.speed_law = 9");
   wheel.friction.zone_frame = -1;
   wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.zone_frame = -1");
   wheel.friction.kinetic_ratio = 1.5;
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.kinetic_ratio = 1.5");
   wheel.friction.fall_rate = -0.7;
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.fall_rate = -0.7 s/m");
-  wheel.friction.kind = WRC_FRICTION_STATIC_KINETIC;
+  wheel.friction.speed_law = WRC_SPEED_LAW_HYPERBOLIC;
   wheel.friction.half_speed = 0.0;
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.half_speed = 0 m/s");
+  wheel.friction.half_speed = 0.0;
+  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.half_speed = 0 m/s");
+  wheel.friction.hot_ratio = 1.5;
+  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.hot_ratio = 1.5");
+  wheel.friction.bulk.rail = 4000.0;
+  wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.bulk.rail = 4000 degC");
   wheel.friction.slope_reduction = 54.0;
   wheel.expect_law_refused(WRC_ERROR_RANGE, "per cent");
   wheel.friction.slope_limit = nan_value;
@@ -99,28 +106,30 @@ TEST(FrictionInterface, BadLawsAreNamed) {
   wheel.expect_law_refused(WRC_ERROR_RANGE, "friction.zone_count = 65");
 }
 
-TEST(FrictionInterface, WhatIsNotReadIsRefused) {
-  Wheel wheel;
-  wheel.friction.kinetic_ratio = 0.3;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.kinetic_ratio = 0.3");
-  wheel.friction.fall_rate = 0.7;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.fall_rate = 0.7 s/m");
-  wheel.friction.half_speed = 0.05;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "was friction.kind set?");
-  wheel.friction.kind = WRC_FRICTION_FALLING;
-  wheel.friction.half_speed = 0.05;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.half_speed = 0.05 m/s");
-  wheel.friction.kind = WRC_FRICTION_STATIC_KINETIC;
-  wheel.friction.fall_rate = 0.7;
-  wheel.expect_law_refused(WRC_ERROR_UNSUPPORTED, "WRC_FRICTION_FALLING");
+// A program may keep the parameters of all laws, and of modified FASTSIM, whatever it has chosen.
+TEST(FrictionInterface, MembersOfOtherLawsAreNotUsed) {
   for (int32_t method = 0; method < tangential_methods; ++method) {
-    if (marches(method)) continue;
-    Wheel other;
-    other.choose(method);
-    other.friction.slope_fall = 0.6;
-    other.expect_law_refused(WRC_ERROR_UNSUPPORTED, "friction.slope_fall = 0.6");
-    other.friction.slope_limit = 0.1;
-    other.expect_law_refused(WRC_ERROR_UNSUPPORTED, "only WRC_TANGENTIAL_FASTSIM reads it");
+    for (int32_t law : {WRC_SPEED_LAW_NONE, WRC_SPEED_LAW_EXPONENTIAL, WRC_SPEED_LAW_HYPERBOLIC}) {
+      Wheel wheel;
+      wheel.choose(method);
+      wheel.friction.speed_law = law;
+      wheel.friction.slope_fall = slope_fall_for(method);
+      ASSERT_EQ(wheel.step(), WRC_OK);
+      const wrc_planar_forces forces = wheel.forces;
+      if (law == WRC_SPEED_LAW_NONE) wheel.friction.kinetic_ratio = 0.7;
+      if (law != WRC_SPEED_LAW_EXPONENTIAL) wheel.friction.fall_rate = 0.9;
+      if (law != WRC_SPEED_LAW_HYPERBOLIC) wheel.friction.half_speed = 0.01;
+      wheel.friction.hot_ratio = 0.1;
+      wheel.friction.cold_temperature = 300.0;  // hot surfaces are colder, were it read
+      wheel.friction.hot_temperature = 10.0;
+      wheel.friction.bulk.wheel = wheel.friction.bulk.rail = 250.0;
+      if (!marches(method)) {
+        wheel.friction.slope_fall = 0.6;
+        wheel.friction.slope_limit = 0.1;
+      }
+      ASSERT_EQ(wheel.step(), WRC_OK) << wheel.error();
+      EXPECT_EQ(std::memcmp(&wheel.forces, &forces, sizeof forces), 0) << method << ' ' << law;
+    }
   }
 }
 
@@ -167,7 +176,7 @@ TEST(FrictionInterface, ZonesOverTheRailNeedAPoseAndStayOnTheRail) {
   EXPECT_NEAR(right.forces.fy, fy, 1e-9 * 80e3);
   EXPECT_NEAR(left.forces.fx, fx, 1e-6 * 80e3);
 
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 5e-3;
   own.b = 6e-3;
   own.normal_force = 80e3;
@@ -192,13 +201,13 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
       Wheel wheel;
       wheel.choose(method);
       wheel.config.tangential.flexibility = form;
-      for (int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_FRICTION_STATIC_KINETIC}) {
+      for (int32_t law : {WRC_SPEED_LAW_NONE, WRC_SPEED_LAW_EXPONENTIAL, WRC_SPEED_LAW_HYPERBOLIC}) {
         for (bool zoned : {false, true}) {
           for (double size : {0.3, 1.0, 30.0}) {
             wheel.friction = wrc_friction_default();
             wheel.friction.coefficient = 0.35;
-            wheel.friction.kind = kind;
-            if (kind == WRC_FRICTION_STATIC_KINETIC) wheel.friction.half_speed = 0.05;
+            wheel.friction.speed_law = law;
+            wheel.friction.half_speed = 0.05;
             wheel.friction.slope_reduction = 0.6;
             wheel.friction.slope_fall = slope_fall_for(method);
             if (zoned) wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
@@ -220,7 +229,7 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
             for (std::size_t at = 0; at < px.size(); ++at) {
               ASSERT_LE(std::hypot(px[at], py[at]),
                         each[at % each.size()] * pressure[at] * (1.0 + 1e-3) + 1e-3)
-                  << method << " " << kind << " " << zoned;
+                  << method << " " << law << " " << zoned;
             }
           }
         }
@@ -239,7 +248,7 @@ TEST(FrictionInterface, FrictionFallsWithTheSpeedOfTheWheel) {
     for (double speed : {0.0, 2.0, 20.0, 200.0}) {
       wheel.creepage.speed = speed;
       wheel.friction.coefficient = 0.36;
-      wheel.friction.kind = WRC_FRICTION_FALLING;
+      wheel.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
       wheel.friction.kinetic_ratio = 0.38;
       wheel.friction.fall_rate = 0.7;
       ASSERT_EQ(wheel.step(), WRC_OK);
@@ -291,7 +300,7 @@ TEST(FrictionInterface, ExactCheckUsesTheStripsFriction) {
   wheel.creepage.longitudinal = -2e-3;
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);
-  wrc_exact_check_result result = wrc_exact_check_result_default();
+  wrc_exact_check_result result = sized<wrc_exact_check_result>();
   ASSERT_EQ(wrc_exact_check(wheel.contact, 32, 40, nullptr, nullptr, &result), WRC_OK) << wheel.error();
   EXPECT_LT(result.force_error, 0.04);  // constant 0.35 would be 0.2 off
 }

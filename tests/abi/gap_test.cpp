@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "reference_contact.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// Rows of height(y) over -half .. half, element by element where there are columns.
 struct Rows {
   std::vector<double> y, height, curvature, x, h;
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
 
   Rows(double half, uint32_t count, const std::function<double(double)>& profile) {
     for (uint32_t j = 0; j < count; ++j) {

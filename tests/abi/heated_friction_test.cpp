@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ class HeatedFriction : public LoadedEllipse {
     creepage.longitudinal = 0.05;
     creepage.speed = 20.0;
     friction.coefficient = 0.4;
-    friction.kind = WRC_FRICTION_TEMPERATURE;
+    friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     make();
   }
   int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
@@ -32,7 +33,7 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
     creepage.longitudinal = slip;
     creepage.spin = 0.4;
     ASSERT_EQ(solve(), WRC_OK) << slip;
-    wrc_temperature temperature = wrc_temperature_default();
+    wrc_temperature temperature = sized<wrc_temperature>();
     ASSERT_EQ(wrc_contact_temperature(contact, &friction.bulk, &temperature), WRC_OK);
     const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
     const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);
@@ -63,7 +64,7 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   wrc_friction constant = wrc_friction_default();
   constant.coefficient = friction.coefficient;
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_temperature temperature = sized<wrc_temperature>();
   ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_OK);
   const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
   ASSERT_EQ(solve(), WRC_OK);
@@ -156,17 +157,14 @@ TEST_F(HeatedFriction, RefusesWhatItCannot) {
   friction.hot_temperature = nan_value;
   refused(WRC_ERROR_NOT_FINITE, {"hot_temperature"});
   friction = wrc_friction_default();
-  friction.bulk.rail = 40.0;
-  refused(WRC_ERROR_UNSUPPORTED, {"friction.bulk.rail", "WRC_FRICTION_TEMPERATURE"});
-  friction = wrc_friction_default();
-  friction.kind = WRC_FRICTION_TEMPERATURE;
-  friction.kinetic_ratio = 0.5;
-  refused(WRC_ERROR_UNSUPPORTED, {"friction.kinetic_ratio"});
-  friction.kinetic_ratio = wrc_friction_default().kinetic_ratio;
+  friction.temperature_law = 2;
+  refused(WRC_ERROR_UNSUPPORTED,
+          {"friction.temperature_law = 2", "WRC_TEMPERATURE_LAW_NONE (0), _LINEAR (1)"});
+  friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;
   make();
-  refused(WRC_ERROR_UNSUPPORTED, {"friction.kind", "no tractions"});
+  refused(WRC_ERROR_UNSUPPORTED, {"friction.temperature_law = 1", "no tractions"});
 }
 
 TEST_F(HeatedFriction, IsForEveryMethodWithTractions) {

@@ -6,6 +6,7 @@
 
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -20,14 +21,14 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 80e3;
     friction.coefficient = 0.4;
-    friction.kind = WRC_FRICTION_TEMPERATURE;
+    friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     slide(0.02);
   }
   /// Longitudinal creepage, nearly.
   void slide(double share) { wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * (1.0 + share); }
   void solve() { ASSERT_GE(step(), WRC_OK) << error(); }
   Numbers field(int32_t index, int32_t which) {
-    wrc_region shown = wrc_region_default();
+    wrc_region shown = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
     Numbers values(static_cast<std::size_t>(shown.strips * (of_cells ? shown.cells : 1)));
@@ -35,7 +36,7 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
     return values;
   }
   wrc_temperature temperature(int32_t index) {
-    wrc_temperature found = wrc_temperature_default();
+    wrc_temperature found = sized<wrc_temperature>();
     EXPECT_EQ(wrc_contact_region_temperature(contact, index, &friction.bulk, &found), WRC_OK);
     return found;
   }
@@ -78,19 +79,18 @@ TEST_F(HeatedWheel, WithoutAFallItIsConstant) {
   for (const int32_t method :
        {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
     config.tangential.method = method;
-    if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) config.tangential = wrc_config_default().tangential;
+    if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) config.tangential = test_config().tangential;
     config.tangential.method = method;
     create();
     for (const double speed : {40.0, -0.02}) {  // the latter is both ways at once
       wheel.velocity[0] = speed;
       slide(4e-3);
-      friction.kind = WRC_FRICTION_TEMPERATURE;
+      friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
       friction.hot_ratio = 1.0;
       const int32_t status = step();
       ASSERT_GE(status, WRC_OK) << error();
       const wrc_wrench heated = wrench;
-      friction.kind = WRC_FRICTION_CONSTANT;
-      friction.hot_ratio = wrc_friction_default().hot_ratio;
+      friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;
       EXPECT_EQ(step(), status);
       if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) {  // whose patches have means of friction, in rounding
         EXPECT_NEAR(wrench.force[0], heated.force[0], 1e-9 * std::abs(heated.force[0]));
@@ -123,11 +123,11 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
       wheel.y = y;
       slide(slip);
       double on_surface[2], flat[2], rise[2] = {};  // forces by constant and heated friction
-      for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_TEMPERATURE}) {
-        friction.kind = kind;
+      for (const int32_t law : {WRC_TEMPERATURE_LAW_NONE, WRC_TEMPERATURE_LAW_LINEAR}) {
+        friction.temperature_law = law;
         solve();
         ASSERT_EQ(wrench.region_count, 1);
-        wrc_region region = wrc_region_default();
+        wrc_region region = sized<wrc_region>();
         ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
         wrc_planar_input planar = wrc_planar_input_default();
         planar.pose.lateral = y;
@@ -137,13 +137,12 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         planar.creepage.spin = region.creepage[2];
         planar.creepage.speed = 40.0;
         planar.friction = friction;
-        wrc_planar_output output = wrc_planar_output_default();
+        wrc_planar_output output = sized<wrc_planar_output>();
         ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
-        wrc_temperature found = wrc_temperature_default();
+        wrc_temperature found = sized<wrc_temperature>();
         ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &found), WRC_OK);
-        const int which = kind == WRC_FRICTION_CONSTANT ? 0 : 1;
-        on_surface[which] = wrench.force[0];
-        flat[which] = output.forces.fx;
+        on_surface[law] = wrench.force[0];
+        flat[law] = output.forces.fx;
         rise[0] = temperature(0).rise;
         rise[1] = found.rise;
       }
@@ -164,7 +163,7 @@ TEST_F(HeatedWheel, HeatIsThePower) {
     double heat = 0.0;
     for (int32_t r = 0; r < wrench.region_count; ++r) {
       const wrc_temperature found = temperature(r);
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       ASSERT_EQ(wrc_contact_region(contact, r, &region), WRC_OK);
       EXPECT_EQ(found.wheel_heat, found.rail_heat);
       heat += found.wheel_heat + found.rail_heat;
@@ -190,8 +189,8 @@ TEST_F(HeatedWheel, IsContinuousInThePose) {
       wheel.z = scan.z;
       double bend[2] = {};  // the largest second difference
       int32_t fewest = 9, most = 0;
-      for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_TEMPERATURE}) {
-        friction.kind = kind;
+      for (const int32_t law : {WRC_TEMPERATURE_LAW_NONE, WRC_TEMPERATURE_LAW_LINEAR}) {
+        friction.temperature_law = law;
         Numbers forces[2];
         for (int k = 0; k < steps; ++k) {
           wheel.y = scan.y + k * 1e-6;
@@ -200,7 +199,7 @@ TEST_F(HeatedWheel, IsContinuousInThePose) {
           most = std::max(most, wrench.region_count);
           for (int i = 0; i < 2; ++i) forces[i].push_back(wrench.force[i] / 80e3);
         }
-        double& largest = bend[kind == WRC_FRICTION_CONSTANT ? 0 : 1];
+        double& largest = bend[law];
         for (const Numbers& f : forces)
           for (std::size_t k = 1; k + 1 < f.size(); ++k)
             largest = std::max(largest, std::abs(f[k + 1] - 2.0 * f[k] + f[k - 1]));
@@ -259,13 +258,13 @@ TEST_F(HeatedWheel, RefusesWhatItCannot) {
   config.tangential.method = WRC_TANGENTIAL_COARSE_HALFSPACE;
   create();
   solve();
-  wrc_temperature found = wrc_temperature_default();
+  wrc_temperature found = sized<wrc_temperature>();
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;
   create();
   EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
-  ReferenceWheel::expect_words(error(), {"input.friction.kind", "no tractions"});
+  ReferenceWheel::expect_words(error(), {"input.friction.temperature_law = 1", "no tractions"});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "presets.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_api.h"
 #include "wrc/wrc_offline.h"
 
@@ -75,7 +76,7 @@ TEST_F(Interface, FrictionMustBePositive) {
 }
 
 TEST_F(Interface, PureNumbersHaveNoUnitInSentences) {
-  wrc_ellipse slender = wrc_ellipse_default();
+  wrc_ellipse slender = sized<wrc_ellipse>();
   slender.a = 3e-2;
   slender.b = 1e-3;
   slender.normal_force = 80e3;
@@ -122,7 +123,7 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
     height.push_back(0.5 * y.back() * y.back());
     curvature.push_back(1.0 / 0.46);
   }
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
   gap.rows = 40;
   gap.y = y.data();
   gap.height = height.data();
@@ -134,7 +135,7 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
 TEST_F(Interface, GapOfTheCallerIsChecked) {
   std::vector<double> y{-0.02, -0.01, 0.0, 0.01, 0.02}, height{4e-4, 1e-4, 0.0, 1e-4, 4e-4},
       curvature(5, 2.0);
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
   gap.rows = 5;
   gap.y = y.data();
   gap.height = height.data();
@@ -174,7 +175,7 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
     curvature.push_back(2.2);
     for (double xi : x) h.push_back(height.back() + 1.1 * (xi - centre.back()) * (xi - centre.back()));
   }
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
   gap.rows = 101;
   gap.y = y.data();
   gap.height = height.data();
@@ -260,7 +261,7 @@ TEST_F(Interface, StripsOfTheCallerGoThrough) {
   const double y[] = {-2e-3, 2e-3}, width[] = {4e-3, 4e-3}, half[] = {5e-3, 5e-3};
   const double peak_pressure = 40e3 / (0.5 * 3.14159265358979 * 5e-3 * 4e-3);
   double peak[] = {peak_pressure, peak_pressure};
-  wrc_planar_strips strips = wrc_planar_strips_default();
+  wrc_planar_strips strips = sized<wrc_planar_strips>();
   strips.count = 2;
   strips.y = y;
   strips.width = width;
@@ -349,7 +350,7 @@ TEST_F(Interface, ConfigurationValuesAreChecked) {
   expect_config_refused(WRC_ERROR_UNSUPPORTED, {"config.normal.method"});
   config.normal.method = WRC_NORMAL_EKP;
   const wrc_profile given = rail;
-  rail = wrc_profile_default();
+  rail = sized<wrc_profile>();
   expect_config_refused(WRC_ERROR_PROFILE, {"config.rail", "WRC_PROFILE_NONE", "both"});
   std::swap(wheel, rail);
   expect_config_refused(WRC_ERROR_PROFILE, {"config.wheel", "WRC_PROFILE_NONE"});
@@ -420,7 +421,7 @@ TEST_F(Interface, PublishedMethodsAreTakenByName) {
 /// FASTSIM and FaStrip on an ellipse about mid-width: creepages are those of its centre, y_c = psi b from the
 /// contact point, and the moment comes back by - y_c Fx.
 TEST_F(Interface, AnEllipseAboutMidWidthSpinsAboutItsOwnCentre) {
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 4e-3;
   own.b = 6e-3;
   own.psi = 0.4;
@@ -501,7 +502,7 @@ TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
   refused({"config.wheel.smoothing = 0.005 m", "points"});
   wheel.smoothing = 0.0;
 
-  wheel = rail = wrc_profile_default();
+  wheel = rail = sized<wrc_profile>();
   const wrc_config without_profiles = config;
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
   const struct {
@@ -548,7 +549,7 @@ TEST_F(Interface, TheIterationCapIsHonoured) {
               {WRC_NORMAL_EKP, &config.normal.max_iterations, &config.planar.max_sweeps,
                "config.normal.max_iterations", "config.planar.max_sweeps"}};
   for (const auto& [method, option, other, name, other_name] : each) {
-    config.normal = wrc_config_default().normal;
+    config.normal = test_config().normal;
     config.normal.method = method;
     if (method == WRC_NORMAL_EKP) config.normal.load_tolerance = 1e-14;
     const int32_t usual = *option;
@@ -585,8 +586,6 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
   EXPECT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
   EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, nullptr, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_step_flat(contact, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
@@ -623,7 +622,7 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     EXPECT_EQ(wrc_planar_regularise(wrong, nullptr, &normal), WRC_ERROR_NULL);
     EXPECT_EQ(normal.area, 0.0);
     refill();
-    wrc_patch one = wrc_patch_default();
+    wrc_patch one = sized<wrc_patch>();
     ASSERT_EQ(wrc_contact_patch(contact, 0, &one), WRC_OK);
     EXPECT_EQ(wrc_contact_patch(wrong, 0, &one), WRC_ERROR_NULL);
     EXPECT_EQ(one.area, 0.0);
@@ -640,16 +639,6 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     view.count[0] = 7;
     EXPECT_EQ(wrc_contact_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
     EXPECT_EQ(view.count[0], 0U);
-    double out[WRC_FLAT_OUTPUTS] = {1.0, 2.0, 3.0};
-    EXPECT_EQ(wrc_contact_step_flat(wrong, out, out), WRC_ERROR_NULL);
-    EXPECT_EQ(out[2], 0.0);
-
-    refill();
-    EXPECT_EQ(wrc_contact_step_batch(&wrong, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
-    expect_zeros();
-    refill();
-    EXPECT_EQ(wrc_contact_step_batch(nullptr, 1, &input, 0, &output, 0, nullptr), WRC_ERROR_NULL);
-    expect_zeros();
   }
 }
 
@@ -665,23 +654,23 @@ TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
     EXPECT_NE(forces.fn, 0.0);  // not touched
     output.struct_size = sizeof output;
   }
-  wrc_patch patch = wrc_patch_default();
+  wrc_patch patch = sized<wrc_patch>();
   patch.struct_size -= 8;
   EXPECT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_ERROR_STRUCT_SIZE);
   expect_works();
 }
 
 TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {
-  EXPECT_EQ(wrc_config_default().struct_size, sizeof(wrc_config));
+  EXPECT_EQ(test_config().struct_size, sizeof(wrc_config));
   EXPECT_EQ(wrc_planar_input_default().struct_size, sizeof(wrc_planar_input));
-  EXPECT_EQ(wrc_planar_output_default().struct_size, sizeof(wrc_planar_output));
+  EXPECT_EQ(sized<wrc_planar_output>().struct_size, sizeof(wrc_planar_output));
   EXPECT_EQ(wrc_friction_default().slope_reduction, 1.0);
   EXPECT_EQ(wrc_planar_input_default().friction.slope_reduction, 1.0);  // those of structs within, too
-  EXPECT_EQ(wrc_config_default().track.gauge, 1.435);
+  EXPECT_EQ(test_config().track.gauge, 1.435);
   wrc_config config_of_run_time;
   config_of_run_time.struct_size = sizeof config_of_run_time;
   EXPECT_EQ(wrc_config_init(&config_of_run_time), WRC_OK);
-  const wrc_config by_value = wrc_config_default();
+  const wrc_config by_value = test_config();
   EXPECT_EQ(std::memcmp(&config_of_run_time, &by_value, sizeof by_value), 0);
 }
 
@@ -689,7 +678,7 @@ TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {
 TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
   pose.lateral = -5e-3;
   expect_works();
-  wrc_patch patch = wrc_patch_default();
+  wrc_patch patch = sized<wrc_patch>();
   ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
   EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, static_cast<uint32_t>(WRC_AVAILABLE_PLACE));
   EXPECT_EQ(patch.ellipse.psi, normal.ellipse.psi);
@@ -700,48 +689,13 @@ TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
   EXPECT_NEAR(patch.normal[2], std::cos(point.angle), 1e-12);
   EXPECT_EQ(patch.forces.available, static_cast<uint32_t>(WRC_AVAILABLE_TRACTIONS));
 
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = own.b = 5e-3;
   own.normal_force = 80e3;
   ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
   ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
   EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, 0U);
   EXPECT_EQ(patch.normal[2], 0.0);
-}
-
-TEST_F(Interface, BatchGivesTheBitsOfSingleSteps) {
-  constexpr std::size_t count = 5;
-  std::vector<wrc_contact*> contacts(count);
-  std::vector<wrc_planar_input> inputs(count, input);
-  std::vector<wrc_planar_output> single(count, output), batch(count, output);
-  for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contacts[i], nullptr, 0), WRC_OK);
-    inputs[i].creepage.spin = 0.1 * static_cast<double>(i);
-    EXPECT_EQ(wrc_planar_step(contacts[i], &inputs[i], &single[i]), WRC_OK);
-  }
-  inputs[3].creepage.spin = nan_value;
-  std::vector<int32_t> statuses(count);
-  EXPECT_EQ(wrc_contact_step_batch(contacts.data(), count, inputs.data(), sizeof(wrc_planar_input), batch.data(),
-                                   sizeof(wrc_planar_output), statuses.data()),
-            WRC_ERROR_NOT_FINITE);
-  for (std::size_t i = 0; i < count; ++i) {
-    EXPECT_EQ(statuses[i], i == 3 ? WRC_ERROR_NOT_FINITE : WRC_OK);
-    if (i != 3) {
-      EXPECT_EQ(std::memcmp(&batch[i], &single[i], sizeof output), 0);
-    }
-    wrc_contact_destroy(contacts[i]);
-  }
-}
-
-TEST_F(Interface, FloatArrayStepAgreesWithTheStructs) {
-  expect_works();
-  const double in[WRC_FLAT_INPUTS] = {0, 0, 0, 80e3, -0.49e-3, -0.22e-3, 0.29, 0.35};
-  double out[WRC_FLAT_OUTPUTS];
-  ASSERT_EQ(wrc_contact_step_flat(contact, in, out), WRC_OK);
-  EXPECT_EQ(out[0], forces.fx);
-  EXPECT_EQ(out[3], forces.mz);
-  EXPECT_EQ(out[10], normal.ellipse.psi);
-  EXPECT_EQ(out[11], damage.fatigue_index);
 }
 
 // --------------------------------------------------------------------------------------------- host's

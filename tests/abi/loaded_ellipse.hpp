@@ -1,12 +1,13 @@
 /// A contact whose patch is a double ellipse under a load.
 #pragma once
 
+#include "test_config.hpp"
 #include "reference_contact.hpp"
 
 class LoadedEllipse : public testing::Test {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_config config = test_config();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
   wrc_planar_forces forces{};

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace {
 
@@ -22,7 +23,7 @@ constexpr Pair pairs[] = {
     {WRC_PROFILE_UIC60_BENCHMARK, 0.0}, {WRC_PROFILE_60E1, 1.0 / 40.0}, {WRC_PROFILE_60E1, 1.0 / 20.0}};
 
 wrc_profile standard(int32_t kind) {
-  wrc_profile profile = wrc_profile_default();
+  wrc_profile profile = sized<wrc_profile>();
   profile.kind = kind;
   return profile;
 }
@@ -31,7 +32,7 @@ wrc_profile standard(int32_t kind) {
 class Bodies {
  public:
   Bodies(const wrc_profile& wheel, const wrc_profile& rail, double inclination) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel = wheel;
     config.rail = rail;
     config.track.rail_inclination = inclination;
@@ -90,7 +91,7 @@ struct Points {
     }
   }
   wrc_profile profile(double smoothing) const {
-    wrc_profile points = wrc_profile_default();
+    wrc_profile points = sized<wrc_profile>();
     points.kind = WRC_PROFILE_POINTS;
     points.count = static_cast<uint32_t>(y.size());
     points.y = y.data();
@@ -113,7 +114,7 @@ Sweep sweep(const Bodies& bodies) {
   load.normal_force = 80e3;
   int32_t patches = 0;
   for (int i = 0; i <= 600; ++i) {
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = -7e-3 + 20e-6 * i;
     wrc_planar_normal_solution normal{};
     EXPECT_GE(wrc_planar_geometry(bodies.contact, &pose, nullptr), 0);
@@ -201,13 +202,13 @@ TEST(MeasuredProfiles, TooLongASmoothingIsRefusedByName) {
   for (int i = 0; i < 40; ++i) y.push_back(-0.060 + 0.5e-3 * i), z.push_back(0.028);
   for (int i = 1; i < 60; ++i) y.push_back(y[39] + 1e-6 * i), z.push_back(0.028 - 0.5e-3 * i * 28.0 / 30.0);
   for (int i = 0; i < 80; ++i) y.push_back(-0.030 + 1e-3 * i), z.push_back(0.0);
-  wrc_profile wheel = wrc_profile_default(), rail = standard(WRC_PROFILE_60E1);
+  wrc_profile wheel = sized<wrc_profile>(), rail = standard(WRC_PROFILE_60E1);
   wheel.kind = WRC_PROFILE_POINTS;
   wheel.count = static_cast<uint32_t>(y.size());
   wheel.y = y.data();
   wheel.z = z.data();
   wheel.smoothing = 0.02;
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel = wheel;
   config.rail = rail;
   char text[256];

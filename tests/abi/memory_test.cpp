@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_api.h"
 
 namespace {
@@ -63,7 +64,7 @@ void counting_release(void* user, void* memory) {
 }
 
 TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
-  wrc_allocator allocator = wrc_allocator_default();
+  wrc_allocator allocator = sized<wrc_allocator>();
   Counter counter;
   allocator.user = &counter;
   allocator.allocate = counting_allocate;
@@ -137,8 +138,8 @@ TEST_F(Memory, SavedStatesAreHalfAsLongAsContacts) {
   // Work space of the wheel step lies behind the two copies of the state; without it they are all there is.
   wrc_config plain = config;
   plain.normal.method = WRC_NORMAL_EKP;
-  plain.wheel = plain.rail = wrc_profile_default();
-  plain.track = wrc_config_default().track;
+  plain.wheel = plain.rail = sized<wrc_profile>();
+  plain.track = test_config().track;
   wrc_model* without = nullptr;
   uint64_t state = 0, whole = 0;
   ASSERT_EQ(wrc_model_create(&plain, nullptr, &without, nullptr, 0), WRC_OK);

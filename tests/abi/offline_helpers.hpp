@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "not_finite.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace offline_helpers {
@@ -23,7 +24,7 @@ struct Listener {
 
 /// n x n cells over the box [-x, x] x [-y, y].
 inline wrc_grid grid_over(double x, double y, uint32_t n) {
-  wrc_grid grid = wrc_grid_default();
+  wrc_grid grid = sized<wrc_grid>();
   grid.nx = grid.ny = n;
   grid.dx = 2.0 * x / n;
   grid.dy = 2.0 * y / n;

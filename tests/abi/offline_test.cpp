@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "offline_helpers.hpp"
 
 namespace {
@@ -47,14 +48,14 @@ TEST(OfflineDefaults, AreStatedOnesAndRefuseWrongSizes) {
   sized(wrc_exact_rolling_solution{}, wrc_exact_rolling_solution_init);
   sized(wrc_exact_check_result{}, wrc_exact_check_result_init);
 
-  const auto materials = wrc_materials_default();
+  const auto materials = sized<wrc_materials>();
   EXPECT_EQ(materials.shear_modulus_1, 80e9);
   EXPECT_EQ(materials.poisson_2, 0.25);
-  const auto normal = wrc_exact_normal_problem_default();
+  const auto normal = of_the_papers_steel(wrc_exact_normal_problem_default());
   EXPECT_EQ(normal.prescribed, WRC_PRESCRIBE_NORMAL_FORCE);
   EXPECT_EQ(normal.max_iterations, 1000);
   EXPECT_EQ(normal.tolerance, 1e-6);
-  const auto rolling = wrc_exact_rolling_problem_default();
+  const auto rolling = of_the_papers_steel(wrc_exact_rolling_problem_default());
   EXPECT_EQ(rolling.adhesion, WRC_ADHESION_COULOMB);
   EXPECT_EQ(rolling.collocation, WRC_COLLOCATION_QUARTER_POINT);
   EXPECT_EQ(rolling.max_iterations, 60);
@@ -68,12 +69,12 @@ TEST(OfflineDefaults, AreStatedOnesAndRefuseWrongSizes) {
 class ExactNormal : public testing::Test {
  protected:
   static constexpr double radius = 0.5, load = 50e3;
-  wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+  wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
   wrc_grid& grid = problem.grid = grid_over(7e-3, 7e-3, 64);
   wrc_materials& materials = problem.materials;
   std::vector<double> gap = field(grid, [](double x, double y) { return (x * x + y * y) / (2.0 * radius); });
   std::vector<double> pressure = std::vector<double>(gap.size(), 7.0);
-  wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+  wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
   char text[256] = "";
 
   void SetUp() override {
@@ -241,7 +242,7 @@ class ExactRolling : public testing::Test {
  protected:
   static constexpr double a = 5e-3, b = 4e-3, peak = 1e9, friction_coefficient = 0.3;
   static constexpr double load = 2.0 / 3.0 * pi * a * b * peak;
-  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
   wrc_grid& grid = problem.grid = grid_over(a, b, 32);
   wrc_creepage& creepage = problem.creepage;
   wrc_materials& materials = problem.materials;
@@ -251,7 +252,7 @@ class ExactRolling : public testing::Test {
   std::vector<double> friction = std::vector<double>(pressure.size(), friction_coefficient);
   std::vector<double> traction_x = std::vector<double>(pressure.size(), 7.0), traction_y = traction_x,
                       slip_x = traction_x, slip_y = traction_x;
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
   char text[256] = "";
 
   void SetUp() override {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
 
@@ -43,7 +44,7 @@ class Wheel : public ReferenceWheel {
       height[j] = 0.5 * y[j] * y[j] / 0.3;
       curvature[j] = 1.0 / 0.46;
     }
-    wrc_planar_gap gap = wrc_planar_gap_default();
+    wrc_planar_gap gap = sized<wrc_planar_gap>();
     gap.rows = rows;
     gap.y = y;
     gap.height = height;
@@ -298,7 +299,7 @@ TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
   wheel.config.planar.cells = 200;
   wheel.friction.coefficient = 2.0;
   for (double psi : {0.0, 0.3, -0.5}) {
-    wrc_ellipse own = wrc_ellipse_default();
+    wrc_ellipse own = sized<wrc_ellipse>();
     own.a = 6e-3;
     own.b = 4e-3;
     own.psi = psi;

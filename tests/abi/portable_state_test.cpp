@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 
 namespace {
@@ -27,7 +28,7 @@ class PortableState : public testing::Test, protected PlacedWheel {
     wrc_planar_input planar = wrc_planar_input_default();
     planar.load.normal_force = 80e3;
     planar.creepage.longitudinal = 1e-3;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     for (int i = 0; i < calls; ++i) {
       wheel.y += 13e-6;
       planar.pose.lateral = wheel.y;
@@ -84,7 +85,7 @@ TEST_F(PortableState, DISABLED_TheOtherProcess) {
   config.instruction_set = WRC_INSTRUCTIONS_BASELINE;
   create();
   ASSERT_EQ(restore(read_file(std::string(name) + ".state")), WRC_OK) << error();
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   EXPECT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   wheel.y += 5 * 13e-6;
   Bytes results;
@@ -182,7 +183,7 @@ TEST_F(PortableState, PointsOfAProfileBelongToTheConfiguration) {
     y.push_back(1e-3 * i);
     z.push_back(-0.025 * y.back());
   }
-  config.wheel = wrc_profile_default();
+  config.wheel = sized<wrc_profile>();
   config.wheel.kind = WRC_PROFILE_POINTS;
   config.wheel.count = static_cast<uint32_t>(y.size());
   config.wheel.y = y.data();

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "offline_helpers.hpp"
-#include "wrc/wrc_offline.h"
+#include "test_config.hpp"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_profiles.h"
 
 namespace {
 
@@ -18,7 +20,7 @@ struct Profile {
 
 /// Points of a standard profile, every half millimetre along the curve.
 Profile standard(int32_t body) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   wrc_model* model = nullptr;
@@ -36,7 +38,7 @@ Profile standard(int32_t body) {
 
 struct Worn {
   Profile profile;
-  wrc_worn_profile result = wrc_worn_profile_default();
+  wrc_worn_profile result = sized<wrc_worn_profile>();
   int32_t status = 0;
   std::string text;
 
@@ -150,7 +152,7 @@ TEST(ProfileWear, StepControlAndManyStepsAgreeWithOne) {
   EXPECT_GT(steps, 8);
   EXPECT_NEAR(area_between(now, once.profile, -0.02, 0.02), 0.0, 1e-3 * 0.04 * 5e-4);
   // and it is a profile that a model takes
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_POINTS;
   config.wheel.count = static_cast<uint32_t>(now.y.size());
   config.wheel.y = now.y.data();

@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "not_finite.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_planar.h"
 
 /// The wheel itself, made when it first steps: what is changed in its configuration before counts.
 class ReferenceWheel {
  public:
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   wrc_profile &wheel = config.wheel, &rail = config.rail;
   wrc_planar_input input = wrc_planar_input_default();
   wrc_planar_pose& pose = input.pose;
   wrc_planar_load& load = input.load;
   wrc_creepage& creepage = input.creepage;
   wrc_friction& friction = input.friction;
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = sized<wrc_planar_output>();
   wrc_planar_point& point = output.point;
   wrc_planar_normal_solution& normal = output.normal;
   wrc_planar_forces& forces = output.forces;

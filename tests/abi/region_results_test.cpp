@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 
 namespace {
@@ -23,7 +24,7 @@ class RegionResults : public testing::Test, protected PlacedWheel {
     ASSERT_GT(wrench.region_count, 0);
   }
   wrc_region region(int32_t index) {
-    wrc_region shown = wrc_region_default();
+    wrc_region shown = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     return shown;
   }
@@ -149,7 +150,7 @@ TEST_F(RegionResults, TheEllipseIsHertzs) {
   wheel.z = 0.0;
   create();
   solve();
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_OK);
   const double nu = config.material.poisson, E = 2.0 * config.material.shear_modulus * (1.0 + nu);
   const double a = std::cbrt(1.5 * 80e3 * radius * (1.0 - nu * nu) / E);
@@ -242,7 +243,7 @@ TEST_F(RegionResults, WhatIsNotThereIsRefused) {
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_damage(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, nullptr, 1), WRC_ERROR_NULL);
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_temperature temperature = sized<wrc_temperature>();
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_temperature(contact, wrench.region_count, &bulk, &temperature), WRC_ERROR_RANGE);

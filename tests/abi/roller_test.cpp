@@ -6,6 +6,7 @@
 
 #include "../wrench_inputs.hpp"
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -56,7 +57,7 @@ class Roller : public testing::Test, protected PlacedWheel {
   wrc_wrench exactly(double cell) {
     wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
     options.cell_x = options.cell_s = cell;
-    wrc_wrench exact = wrc_wrench_default();
+    wrc_wrench exact = sized<wrc_wrench>();
     EXPECT_EQ(wrc_exact_wrench(contact, &input, &options, &exact), WRC_OK) << error();
     return exact;
   }
@@ -81,7 +82,7 @@ TEST_F(Roller, EqualCylindersAndACrownAreHertzsCircle) {
     wrc_ellipse ellipse{};
     ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_OK);
     EXPECT_NEAR(ellipse.a / ellipse.b, 1.0, 0.12);  // half strips of 0.25 mm
-    wrc_region region = wrc_region_default();
+    wrc_region region = sized<wrc_region>();
     ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
     EXPECT_NEAR(region.z_rail, 0.0, 2e-6 + wrench.z);
   }
@@ -143,10 +144,10 @@ TEST_F(Roller, TheSameContactOnAStraightRailHasTheSameForces) {
 }
 
 TEST_F(Roller, AGiantRollerIsARail) {
-  config.wheel = config.rail = wrc_profile_default();
+  config.wheel = config.rail = sized<wrc_profile>();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.track = wrc_config_default().track;
+  config.track = test_config().track;
   wheel.reference = WRC_REFERENCE_WHEELSET;
   wheel.y = 5.5e-3;
   wheel.yaw = 0.01;
@@ -192,28 +193,17 @@ TEST_F(Roller, BesideTheAxleTheForceLeans) {
   EXPECT_NEAR(wrench.force[0], -d / centres * wrench.force[2], 1e-3 * wrench.force[0]);
   EXPECT_GT(wrench.force[0], 0.0);                                      // away from the axle
   EXPECT_NEAR(wrench.moment[1], 0.0, 2e-3 * wrench.force[0] * radius);  // through the wheel's axle
-  wrc_region region = wrc_region_default();
+  wrc_region region = sized<wrc_region>();
   ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
   EXPECT_NEAR(region.point[0], -d * radius / centres, 1e-6);
 }
 
-TEST_F(Roller, TheFlatCallKnowsItsTurning) {
-  create();
-  input.distance = 2e-3;
-  press(150e-6);
-  double in[WRC_FLAT_WHEEL_INPUTS] = {}, out[WRC_FLAT_WHEEL_OUTPUTS];
-  in[0] = WRC_REFERENCE_WHEEL, in[2] = wheel.z, in[9] = wheel.angular_velocity[1];
-  in[17] = friction.coefficient, in[21] = input.distance, in[23] = input.roller_rate;
-  ASSERT_EQ(wrc_contact_wrench_flat(contact, in, out), WRC_OK) << error();
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(out[i], wrench.force[i]);
-}
-
 /// Of a yawed wheelset, whose wheels stand before and behind the roller's axle.
 TEST_F(Roller, DerivativesAreThoseOfDifferences) {
-  config.wheel = config.rail = wrc_profile_default();
+  config.wheel = config.rail = sized<wrc_profile>();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.track = wrc_config_default().track;
+  config.track = test_config().track;
   wheel.reference = WRC_REFERENCE_WHEELSET;
   wheel.y = 1e-3;
   wheel.z = 0.2e-3;
@@ -291,10 +281,10 @@ TEST_F(Roller, ExactlyAndInRealTimeItRollsAlike) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(wrench.force[k], exact.force[k], 0.02 * 24e3) << k;
   EXPECT_NEAR(wrench.power, exact.power, 0.05 * exact.power);
   // S1002 and its flange before the axle
-  config.wheel = config.rail = wrc_profile_default();
+  config.wheel = config.rail = sized<wrc_profile>();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.track = wrc_config_default().track;
+  config.track = test_config().track;
   wheel = wrc_wheel_input_default().wheel;
   wheel.y = 6e-3;
   wheel.yaw = 0.01;
@@ -369,7 +359,7 @@ TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
   create();
   refused(WRC_ERROR_UNSUPPORTED, "input.roller_rate");
   config.roller_curvature = 2.0;
-  config.normal = wrc_config_default().normal;
+  config.normal = test_config().normal;
   config.normal.method = WRC_NORMAL_EKP;
   no_model("config.roller_curvature = 2 1/m");
   config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -15,7 +16,7 @@ namespace {
 class Contact {
  public:
   explicit Contact(bool remembers = true) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.planar.non_steady = remembers ? 1 : 0;
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
     config.wheel_material.poisson = config.rail_material.poisson = 0.28;
@@ -35,7 +36,7 @@ class Contact {
     wrc_model_destroy(model_);
   }
 
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
 
@@ -150,7 +151,7 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   Contact contact;
   contact.creepage.longitudinal = 1.5e-3;
   constexpr uint32_t n = 24;
-  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
   const double a = contact.ellipse.a, b = contact.ellipse.b;
   problem.grid.nx = problem.grid.ny = n;
   problem.grid.dx = 2.0 * a / n;
@@ -170,7 +171,7 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   problem.pressure = pressure.data();
   wrc_exact_transient* bodies = nullptr;
   ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, nullptr, 0), WRC_OK);
-  wrc_exact_rolling_solution exact = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution exact = sized<wrc_exact_rolling_solution>();
   double worst = 0.0, largest = 0.0;
   for (int k = 0; k < 80; ++k) {
     if (k == 40) contact.creepage.longitudinal = -1.5e-3;
@@ -262,14 +263,14 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
             WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
 
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.planar.non_steady = 1;
   config.tangential.method = WRC_TANGENTIAL_FASTSIM;
   char text[256] = "";
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(std::string(text).find("config.planar.non_steady"), std::string::npos) << text;
 
-  config = wrc_config_default();
+  config = test_config();
   config.planar.non_steady = 1;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
@@ -278,14 +279,14 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &posed, nullptr, 0), WRC_OK);
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   EXPECT_EQ(wrc_contact_wrench(posed, &input, &wrench), WRC_ERROR_UNSUPPORTED);
   wrc_contact_destroy(posed);
   wrc_model_destroy(model);
 }
 
 TEST(RollingMemory, OfAPoseStaysWithTheRail) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.planar.non_steady = 1;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
@@ -295,7 +296,7 @@ TEST(RollingMemory, OfAPoseStaysWithTheRail) {
     wrc_contact* contact = nullptr;
     ASSERT_EQ(wrc_contact_create(model, side, nullptr, &contact, nullptr, 0), WRC_OK);
     wrc_planar_input input = wrc_planar_input_default();
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     input.load.normal_force = 80e3;
     input.creepage.longitudinal = 8e-4;
     double before = 0.0, largest_change = 0.0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "abi/reference_contact.hpp"
 #include "presets.hpp"
 
@@ -49,38 +50,7 @@ TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
   EXPECT_NEAR(s.forces[0][3] * forces.fn, s.forces[0][4] * friction.coefficient, 1e-9 * std::fabs(forces.fx));
 }
 
-TEST_F(Sensitivities, StepSensitivitiesAreThoseOfTheWholeStep) {
-  wrc_step_sensitivity s{};
-  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_ERROR_SEQUENCE);
-  ASSERT_EQ(step(), WRC_OK) << error();
-  const std::vector<char> before = state();
-  ASSERT_EQ(wrc_contact_step_sensitivities(contact, &s), WRC_OK) << error();
-  EXPECT_EQ(before, state());
-  EXPECT_NEAR(s.by_load[3] * normal.stiffness, 1.0, 0.01);  // the compliance, found another way
-
-  const auto differences = [&](double& number, double width) {
-    const double middle = number;
-    double ends[2][4];
-    for (int end = 0; end < 2; ++end) {
-      number = middle + (end == 0 ? -width : width);
-      EXPECT_EQ(step(), WRC_OK);
-      const double values[4] = {forces.fx, forces.fy, forces.mz, normal.approach};
-      for (int r = 0; r < 4; ++r) ends[end][r] = values[r];
-    }
-    number = middle;
-    std::vector<double> d;
-    for (int r = 0; r < 4; ++r) d.push_back((ends[1][r] - ends[0][r]) / (2.0 * width));
-    return d;
-  };
-  const std::vector<double> by_load = differences(load.normal_force, 800.0);  // the documented steps
-  const std::vector<double> by_lateral = differences(pose.lateral, 1e-4);
-  for (int r = 0; r < 4; ++r) {
-    EXPECT_NEAR(s.by_load[r], by_load[r], 1e-6 * std::fabs(by_load[r])) << r;
-    EXPECT_NEAR(s.by_lateral[r], by_lateral[r], 1e-6 * std::fabs(by_lateral[r])) << r;
-  }
-}
-
-TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
+TEST_F(Sensitivities, OfAPatchOfTheCaller) {
   wrc_ellipse own = wrc_ellipse_default();
   own.a = 5e-3;
   own.b = 4e-3;
@@ -89,9 +59,6 @@ TEST_F(Sensitivities, OfAPatchOfTheCallerAreOfTheTangentialStageOnly) {
   wrc_planar_derivatives s{};
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_OK) << error();
   EXPECT_LT(s.forces[0][0], 0.0);
-  wrc_step_sensitivity of_step{};
-  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_ERROR_SEQUENCE);
-  EXPECT_NE(error().find("wrc_planar_normal"), std::string::npos) << error();
 }
 
 TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
@@ -99,11 +66,8 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   load.approach = -1e-3;
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
   wrc_planar_derivatives s{};
-  wrc_step_sensitivity of_step{};
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_FLAG_NO_CONTACT);
-  EXPECT_EQ(wrc_contact_step_sensitivities(contact, &of_step), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(s.forces[0][0], 0.0);
-  EXPECT_EQ(of_step.by_load[3], 0.0);
   EXPECT_EQ(wrc_planar_tangential_derivatives(nullptr, &s), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, nullptr), WRC_FLAG_NO_CONTACT);
 }
@@ -112,18 +76,18 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
 /// steps of another size.
 TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
   struct Choice {
-    int32_t preset, flexibility, friction;
+    int32_t preset, flexibility, speed_law;
   };
   for (const Choice& choice :
-       {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_CONSTANT},
-        Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_FRICTION_CONSTANT},
-        Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_FRICTION_FALLING}}) {
+       {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
+        Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_SPEED_LAW_NONE},
+        Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_EXPONENTIAL}}) {
     SCOPED_TRACE(presets[choice.preset].name);
     choose_tangential(config, choice.preset);
     config.tangential.flexibility = choice.flexibility;
-    friction.kind = choice.friction;
+    friction.speed_law = choice.speed_law;
     friction.slope_fall = slope_fall_for(choice.preset);
     creepage.speed = 20.0;
     create();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "offline_helpers.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ class ExactStress : public testing::Test {
  protected:
   std::vector<double> pressure, along, across;
   wrc_exact_loads loads = wrc_exact_loads_default();
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = sized<wrc_stresses>();
   std::vector<wrc_stress_peaks> levels = std::vector<wrc_stress_peaks>(2);
   char text[256] = "";
 
@@ -133,11 +134,11 @@ TEST_F(ExactStress, IsCancelled) {
 /// The real-time call, on a double ellipse whose tractions it has just found.
 class ContactStresses : public testing::Test {
  protected:
-  wrc_config config = wrc_config_default();
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_config config = test_config();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = sized<wrc_stresses>();
   std::vector<wrc_stress_peaks> levels = std::vector<wrc_stress_peaks>(3);
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;

@@ -2,6 +2,7 @@
 /// is wrong is named with its unit and likely cause.
 #include <gtest/gtest.h>
 
+#include "test_config.hpp"
 #include "reference_contact.hpp"
 
 namespace {
@@ -10,7 +11,7 @@ class StripsOfTheCaller : public ReferenceContact {
  protected:
   std::vector<double> y{-1e-3, 0.0, 1e-3}, width{1e-3, 1e-3, 1e-3}, centre{0.0, 1e-4, 0.0},
       half{4e-3, 5e-3, 4e-3}, peak{8e8, 9e8, 8e8};
-  wrc_planar_strips strips = wrc_planar_strips_default();
+  wrc_planar_strips strips = sized<wrc_planar_strips>();
 
   int32_t take() {
     strips.count = 3;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 #include "not_finite.hpp"
 
@@ -16,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 /// An ellipse in full slip: q = mu p V |slip|, semi-elliptic along every strip.
 class Temperature : public LoadedEllipse {
  protected:
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_temperature temperature = sized<wrc_temperature>();
 
   void SetUp() override {
     config.planar.cells = 64;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "offline_helpers.hpp"
 
 namespace {
@@ -14,8 +15,8 @@ using namespace offline_helpers;
 /// A patch under semi-elliptic pressure that rolls.
 class Transient : public testing::Test {
  protected:
-  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
+  wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
   std::vector<double> pressure;
   wrc_exact_transient* bodies = nullptr;
   char text[256] = "";
@@ -67,7 +68,7 @@ TEST_F(Transient, EndsInSteadyRolling) {
   problem.creepage.lateral = -5e-4;
   problem.creepage.spin = 0.2;
   problem.tolerance = 1e-6;
-  wrc_exact_rolling_solution steady = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution steady = sized<wrc_exact_rolling_solution>();
   ASSERT_EQ(wrc_exact_rolling(&problem, &steady, text, sizeof text), WRC_OK) << text;
   create();
   double first = 0.0;
@@ -87,7 +88,7 @@ TEST_F(Transient, FollowsTheReferenceFromRest) {
   // CONTACT 25.2, module 3, T = 2 on the same cells: a double ellipse, psi 0.18562, at the end of steps
   // 2, 10.
   const double a = 5.5631e-3, b = 4.6575e-3, psi = 0.18562, load = 59540.728;
-  wrc_grid grid = wrc_grid_default();
+  wrc_grid grid = sized<wrc_grid>();
   grid.nx = 56;
   grid.ny = 57;
   grid.dx = 0.19868214e-3;
@@ -150,7 +151,7 @@ TEST_F(Transient, CancelledAndRefusedStepsLeaveTheHistory) {
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_LT(std::fabs(solution.fx), 0.8 * std::fabs(second));  // from bodies without tractions
 
-  const wrc_grid unset = wrc_grid_default();
+  const wrc_grid unset = sized<wrc_grid>();
   EXPECT_EQ(wrc_exact_transient_create(&unset, &problem.materials, &others, text, sizeof text),
             WRC_ERROR_RANGE);
   EXPECT_EQ(others, nullptr);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "wheel_on_rail.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -38,7 +39,7 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   create_flagged();
   ASSERT_EQ(step(), WRC_OK);
   const wrc_wrench unlike = wrench;
-  config.material = wrc_config_default().material;
+  config.material = test_config().material;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = combined;
   config.wheel_material.poisson = config.rail_material.poisson = 0.5 * combined * (0.30 / 90e9 + 0.24 / 60e9);
   create();

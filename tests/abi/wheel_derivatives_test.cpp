@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrench_inputs.hpp"
 
@@ -108,7 +109,7 @@ TEST_P(WheelDerivatives, CreepForcesFollowPoseAndMotion) {
 
 TEST_P(WheelDerivatives, FrictionThatFallsAndALayer) {
   input.friction.coefficient = 0.3;
-  input.friction.kind = WRC_FRICTION_FALLING;
+  input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   input.friction.slope_reduction = 0.5;
   wheel.velocity[1] = 0.1;
   press(0.0, 60e3);
@@ -131,7 +132,7 @@ TEST_P(WheelDerivatives, ZonesOnTheWheel) {
 
 TEST_P(WheelDerivatives, FrictionOverTemperature) {
   input.friction.coefficient = 0.4;
-  input.friction.kind = WRC_FRICTION_TEMPERATURE;
+  input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
   for (const double way : {1.0, -1.0}) {
     wheel.velocity[0] = way * 40.0;
@@ -140,6 +141,28 @@ TEST_P(WheelDerivatives, FrictionOverTemperature) {
         SCOPED_TRACE(testing::Message() << way << ' ' << slip << ' ' << y);
         wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * (1.0 + slip);
         press(outward * y, 60e3);
+        expect_differences(differences_see);
+      }
+    }
+  }
+}
+
+TEST_P(WheelDerivatives, FactorsOfSpeedAndTemperature) {
+  const double y[] = {-0.06, -0.03, 0.0, 0.02}, coefficient[] = {0.1, 0.25, 0.4, 0.3};
+  input.friction.coefficient = 0.4;
+  input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+  input.friction.zone_y = y;
+  input.friction.zone_coefficients = coefficient;
+  input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+  for (const int32_t law : {WRC_SPEED_LAW_EXPONENTIAL, WRC_SPEED_LAW_HYPERBOLIC}) {
+    for (const uint32_t zones : {0U, 4U}) {
+      for (const double at : {0.0, 6.5e-3}) {
+        SCOPED_TRACE(testing::Message() << law << ' ' << zones << ' ' << at);
+        input.friction.speed_law = law;
+        input.friction.zone_count = zones;
+        wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * 1.02;
+        press(outward * at, 60e3);
         expect_differences(differences_see);
       }
     }
@@ -163,7 +186,7 @@ TEST_P(WheelDerivatives, NearStandstillBothWaysHaveAShare) {
   wheel.velocity[2] = wheel.angular_velocity[0] = wheel.angular_velocity[2] = 1e-4;
   press(0.0, 60e3);
   expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);
-  input.friction.kind = WRC_FRICTION_TEMPERATURE;
+  input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   expect_differences(differences_see, WRC_FLAG_CREEPAGES_LIMITED);
 }
 
@@ -180,7 +203,7 @@ TEST_P(WheelDerivatives, FiniteAtAnyPose) {
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
-  wrc_wrench alone = wrc_wrench_default();
+  wrc_wrench alone = sized<wrc_wrench>();
   for (int i = 0; i < 300; ++i) {
     wheel.y = between(-15e-3, 15e-3);
     wheel.z = between(-3e-3, 3e-3);
@@ -259,7 +282,7 @@ TEST_P(WheelDerivatives, TheHeightFollowsThePrescribedLoad) {
 
 TEST_P(WheelDerivatives, TheWrenchIsThatOfTheStep) {
   press(1e-3, 80e3);
-  wrc_wrench alone = wrc_wrench_default();
+  wrc_wrench alone = sized<wrc_wrench>();
   ASSERT_EQ(wrc_contact_wrench(contact, &input, &alone), WRC_OK);
   ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, nullptr), WRC_OK);
   for (int i = 0; i < 3; ++i) {

@@ -6,17 +6,18 @@
 
 #include <string>
 
+#include "test_config.hpp"
 #include "wrc/wrc.h"
 
 /// The bodies of a wheel on a rail, and one call on them. `config` counts when the model is created.
 class PlacedWheel {
  protected:
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wheel_state& wheel = input.wheel;
   wrc_rail_state& rail = input.rail;
   wrc_friction& friction = input.friction;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
   int32_t side = WRC_SIDE_RIGHT;  ///< of that

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "test_config.hpp"
 #include "along_track.hpp"
 #include "proof/wheel.hpp"
 
@@ -61,7 +62,7 @@ struct AlongTrack {
   wrc_contact* contact = nullptr;
 
   AlongTrack(const Methods& methods, bool rail) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     config.instruction_set = methods.instruction_set;
@@ -93,7 +94,7 @@ wrc_contact* special = nullptr;
 /// A wheel on a rail at 80 to 100 kN; with its derivatives or without.
 void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrench) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   wrc_wrench_derivatives found{};
   input.start = WRC_START_WARM;
   input.wheel.y = 2.8e-3 + 0.2e-3 * (i % 16) / 16.0;
@@ -121,14 +122,14 @@ void accumulate(Wheel& wheel, int32_t source) {
     bins[body].first = -0.070;
     bins[body].bin = bin[body];
   }
-  wrc_accumulation step = wrc_accumulation_default();
+  wrc_accumulation step = sized<wrc_accumulation>();
   step.source = source;
   step.duration = 1e-3;
   wrc_contact_accumulate(wheel.contact, &step, &bins[0], &bins[1], nullptr);
 }
 
 int32_t instruction_set() {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.instruction_set = WRC_INSTRUCTIONS_AVX2;
   return wrc_config_check(&config, nullptr, 0) == WRC_OK ? WRC_INSTRUCTIONS_AVX2 : WRC_INSTRUCTIONS_BEST;
 }

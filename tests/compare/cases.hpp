@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "csv.hpp"
-#include "wrc/wrc.h"
+#include "wrc/wrc_planar.h"
 
 namespace compare {
 

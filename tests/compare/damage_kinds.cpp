@@ -6,6 +6,7 @@
 #include "halfspace_cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace compare {
@@ -14,7 +15,7 @@ namespace {
 /// A row's double ellipse; its load follows from the peak pressure.
 wrc_ellipse ellipse_of(const Csv& file, std::size_t row) {
   const double pi = 3.14159265358979323846;
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   ellipse.a = 1e-3 * file(row, "a_mm");
   ellipse.b = 1e-3 * file(row, "b_mm");
   ellipse.psi = file.has("psi") ? file(row, "psi") : 0.0;
@@ -49,14 +50,14 @@ ExactFields exact_fields(const Csv& file, std::size_t row, double dx, double dy)
   fields.pressure = pressure_at_centres(ellipse, fields.grid);
   for (std::vector<double>* each : {&fields.traction_x, &fields.traction_y, &fields.slip_x, &fields.slip_y})
     each->assign(fields.pressure.size(), 0.0);
-  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
   problem.collocation = WRC_COLLOCATION_REFERENCE;
   problem.materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
   problem.grid = fields.grid;
   problem.pressure = fields.pressure.data();
   problem.coefficient = file(row, "mu");
   problem.creepage = creepage_of(file, row);
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
   solution.traction_x = fields.traction_x.data();
   solution.traction_y = fields.traction_y.data();
   solution.slip_x = fields.slip_x.data();
@@ -75,7 +76,7 @@ wrc_stresses exact_stresses(const Csv& file, std::size_t row) {
   loads.pressure = fields.pressure.data();
   loads.traction_x = fields.traction_x.data();
   loads.traction_y = fields.traction_y.data();
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = sized<wrc_stresses>();
   char text[256];
   const int32_t status =
       wrc_exact_largest_stresses(&loads, nullptr, 0, nullptr, &stresses, nullptr, nullptr, text, sizeof text);
@@ -96,7 +97,7 @@ double depth_error(const wrc_stress_peak& surface, const wrc_stress_peak& below,
 constexpr double depth_shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.95, 1.2};
 
 wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
   config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
   const Solver solver(config);
@@ -107,7 +108,7 @@ wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
   int32_t status = wrc_planar_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
   std::vector<double> depths;
   for (const double share : depth_shares) depths.push_back(share * std::min(ellipse.a, ellipse.b));
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = sized<wrc_stresses>();
   if (status >= 0)
     status = wrc_contact_stresses(solver.contact(), WRC_BODY_RAIL, depths.data(),
                                   static_cast<uint32_t>(depths.size()), nullptr, &stresses);
@@ -146,7 +147,7 @@ double exact_temperature(const Csv& file, std::size_t row) {
 }
 
 double strip_temperature(const Csv& file, std::size_t row) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
   config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
   config.wheel_heat = config.rail_heat = steel_of(file, row);
@@ -156,7 +157,7 @@ double strip_temperature(const Csv& file, std::size_t row) {
   wrc_friction friction = wrc_friction_default();
   friction.coefficient = file(row, "mu");
   int32_t status = wrc_planar_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
-  wrc_temperature temperature = wrc_temperature_default();
+  wrc_temperature temperature = sized<wrc_temperature>();
   if (status >= 0) status = wrc_contact_temperature(solver.contact(), nullptr, &temperature);
   if (status < 0) throw std::runtime_error(solver.reason(status));
   return temperature.rise;

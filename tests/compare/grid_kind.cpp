@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 /// The patch of one row on a grid of strips x cells, by the standard variant.
 wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
                  const std::string& name) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
   config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
   config.planar.strips = strips;
@@ -30,7 +31,7 @@ wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_
 Report compare_grid(const Csv& file, const Names& only) {
   constexpr int32_t finest = 512;
   constexpr int32_t sizes[] = {16, 24, 32, 48, 64, 96, 128};
-  const wrc_config standard = wrc_config_default();
+  const wrc_config standard = test_config();
   Report report;
   report.kind = "grid";
   report.rows = file.rows();

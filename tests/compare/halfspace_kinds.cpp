@@ -5,11 +5,12 @@
 #include "halfspace_cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace compare {
 wrc_grid grid_over(const wrc_ellipse& ellipse, uint32_t nx, uint32_t ny) {
-  wrc_grid grid = wrc_grid_default();
+  wrc_grid grid = sized<wrc_grid>();
   grid.nx = nx;
   grid.ny = ny;
   grid.dx = 2.0 * ellipse.a / nx;
@@ -35,7 +36,7 @@ std::vector<double> pressure_at_centres(const wrc_ellipse& ellipse, const wrc_gr
 }
 
 wrc_materials materials_of(double shear_modulus, double poisson) {
-  wrc_materials materials = wrc_materials_default();
+  wrc_materials materials = sized<wrc_materials>();
   materials.shear_modulus_1 = materials.shear_modulus_2 = shear_modulus;
   materials.poisson_1 = materials.poisson_2 = poisson;
   return materials;
@@ -71,14 +72,14 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
                                       static_cast<uint32_t>(variant.refinement * file(row, "ny")));
       const std::vector<double> pressure = pressure_at_centres(ellipse, grid);
       const wrc_materials materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
-      wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+      wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
       problem.collocation = variant.collocation;
       problem.materials = materials;
       problem.grid = grid;
       problem.pressure = pressure.data();
       problem.coefficient = rolling.friction.coefficient;
       problem.creepage = rolling.creepage;
-      wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+      wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
       char text[256];
       const int32_t status = wrc_exact_rolling(&problem, &solution, text, sizeof text);
       if (status < 0) {
@@ -101,7 +102,7 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
 }
 
 Report compare_halfspace_normal(const Csv& file, const Names& only) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.planar.gap_rows = 1024;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
@@ -120,7 +121,7 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
   auto& errors = report.errors["exact"];
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t head = cases[i].first;
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = 1e-3 * file(head, "y_ws_mm");
     pose.yaw = file(head, "yaw_rad");
     wrc_planar_point point{};
@@ -132,7 +133,7 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
     // The reference's 0.2 mm cells over its patch and a margin, on its rows.
     const double shift = reference_shift(file, cases[i], point);
     const double size = 0.2e-3;
-    wrc_grid grid = wrc_grid_default();
+    wrc_grid grid = sized<wrc_grid>();
     const double low = 1e-3 * file(head, "row_y_mm"), high = 1e-3 * file(cases[i].last - 1, "row_y_mm");
     grid.nx = 100;
     grid.ny = static_cast<uint32_t>(std::lround((high - low) / size)) + 21;
@@ -145,11 +146,11 @@ Report compare_halfspace_normal(const Csv& file, const Names& only) {
       report.fail(i, "exact", solver.reason(status));
       continue;
     }
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+    wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
     problem.normal_force = file(head, "Fn_N");
     problem.grid = grid;
     problem.gap = gap.data();
-    wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+    wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
     solution.pressure = pressure.data();
     char text[256];
     status = wrc_exact_normal(&problem, &solution, text, sizeof text);

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "csv.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace compare {
 
 /// Inputs of wrc_planar_tangential for one row of a file with the columns of sdec_cases.csv.
 struct Rolling {
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   wrc_creepage creepage = wrc_creepage_default();
   wrc_friction friction = wrc_friction_default();
 };

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "test_config.hpp"
 #include "cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
@@ -44,7 +45,7 @@ LineLoad computed_line_load(const Solver& solver, int32_t patches) {
 }  // namespace
 
 Report compare_normal(const Csv& file, const Names& only) {
-  const wrc_config standard = wrc_config_default();
+  const wrc_config standard = test_config();
   const std::vector<Case> cases = find_cases(file);
 
   Report report;
@@ -61,7 +62,7 @@ Report compare_normal(const Csv& file, const Names& only) {
     const Solver solver(config);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const std::size_t head = cases[i].first;
-      wrc_planar_pose pose = wrc_planar_pose_default();
+      wrc_planar_pose pose = sized<wrc_planar_pose>();
       pose.lateral = 1e-3 * file(head, "y_ws_mm");
       pose.yaw = file(head, "yaw_rad");
       wrc_planar_load load = wrc_planar_load_default();

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "presets.hpp"
@@ -45,7 +46,7 @@ std::vector<Variant> every_variant() {
 }  // namespace
 
 Report compare_sdec(const Csv& file, const Names& only) {
-  const wrc_config standard = wrc_config_default();
+  const wrc_config standard = test_config();
   Report report;
   report.kind = "sdec";
   report.rows = file.rows();

@@ -9,6 +9,7 @@
 
 #include "kinds.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace compare {
@@ -21,10 +22,10 @@ struct Sequence {
   long number = 0;
   std::string kind;
   bool ellipse = false;
-  wrc_ellipse shape = wrc_ellipse_default();  ///< at the mean load
+  wrc_ellipse shape = sized<wrc_ellipse>();  ///< at the mean load
   double load_amplitude = 0.0, wave_length = 0.0;
   double gap_x = 0.0, gap_y = 0.0;  ///< A, B of the gap A x^2 + B y^2 [1/m]
-  wrc_materials materials = wrc_materials_default();
+  wrc_materials materials = sized<wrc_materials>();
   double friction = 0.0, step = 0.0;
   wrc_creepage mean = wrc_creepage_default(), amplitude = wrc_creepage_default();
   int stride = 0;
@@ -124,14 +125,14 @@ class Exact : public Roller {
 
   Force roll(const Sequence& q, double s) override {
     if (q.load_amplitude != 0.0) press(q, s);
-    wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+    wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
     problem.collocation = WRC_COLLOCATION_REFERENCE;
     problem.materials = q.materials;
     problem.grid = grid_;
     problem.pressure = pressure_.data();
     problem.coefficient = q.friction;
     problem.creepage = q.creepage(s - 0.5 * q.step);
-    wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+    wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
     if (wrc_exact_transient_step(transient_, &problem, &solution, text_, sizeof text_) < 0)
       throw std::runtime_error(text_);
     return {solution.fx, solution.fy};
@@ -151,12 +152,12 @@ class Exact : public Roller {
     }
     for_each([&](double x, double y) { return q.gap_x * x * x + q.gap_y * y * y; });
     const std::vector<double> gap = pressure_;
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+    wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
     problem.normal_force = q.load(s);
     problem.materials = q.materials;
     problem.grid = grid_;
     problem.gap = gap.data();
-    wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+    wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
     solution.pressure = pressure_.data();
     if (wrc_exact_normal(&problem, &solution, text_, sizeof text_) < 0) throw std::runtime_error(text_);
   }
@@ -168,7 +169,7 @@ class Exact : public Roller {
         pressure_[k] = value(grid_.x0 + i * grid_.dx, grid_.y0 + j * grid_.dy);
   }
 
-  wrc_grid grid_ = wrc_grid_default();
+  wrc_grid grid_ = sized<wrc_grid>();
   wrc_exact_transient* transient_ = nullptr;
   std::vector<double> pressure_;
   char text_[256] = "";
@@ -193,7 +194,7 @@ class Strip : public Roller {
 
  private:
   static wrc_config config(const Sequence& q) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = q.materials.shear_modulus_1;
     config.wheel_material.poisson = config.rail_material.poisson = q.materials.poisson_1;
     config.planar.non_steady = 1;

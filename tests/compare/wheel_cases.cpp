@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "wheel_cases.hpp"
 
 #include <cmath>
@@ -58,7 +59,7 @@ const Solver& Pairs::of(const PairOptions& options) {
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
-    wrc_profile profile = wrc_profile_default();
+    wrc_profile profile = sized<wrc_profile>();
     profile.kind = WRC_PROFILE_POINTS;
     profile.kind = WRC_PROFILE_POINTS;
     profile.count = static_cast<uint32_t>(given.y.size());
@@ -67,7 +68,7 @@ const Solver& Pairs::of(const PairOptions& options) {
     profile.smoothing = options.smoothing;
     return profile;
   };
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = options.shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = options.poisson;
   config.wheelset.wheel_radius = options.radius;
@@ -134,7 +135,7 @@ WheelCase wheel_case(const Csv& file, std::size_t row) {
 std::vector<wrc_region> regions_of(const Solver& solver, const wrc_wrench& wrench) {
   std::vector<wrc_region> regions;
   for (int32_t i = 0; i < wrench.region_count; ++i) {
-    regions.push_back(wrc_region_default());
+    regions.push_back(sized<wrc_region>());
     if (wrc_contact_region(solver.contact(), i, &regions.back()) != WRC_OK)
       throw std::runtime_error("no such region");
   }

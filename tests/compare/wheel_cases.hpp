@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "test_config.hpp"
 #include "csv.hpp"
 #include "library.hpp"
 
@@ -74,7 +75,7 @@ PairOptions pair_of(const Csv& file, std::size_t row);
 /// A wheel on a rail that can be changed before it is solved.
 struct WheelCase {
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
 
   int32_t solve(const Solver& solver) { return wrc_contact_wrench(solver.contact(), &input, &wrench); }
   Vector force() const { return {wrench.force[0], wrench.force[1], wrench.force[2]}; }

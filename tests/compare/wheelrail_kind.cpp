@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "presets.hpp"
@@ -31,7 +32,7 @@ const std::vector<Variant> every_variant = {
 }  // namespace
 
 Report compare_wheelrail(const Csv& file, const Names& only) {
-  const wrc_config standard = wrc_config_default();
+  const wrc_config standard = test_config();
   Report report;
   report.kind = "wheelrail";
   report.rows = file.rows();
@@ -49,7 +50,7 @@ Report compare_wheelrail(const Csv& file, const Names& only) {
       config.wheel.kind = WRC_PROFILE_S1002;
       config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
       const Solver solver(config);
-      wrc_planar_pose pose = wrc_planar_pose_default();
+      wrc_planar_pose pose = sized<wrc_planar_pose>();
       pose.lateral = 1e-3 * file(row, "y_ws_mm");
       pose.roll = file(row, "roll_rad");
       pose.yaw = file(row, "yaw_rad");

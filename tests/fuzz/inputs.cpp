@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "inputs.hpp"
 
 #include <algorithm>
@@ -126,20 +127,20 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
 }  // namespace
 
 void make_wheel(Choices& choices, ProfilePoints& wheel) {
-  wheel.profile = wrc_profile_default();
+  wheel.profile = sized<wrc_profile>();
   wheel.profile.kind = WRC_PROFILE_S1002;
   if (choices.one_in(2)) make_points(choices, -0.070, 0.060, wheel_height, wheel);
 }
 
 void make_rail(Choices& choices, ProfilePoints& rail) {
-  rail.profile = wrc_profile_default();
+  rail.profile = sized<wrc_profile>();
   rail.profile.kind = choices.one_in(2) ? WRC_PROFILE_60E1 : WRC_PROFILE_UIC60_BENCHMARK;
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
 
 /// What the methods do not read is refused: as the library's defaults have it.
 static void leave_unread(wrc_config& config) {
-  const wrc_config untouched = wrc_config_default();
+  const wrc_config untouched = test_config();
   if (config.normal.method == WRC_NORMAL_STRIP_HALFSPACE) {
     config.normal.max_iterations = untouched.normal.max_iterations;
     config.normal.load_tolerance = untouched.normal.load_tolerance;
@@ -169,7 +170,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   const auto count = [&](double low, double high) {
     return static_cast<std::int32_t>(choices.magnitude(low, high));
   };
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.normal.method = static_cast<std::int32_t>(choices.below(normal_methods));
   config.planar.regularisation = static_cast<std::int32_t>(choices.below(2));
   choose_tangential(config, static_cast<std::int32_t>(choices.below(tangential_methods)));
@@ -232,7 +233,7 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
   if (!choices.one_in(16)) {
     config.normal.method = WRC_NORMAL_STRIP_HALFSPACE;
     config.roller_curvature = 0.0;
-    config.check_rail = wrc_config_default().check_rail;
+    config.check_rail = test_config().check_rail;
     leave_unread(config);
   }
   const std::uint32_t which = choices.below(3);
@@ -251,7 +252,7 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
         section.z = choices.between(-0.2, 0.2) * size;
         section.profile = config.rail;
         if (choices.one_in(8)) {  // of another outline
-          section.profile = wrc_profile_default();
+          section.profile = sized<wrc_profile>();
           section.profile.kind = WRC_PROFILE_60E1;
         }
         made.sections.push_back(section);
@@ -297,7 +298,7 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
 }
 
 wrc_planar_pose make_pose(Choices& choices) {
-  wrc_planar_pose pose = wrc_planar_pose_default();
+  wrc_planar_pose pose = sized<wrc_planar_pose>();
   const bool far = choices.one_in(4);
   pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
   pose.roll = far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
@@ -343,14 +344,15 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   rail.z_velocity = sized(choices, member<wrc_rail_state>("z_velocity"), 1e-9);
   rail.roll_rate = sized(choices, member<wrc_rail_state>("roll_rate"), 1e-9);
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
-  if (choices.one_in(3)) rail = wrc_rail_state_default();
+  if (choices.one_in(3)) rail = sized<wrc_rail_state>();
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(6) && friction.coefficient > 0.0) {
-    friction.kind = WRC_FRICTION_TEMPERATURE;
+    friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     friction.hot_ratio = choices.between(0.0, 1.0);
     friction.hot_temperature = choices.between(0.0, 1000.0);
     friction.bulk.rail = choices.between(-273.0, 2000.0);
   }
+  if (choices.one_in(4)) friction.speed_law = 1 + static_cast<std::int32_t>(choices.below(2));
   input.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(4)) {
     input.frame.speed = sized(choices, member<wrc_frame_motion>("speed"), 1e-9);
@@ -414,7 +416,7 @@ wrc_planar_load make_load(Choices& choices) {
 }
 
 wrc_planar_motion make_motion(Choices& choices) {
-  wrc_planar_motion motion = wrc_planar_motion_default();
+  wrc_planar_motion motion = sized<wrc_planar_motion>();
   motion.speed = sized(choices, member<wrc_planar_motion>("speed"), 1e-6);
   motion.lateral_velocity = sized(choices, member<wrc_planar_motion>("lateral_velocity"), 1e-9);
   motion.vertical_velocity = sized(choices, member<wrc_planar_motion>("vertical_velocity"), 1e-9);
@@ -448,30 +450,25 @@ wrc_creepage make_creepage(Choices& choices) {
   return creepage;
 }
 
-void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& arrays) {
+void make_friction(Choices& choices, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
   friction = wrc_friction_default();
   friction.coefficient =
       choices.one_in(40) ? choices.poison() : sized(choices, member<wrc_friction>("coefficient"));
-  friction.kind = static_cast<std::int32_t>(choices.below(4));
-  if (choices.one_in(40)) friction.kind = choices.one_in(2) ? 4 : -1;
-  // What neither the kind nor the method reads is refused: seldom here.
-  const bool stray = choices.one_in(16);
-  const bool heat = friction.kind == WRC_FRICTION_TEMPERATURE;
-  if (stray || heat) {
-    friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
-    friction.hot_temperature = choices.between(0.0, 1000.0);
-    if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
-  }
-  if (stray || (friction.kind != WRC_FRICTION_CONSTANT && !heat))
-    friction.kinetic_ratio =
-        choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
-  if (stray || friction.kind == WRC_FRICTION_FALLING)
-    friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
-  if (stray || friction.kind == WRC_FRICTION_STATIC_KINETIC)
-    friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
+  friction.speed_law = static_cast<std::int32_t>(choices.below(3));
+  friction.temperature_law = choices.one_in(4) ? WRC_TEMPERATURE_LAW_LINEAR : WRC_TEMPERATURE_LAW_NONE;
+  if (choices.one_in(40)) friction.speed_law = choices.one_in(2) ? 3 : -1;
+  if (choices.one_in(40)) friction.temperature_law = choices.one_in(2) ? 2 : -1;
+  // with members of laws that are not chosen
+  friction.kinetic_ratio =
+      choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
+  friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
+  friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
+  friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
+  friction.hot_temperature = choices.between(0.0, 1000.0);
+  if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
   if (choices.one_in(2)) friction.slope_reduction = sized(choices, member<wrc_friction>("slope_reduction"));
-  if (stray || (tangential_method == WRC_TANGENTIAL_FASTSIM && choices.one_in(2))) {
+  if (choices.one_in(2)) {
     friction.slope_limit =
         choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_limit"), 1e-6);
     friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_fall"), 1e-6);
@@ -501,7 +498,7 @@ double FrictionArrays::most() const {
 }
 
 wrc_ellipse make_ellipse(Choices& choices) {
-  wrc_ellipse ellipse = wrc_ellipse_default();
+  wrc_ellipse ellipse = sized<wrc_ellipse>();
   ellipse.a = sized(choices, member<wrc_ellipse>("a"));
   ellipse.b = sized(choices, member<wrc_ellipse>("b"));
   ellipse.psi = sized(choices, member<wrc_ellipse>("psi"), 1e-12);
@@ -564,7 +561,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
   if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
-  gap.gap = wrc_planar_gap_default();
+  gap.gap = sized<wrc_planar_gap>();
   gap.gap.rows = rows;
   gap.gap.y = gap.y.data();
   poison_one(choices, gap.y);
@@ -624,7 +621,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
   poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
-  strips.strips = wrc_planar_strips_default();
+  strips.strips = sized<wrc_planar_strips>();
   strips.strips.count = count;
   strips.strips.y = strips.y.data();
   strips.strips.width = strips.width.data();

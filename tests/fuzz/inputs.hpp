@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "choices.hpp"
-#include "wrc/wrc.h"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_planar.h"
 
 namespace hostile {
 
@@ -45,7 +46,7 @@ wrc_planar_load make_load(Choices& choices);
 wrc_planar_motion make_motion(Choices& choices);
 wrc_wear_laws make_wear_laws(Choices& choices);
 wrc_creepage make_creepage(Choices& choices);
-void make_friction(Choices& choices, std::int32_t tangential_method, FrictionArrays& made);
+void make_friction(Choices& choices, FrictionArrays& made);
 wrc_ellipse make_ellipse(Choices& choices);
 /// A wheel on a rail of that configuration, anywhere between the usual and the ends of the ranges.
 struct WheelOnRail {

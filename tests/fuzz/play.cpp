@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "play.hpp"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ class Case {
       height[j] = 0.5 * y[j] * y[j] / 0.3;
       curvature[j] = 1.0 / 0.46;
     }
-    wrc_planar_gap gap = wrc_planar_gap_default();
+    wrc_planar_gap gap = sized<wrc_planar_gap>();
     gap.rows = rows;
     gap.y = y;
     gap.height = height;
@@ -174,7 +175,7 @@ class Case {
     for (const wrc_planar_gap* each : {static_cast<const wrc_planar_gap*>(&gap), static_cast<const wrc_planar_gap*>(nullptr)}) {
       if (each == nullptr && config_.wheel.kind == WRC_PROFILE_NONE) continue;
       input.gap = each;
-      wrc_planar_output results = wrc_planar_output_default();
+      wrc_planar_output results = sized<wrc_planar_output>();
       where_ = each != nullptr ? "good step with a gap" : "good step with a pose";
       const std::int32_t status = timed([&] { return wrc_planar_step(contact_, &input, &results); });
       check_step(status, results, input.load, input.creepage, input.friction.coefficient);
@@ -225,7 +226,7 @@ class Case {
     wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
     if (choices_.one_in(2)) bulk.wheel = choices_.between(-273.0, 2000.0);
     if (choices_.one_in(20)) bulk.rail = choices_.poison();
-    wrc_temperature result = wrc_temperature_default();
+    wrc_temperature result = sized<wrc_temperature>();
     const std::int32_t status = hand_over(
         [&] { return wrc_contact_temperature(contact_, choices_.one_in(4) ? nullptr : &bulk, &result); });
     expect(documented(status), "the status is documented for this call");
@@ -284,14 +285,14 @@ class Case {
     if (!with_pose) {
       make_gap(choices_, config_.planar.gap_rows, gap);
       input.gap = &gap.gap;
-      input.pose = wrc_planar_pose_default();
+      input.pose = sized<wrc_planar_pose>();
     }
     input.load = make_load(choices_);
     input.creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     input.friction = given.friction;
-    wrc_planar_output results = wrc_planar_output_default();
+    wrc_planar_output results = sized<wrc_planar_output>();
     const std::int32_t status = hand_over([&] { return wrc_planar_step(contact_, &input, &results); });
     check_step(status, results, input.load, input.creepage, given.most());
     if (choices_.one_in(2)) wear();
@@ -305,7 +306,7 @@ class Case {
     wrc_damage damage{};
     expect(wrc_contact_region_ellipse(contact_, index, &ellipse) >= 0, "a region has an ellipse");
     expect(wrc_contact_region_damage(contact_, index, &damage) == WRC_OK, "a region has damage numbers");
-    wrc_temperature temperature = wrc_temperature_default();
+    wrc_temperature temperature = sized<wrc_temperature>();
     const std::int32_t heated = wrc_contact_region_temperature(contact_, index, nullptr, &temperature);
     expect(heated == WRC_OK || heated == WRC_ERROR_UNSUPPORTED,
            "a region has temperatures, or whole patches");
@@ -333,7 +334,7 @@ class Case {
     where_ = "wheel on rail";
     WheelOnRail given;
     make_wheel_on_rail(choices_, config_, given);
-    wrc_wrench wrench = wrc_wrench_default(), again = wrench;
+    wrc_wrench wrench = sized<wrc_wrench>(), again = wrench;
     const std::int32_t status =
         hand_over([&] { return wrc_contact_wrench(contact_, &given.input, &wrench); });
     const bool supported = config_.wheel.kind != WRC_PROFILE_NONE;
@@ -361,7 +362,7 @@ class Case {
     if (wrench.normal_force > 0.0) ++verdict_.solved;
     double force[3] = {};
     for (std::int32_t i = 0; i < wrench.region_count; ++i) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       expect(wrc_contact_region(contact_, i, &region) == WRC_OK, "every region can be seen");
       expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
       for (int k = 0; k < 3; ++k) force[k] += region.force[k];
@@ -386,9 +387,9 @@ class Case {
     const wrc_ellipse ellipse = make_ellipse(choices_);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     const wrc_friction& friction = given.friction;
-    wrc_planar_output results = wrc_planar_output_default();
+    wrc_planar_output results = sized<wrc_planar_output>();
     std::int32_t status = hand_over(
         [&] { return wrc_planar_tangential(contact_, &ellipse, &creepage, &friction, &results.forces); });
     if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &results.damage));
@@ -401,14 +402,14 @@ class Case {
     make_strips(choices_, config_.planar.strips, strips);
     const wrc_creepage creepage = make_creepage(choices_);
     FrictionArrays given;
-    make_friction(choices_, config_.tangential.method, given);
+    make_friction(choices_, given);
     const wrc_friction& friction = given.friction;
-    wrc_planar_output results = wrc_planar_output_default();
+    wrc_planar_output results = sized<wrc_planar_output>();
     std::int32_t status =
         hand_over([&] { return wrc_planar_regularise(contact_, &strips.strips, &results.normal); });
     check_results(status, results, given.most());
     if (status < 0) return;
-    wrc_planar_output rolling = wrc_planar_output_default();
+    wrc_planar_output rolling = sized<wrc_planar_output>();
     status = hand_over(
         [&] { return wrc_planar_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
     if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &rolling.damage));
@@ -423,9 +424,9 @@ class Case {
       const wrc_planar_load load = make_load(choices_);
       const wrc_creepage creepage = make_creepage(choices_);
       FrictionArrays given;
-      make_friction(choices_, config_.tangential.method, given);
+      make_friction(choices_, given);
       const wrc_friction& friction = given.friction;
-      wrc_planar_output results = wrc_planar_output_default();
+      wrc_planar_output results = sized<wrc_planar_output>();
       std::int32_t status = WRC_OK;
       switch (choices_.below(7)) {
         case 0:
@@ -478,7 +479,7 @@ class Case {
   double power_of_sticking_patches() const {
     double power = 0.0;
     for (std::int32_t each = 0; each < 16; ++each) {
-      wrc_patch one = wrc_patch_default();
+      wrc_patch one = sized<wrc_patch>();
       if (wrc_contact_patch(contact_, each, &one) != WRC_OK) break;
       const bool sticks = one.forces.adhesion_fraction >= share_with_friction(each) * (1.0 - 1e-12);
       const std::vector<double> strip_power = field_of_patch(contact_, each, WRC_FIELD_STRIP_POWER);
@@ -535,7 +536,7 @@ class Case {
     if (forces.fn > 0.0) ++verdict_.solved;
     if (size_.shallow && !choices_.one_in(8)) return;
     for (std::int32_t each = 0; each < 16; ++each) {
-      wrc_patch one = wrc_patch_default();
+      wrc_patch one = sized<wrc_patch>();
       if (wrc_contact_patch(contact_, each, &one) != WRC_OK) break;
       expect(all_finite(doubles_from(one, one.ellipse.a)), "every number of each patch is finite");
     }

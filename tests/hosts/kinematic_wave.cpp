@@ -17,7 +17,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "wrc/wrc.h"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -43,7 +43,7 @@ const Vector5 scale = (Vector5() << 1e-5, 1e-5, 1e-4, 1e-4, 1e-4).finished();  /
 class Wheelset {
  public:
   Wheelset() {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
     config.wheel_material.poisson = config.rail_material.poisson = 0.28;
     config.wheel.kind = WRC_PROFILE_S1002;
@@ -69,7 +69,7 @@ class Wheelset {
     input.friction.coefficient = 0.0;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 0.5 * load;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     const int32_t status = wrc_contact_wrench(contact_[0], &input, &wrench);
     if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
     Rolling rolling;
@@ -95,7 +95,7 @@ class Wheelset {
     input.friction.coefficient = friction;
     Vector3d force(0, 0, load), moment(0, 0, 0);
     for (int side = 0; side < 2; ++side) {
-      wrc_wrench wrench = wrc_wrench_default();
+      wrc_wrench wrench = sized<wrc_wrench>();
       const int32_t status = exact ? wrc_exact_wrench(contact_[side], &input, exact_options, &wrench)
                                    : wrc_contact_wrench(contact_[side], &input, &wrench);
       if (status != WRC_OK) throw std::runtime_error(wrc_status_name(status));
@@ -109,7 +109,7 @@ class Wheelset {
   double radius_difference(const Rolling& rolling) {
     double difference = 0.0;
     for (int side = 0; side < 2; ++side) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       if (wrc_contact_region(contact_[side], 0, &region) < 0) throw std::runtime_error("no region");
       difference -= (side == 0 ? 1.0 : -1.0) * region.creepage[0];
     }

@@ -19,7 +19,8 @@
 #include <vector>
 
 #include "SimTKsimbody.h"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_damage.h"
 
 using SimTK::Force, SimTK::MobilizedBody, SimTK::Real, SimTK::Rotation, SimTK::SpatialVec, SimTK::State,
     SimTK::Transform, SimTK::Vec3;
@@ -95,7 +96,7 @@ class Element {
 class WrcElement : public Element {
  public:
   WrcElement() {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = shear_modulus;
     config.wheel_material.poisson = config.rail_material.poisson = poisson;
     config.wheel.kind = WRC_PROFILE_S1002;
@@ -146,7 +147,7 @@ class WrcElement : public Element {
     input.friction.coefficient = prescribed == WRC_PRESCRIBE_HEIGHT ? friction : 0.0;
     input.prescribed = prescribed;
     input.vertical_load = vertical_load;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     if (wrc_contact_wrench(contact_[side], &input, &wrench) < 0) {
       char text[400];
       wrc_contact_last_error(contact_[side], text, sizeof text);

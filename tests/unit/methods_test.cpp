@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "wrc/wrc_methods.h"
+#include "wrc/wrc.h"
 
 namespace wrc {
 namespace {

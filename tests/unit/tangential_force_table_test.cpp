@@ -17,7 +17,9 @@
 #include "sdec_pressure.hpp"
 #include "tangential/force_table/force_table_file.hpp"
 #include "theory/sdec.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_damage.h"
+#include "wrc/wrc_planar.h"
 
 namespace {
 
@@ -328,7 +330,7 @@ class TemporaryFile {
 };
 
 wrc_config configuration(const char* path) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.normal.method = WRC_NORMAL_HERTZ;  // the default prepares tables of its own, which takes a while
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = path;
@@ -442,7 +444,7 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   wrc_contact* contact = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
-  wrc_ellipse sdec = wrc_ellipse_default();
+  wrc_ellipse sdec = sized<wrc_ellipse>();
   sdec.a = patch.a;
   sdec.b = patch.b;
   sdec.psi = patch.psi;

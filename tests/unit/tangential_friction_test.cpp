@@ -9,21 +9,21 @@ namespace {
 
 using test::OwnedStrips;
 using test::sdec_strips;
-using Fall = FrictionLaw::Fall;
 
 TEST(FrictionLaw, FallsAsPolachHasIt) {
   // mu_0 = 0.36, A = 0.38, B = 0.7 s/m (Polach): at 1 m/s 0.36 (0.62 exp(-0.7) + 0.38) = 0.2476378
-  FrictionLaw law{.coefficient = 0.36, .fall = Fall::exponential, .kinetic_ratio = 0.38, .fall_rate = 0.7};
-  EXPECT_EQ(friction_fall(law, 0.0), 1.0);
-  EXPECT_NEAR(0.36 * friction_fall(law, 1.0), 0.2476378, 1e-6);
-  EXPECT_NEAR(friction_fall(law, 1e9), 0.38, 1e-15);
-  law.fall = Fall::hyperbolic;
+  FrictionLaw law{
+      .coefficient = 0.36, .speed_law = SpeedLaw::exponential, .kinetic_ratio = 0.38, .fall_rate = 0.7};
+  EXPECT_EQ(speed_factor(law, 0.0), 1.0);
+  EXPECT_NEAR(0.36 * speed_factor(law, 1.0), 0.2476378, 1e-6);
+  EXPECT_NEAR(speed_factor(law, 1e9), 0.38, 1e-15);
+  law.speed_law = SpeedLaw::hyperbolic;
   law.half_speed = 0.5;
-  EXPECT_EQ(friction_fall(law, 0.0), 1.0);
-  EXPECT_DOUBLE_EQ(friction_fall(law, 0.5), 0.69);  // half way from 1 to 0.38
-  EXPECT_NEAR(friction_fall(law, 1e9), 0.38, 1e-8);
-  law.fall = Fall::none;
-  EXPECT_EQ(friction_fall(law, 3.0), 1.0);
+  EXPECT_EQ(speed_factor(law, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(speed_factor(law, 0.5), 0.69);  // half way from 1 to 0.38
+  EXPECT_NEAR(speed_factor(law, 1e9), 0.38, 1e-8);
+  law.speed_law = SpeedLaw::none;
+  EXPECT_EQ(speed_factor(law, 3.0), 1.0);
 }
 
 TEST(FrictionLaw, ZonesAreIntegratedExactly) {
@@ -83,7 +83,7 @@ TEST_F(StripLaw, ZonesStayWhereTheFrameSays) {
 
 TEST_F(StripLaw, SlidingSpeedIsTheMeanSquareOfTheRigidSlip) {
   const FrictionLaw law{
-      .coefficient = 0.4, .fall = Fall::hyperbolic, .kinetic_ratio = 0.25, .half_speed = 0.03};
+      .coefficient = 0.4, .speed_law = SpeedLaw::hyperbolic, .kinetic_ratio = 0.25, .half_speed = 0.03};
   const Creepage creep{2e-3, -1e-3, 0.7};
   const double V = 25.0, origin = 1e-3;
   const StripFriction f = find(law, {.origin = origin}, creep, V);

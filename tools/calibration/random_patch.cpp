@@ -6,14 +6,15 @@
 #include "patch/material.hpp"
 #include "random.hpp"
 #include "theory/sdec.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace wrc::calibration {
 namespace {
 
 /// Fills shape, load and strips where the contact has one patch; leaves the strips empty where it has not.
 void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = p.shear_modulus;
@@ -25,7 +26,7 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
       wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0) < 0) {
     throw std::runtime_error("the wheel on the rail cannot be made");
   }
-  wrc_planar_pose pose = wrc_planar_pose_default();
+  wrc_planar_pose pose = sized<wrc_planar_pose>();
   pose.lateral = shift;
   pose.yaw = yaw;
   wrc_planar_load press = wrc_planar_load_default();

@@ -19,7 +19,8 @@
 #include "patch/material.hpp"
 #include "sdec_pressure.hpp"
 #include "tangential/force_table/force_table_file.hpp"
-#include "wrc/wrc.h"
+#include "test_config.hpp"
+#include "wrc/wrc_planar.h"
 
 namespace {
 
@@ -124,7 +125,7 @@ void report_errors(ForceTable& table, int patches, double poisson) {
 class Timed {
  public:
   Timed(int method, const char* file) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.tangential.method = method;
     if (method == WRC_TANGENTIAL_FORCE_TABLE) config.tangential.force_table = file;
     config.planar.strips = config.planar.cells = 32;
@@ -141,7 +142,7 @@ class Timed {
   Timed& operator=(const Timed&) = delete;
 
   void run(const Case& c) {
-    wrc_ellipse ellipse = wrc_ellipse_default();
+    wrc_ellipse ellipse = sized<wrc_ellipse>();
     ellipse.a = c.patch.a;
     ellipse.b = c.patch.b;
     ellipse.psi = c.patch.psi;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "halfspace_report/report.hpp"
+#include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace wrc::halfspace::report {
@@ -26,13 +27,13 @@ constexpr Case cases[] = {{"case 1, pure spin", 0.0, 0.0, -0.5, 68.68},
 class Profiles {
  public:
   Profiles() {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.planar.gap_rows = 1024;
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     demand(wrc_model_create(&config, nullptr, &model_, nullptr, 0) == WRC_OK, "no model");
     demand(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) == WRC_OK, "no contact");
-    const wrc_planar_pose pose = wrc_planar_pose_default();
+    const wrc_planar_pose pose = sized<wrc_planar_pose>();
     wrc_planar_point point{};
     demand(wrc_planar_geometry(contact_, &pose, &point) == WRC_OK, "no geometry");
   }
@@ -45,7 +46,7 @@ class Profiles {
 
   // Exact pressure on square cells over the patch.
   std::vector<double> pressure(double cell, wrc_grid& grid, wrc_exact_normal_solution& solution) const {
-    grid = wrc_grid_default();
+    grid = sized<wrc_grid>();
     grid.nx = static_cast<uint32_t>(std::lround(15e-3 / cell));
     grid.ny = static_cast<uint32_t>(std::lround(27e-3 / cell));
     grid.dx = grid.dy = cell;
@@ -53,11 +54,11 @@ class Profiles {
     grid.y0 = -16.15e-3 + 0.5 * cell;
     std::vector<double> gap(std::size_t{grid.nx} * grid.ny), found(gap.size());
     demand(wrc_exact_gap(contact_, &grid, gap.data()) == WRC_OK, "no gap");
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
+    wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
     problem.normal_force = load;
     problem.grid = grid;
     problem.gap = gap.data();
-    solution = wrc_exact_normal_solution_default();
+    solution = sized<wrc_exact_normal_solution>();
     solution.pressure = found.data();
     char text[256];
     demand(wrc_exact_normal(&problem, &solution, text, sizeof text) == WRC_OK, text);
@@ -122,13 +123,13 @@ Json paper() {
       Json row;
       row.add("cell_mm", 1e3 * cells[n]);
       for (const int32_t collocation : {WRC_COLLOCATION_REFERENCE, WRC_COLLOCATION_QUARTER_POINT}) {
-        wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
+        wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
         problem.collocation = collocation;
         problem.grid = grid[n];
         problem.pressure = pressure[n].data();
         problem.coefficient = friction;
         problem.creepage = creepage;
-        wrc_exact_rolling_solution s = wrc_exact_rolling_solution_default();
+        wrc_exact_rolling_solution s = sized<wrc_exact_rolling_solution>();
         char text[256];
         demand(wrc_exact_rolling(&problem, &s, text, sizeof text) == WRC_OK, text);
         const bool quarter = collocation == WRC_COLLOCATION_QUARTER_POINT;

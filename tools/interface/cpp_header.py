@@ -21,9 +21,9 @@ def written(interface, mark):
 
 
 def wanted(function):
-    """All that return a status, but for defaults, handles and the calls with plain arrays, which are for other languages."""
+    """All that return a status, but for defaults and handles."""
     return (function.exported and function.returned.base == "int32_t" and function.name not in BY_HAND
-            and not function.name.endswith(("_flat", "_init")))
+            and not function.name.endswith("_init"))
 
 
 def owner(function):

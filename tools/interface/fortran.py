@@ -5,7 +5,7 @@ HANDLES = ("wrc_model", "wrc_contact", "wrc_exact_transient")
 # These get the suffix _c: wrc.f90 has the first two with Fortran strings, and the third is a parameter's name, too,
 # to a language that knows no case.
 SUFFIXED = ("wrc_config_check", "wrc_contact_last_error", "wrc_abi_version")
-ARRAYS = ("in", "out", "gap", "statuses")  # arguments of that name are arrays of numbers, and see is_array()
+ARRAYS = ("gap", "statuses")  # arguments of that name are arrays of numbers, and see is_array()
 
 
 def written(interface, mark):

@@ -134,12 +134,24 @@ def test_batches_and_sweeps_have_the_bits_of_single_calls(model):
     single = np.array([contact.wrench(wrc.WheelInput.of(inputs, k)).force for k in range(count)])
     batch = wrc.Batch([model.contact() for _ in range(8)])
     assert (batch.wrench(inputs[:8])["force"] == single[:8]).all() and not batch.statuses.any()
+    assert (batch.wrench(wrc.WheelInput.of(inputs, 0))["force"] == single[0]).all()  # one for all
     for threads in (1, 3):
         out, statuses = wrc.sweep(model, inputs, threads=threads)
         assert out["force"].tobytes() == single.tobytes() and not statuses.any()
         inputs["start"] = wrc.WheelStart.FROM_LAST  # a sweep has no last one
-    one = batch.step(wrc.Input(**LOADED))
-    assert (one["forces"]["fx"] == one["forces"]["fx"][0]).all()
+
+
+def test_a_sweep_of_steps_has_the_bits_of_single_calls(model):
+    count = 150
+    inputs = wrc.Input.array(count, like=wrc.Input(**LOADED))
+    inputs["creepage"]["longitudinal"] = np.linspace(-5e-3, 5e-3, count)
+    inputs["load"]["normal_force"][70] = 80.0
+    contact = model.contact()
+    single = [contact.step(wrc.Input.of(inputs, k)).forces.fx for k in range(count) if k != 70]
+    for threads in (1, 3):
+        out, statuses = wrc.sweep(model, inputs, threads=threads)
+        assert statuses[70] == int(wrc.Status.ERROR_RANGE) and out["forces"]["fx"][70] == 0 and not np.delete(statuses, 70).any()
+        assert np.delete(out["forces"]["fx"], 70).tolist() == single
 
 
 def test_batches_refuse_what_does_not_fit(model):
@@ -149,14 +161,14 @@ def test_batches_refuse_what_does_not_fit(model):
     batch = wrc.Batch(contacts)
     with pytest.raises(TypeError, match=r"input is a wrc.Input, not a dict: wrc.Input\(\*\*values\)"):
         model.contact().step({"load": {"normal_force": 80e3}})
-    with pytest.raises(TypeError, match=r"wrc.Input.array\(2\)"):
-        batch.step(np.zeros(2))
-    inputs = wrc.Input.array(2, like=wrc.Input(**LOADED))
-    inputs["load"]["normal_force"][1] = 80.0
-    with pytest.raises(wrc.Error, match="contact 1 of 2: input.load.normal_force = 80 N"):
-        batch.step(inputs)
-    out = batch.step(inputs, check=False)
-    assert batch.statuses.tolist() == [0, int(wrc.Status.ERROR_RANGE)] and out["forces"]["fx"][1] == 0
+    with pytest.raises(TypeError, match=r"wrc.WheelInput.array\(2\)"):
+        batch.wrench(np.zeros(2))
+    inputs = wrc.WheelInput.array(2, like=wrc.WheelInput(wheel={"z": 3e-4, "velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)}))
+    inputs["wheel"]["z"][1] = 0.3
+    with pytest.raises(wrc.Error, match="contact 1 of 2: input.wheel.z = 0.3 m"):
+        batch.wrench(inputs)
+    out = batch.wrench(inputs, check=False)
+    assert batch.statuses.tolist() == [0, int(wrc.Status.ERROR_RANGE)] and out["force"][1].tolist() == [0, 0, 0]
     warm = wrc.Model(wheel="S1002", rail="60E1", normal={"warm_start": 1})
     with pytest.raises(ValueError, match="warm_start"):
         wrc.sweep(warm, inputs)

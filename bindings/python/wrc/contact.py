@@ -317,7 +317,7 @@ class Contact(i.ContactCalls):
 
 
 class Batch:
-    """Many contacts of any models, solved by one call each of step() and wrench(), without the GIL.
+    """Many contacts of any models, solved by one call of wrench(), without the GIL.
 
     statuses: of each contact in the last call, a numpy array.
     """
@@ -337,32 +337,25 @@ class Batch:
     def __len__(self) -> int:
         return len(self.contacts)
 
-    def step(self, inputs: Union[i.Input, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
-        """Contact.step() of each contact.
+    def wrench(self, inputs: Union[i.WheelInput, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
+        """Contact.wrench() of each contact.
 
-        inputs: one wrc.Input for all, or wrc.Input.array(n) with an element for each
-        out: wrc.Output.array(n) to be filled; None: a new one
+        inputs: one wrc.WheelInput for all, or wrc.WheelInput.array(n) with an element for each
+        out: wrc.Wrench.array(n) to be filled; None: a new one
         check: raise wrc.Error for the first contact that failed; False: look at statuses
         """
-        return self._call(i._wrc_contact_step_batch, i.Input, inputs, i.Output, out, check)
-
-    def wrench(self, inputs: Union[i.WheelInput, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
-        """Contact.wrench() of each contact; as step(), with wrc.WheelInput and wrc.Wrench."""
-        return self._call(i._wrc_contact_wrench_batch, i.WheelInput, inputs, i.Wrench, out, check)
-
-    def _call(self, function: Callable[..., int], read: Any, inputs: Any, written: Any, out: Optional[np.ndarray], check: bool) -> np.ndarray:
         count = len(self.contacts)
         if out is None:
-            out = written.array(count)
+            out = i.Wrench.array(count)
         if self._last[0] is not inputs or self._last[1] is not out:
-            address, stride = _elements(inputs, read, count, "inputs")
-            target, step = _elements(out, written, count, "out")
-            self._last = (inputs, out, (self._handles, count, read.from_address(address), stride, written.from_address(target), step,
-                                        self._statuses))
+            address, stride = _elements(inputs, i.WheelInput, count, "inputs")
+            target, step = _elements(out, i.Wrench, count, "out")
+            self._last = (inputs, out, (self._handles, count, i.WheelInput.from_address(address), stride,
+                                        i.Wrench.from_address(target), step, self._statuses))
         for acquire in self._acquire:
             acquire()
         try:
-            status = function(*self._last[2])
+            status = i._wrc_contact_wrench_batch(*self._last[2])
         finally:
             for release in self._release:
                 release()
@@ -381,7 +374,20 @@ def _elements(array: Any, kind: Any, count: int, name: str) -> Tuple[int, int]:
     return array.ctypes.data, array.strides[0]
 
 
-BLOCK = 64  # elements a call of the library solves
+def _steps(contact: Contact, inputs: np.ndarray, out: np.ndarray) -> np.ndarray:
+    """Contact.step() of each input in turn; the statuses."""
+    count = len(inputs)
+    address, stride = _elements(inputs, i.Input, count, "inputs")
+    target, step = _elements(out, i.Output, count, "out")
+    statuses = np.zeros(count, np.int32)
+    with contact._lock:
+        for k in range(count):
+            statuses[k] = i._wrc_contact_step(contact._handle, i.Input.from_address(address + k * stride),
+                                              i.Output.from_address(target + k * step))
+    return statuses
+
+
+BLOCK = 64  # elements solved between two looks at what is left
 
 
 def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: int = 1,
@@ -397,21 +403,22 @@ def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: i
     if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.WheelStart.ANEW).any():
         inputs = inputs.copy()  # the caller's stays what it is
         inputs["start"] = i.WheelStart.ANEW
-    written = i.Output if inputs.dtype == i.Input.dtype() else i.Wrench
-    call = Batch.step if written is i.Output else Batch.wrench
-    out, statuses = written.array(len(inputs)), np.zeros(len(inputs), np.int32)
+    planar = inputs.dtype == i.Input.dtype()
+    out, statuses = (i.Output if planar else i.Wrench).array(len(inputs)), np.zeros(len(inputs), np.int32)
     starts = range(0, len(inputs), BLOCK)
     workers = min(threads or os.cpu_count() or 1, max(1, len(starts)))
 
     def work(first: int) -> int:
-        batch = Batch([Contact(model, side) for _ in range(min(BLOCK, len(inputs)))])
+        contacts = [Contact(model, side) for _ in range(1 if planar else min(BLOCK, len(inputs)))]
         done = 0
         for start in starts[first::workers]:
             part = slice(start, min(start + BLOCK, len(inputs)))
-            if part.stop - part.start < len(batch):
-                batch = Batch(batch.contacts[:part.stop - part.start])
-            call(batch, inputs[part], out[part], check=False)
-            statuses[part] = batch.statuses
+            if planar:
+                statuses[part] = _steps(contacts[0], inputs[part], out[part])
+            else:
+                batch = Batch(contacts[:part.stop - part.start])
+                batch.wrench(inputs[part], out[part], check=False)
+                statuses[part] = batch.statuses
             done += part.stop - part.start
             if progress is not None and first == 0:
                 progress(min(1.0, done * workers / len(inputs)))

@@ -41,42 +41,40 @@ StripFriction shared_out(const Strips& strips, double* coefficients) {
   return shared_out(limit, load, strips.count, coefficients);
 }
 
-double friction_fall(const FrictionLaw& law, double sliding_speed) {
+double speed_factor(const FrictionLaw& law, double sliding_speed) {
   constexpr double endless = 690.0;  // e^-690 is nothing, and within what natural_exp takes
   const double A = law.kinetic_ratio;
-  switch (law.fall) {
-    case FrictionLaw::Fall::none:
-    case FrictionLaw::Fall::heat:
+  switch (law.speed_law) {
+    case SpeedLaw::none:
       break;
-    case FrictionLaw::Fall::exponential:
+    case SpeedLaw::exponential:
       return (1.0 - A) * natural_exp(-std::min(law.fall_rate * sliding_speed, endless)) + A;
-    case FrictionLaw::Fall::hyperbolic:
+    case SpeedLaw::hyperbolic:
       return A + (1.0 - A) / (1.0 + sliding_speed / law.half_speed);
   }
   return 1.0;
 }
 
-double friction_when_hot(const FrictionLaw& law, double temperature, double* slope) {
-  const double range = law.hot_temperature - law.cold_temperature, loss = 1.0 - law.hot_ratio;
-  const bool falling = temperature > law.cold_temperature && temperature < law.hot_temperature;
-  if (slope) *slope = falling ? -loss / range : 0.0;
-  return 1.0 - loss * std::clamp((temperature - law.cold_temperature) / range, 0.0, 1.0);
-}
-
-double friction_fall_slope(const FrictionLaw& law, double sliding_speed) {
+double speed_factor_slope(const FrictionLaw& law, double sliding_speed) {
   const double A = law.kinetic_ratio;
-  switch (law.fall) {
-    case FrictionLaw::Fall::none:
-    case FrictionLaw::Fall::heat:
+  switch (law.speed_law) {
+    case SpeedLaw::none:
       break;
-    case FrictionLaw::Fall::exponential:
-      return -law.fall_rate * (friction_fall(law, sliding_speed) - A);
-    case FrictionLaw::Fall::hyperbolic: {
+    case SpeedLaw::exponential:
+      return -law.fall_rate * (speed_factor(law, sliding_speed) - A);
+    case SpeedLaw::hyperbolic: {
       const double falls = 1.0 + sliding_speed / law.half_speed;
       return -(1.0 - A) / (law.half_speed * falls * falls);
     }
   }
   return 0.0;
+}
+
+double temperature_factor(const FrictionLaw& law, double temperature, double* slope) {
+  const double range = law.hot_temperature - law.cold_temperature, loss = 1.0 - law.hot_ratio;
+  const bool falling = temperature > law.cold_temperature && temperature < law.hot_temperature;
+  if (slope) *slope = falling ? -loss / range : 0.0;
+  return 1.0 - loss * std::clamp((temperature - law.cold_temperature) / range, 0.0, 1.0);
 }
 
 double mean_friction(const FrictionZones& zones, double from, double to) {
@@ -121,12 +119,12 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
       slip = std::sqrt(x * x + lateral * lateral + turn * turn / 3.0);
     }
     shares[j] =
-        flush_subnormals(mu * friction_fall(law, speed * slip));  // an exponential law falls without end
+        flush_subnormals(mu * speed_factor(law, speed * slip));  // an exponential law falls without end
     const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
     limit += shares[j] * carried;
     load += carried;
   }
-  if (law.zones.count == 0 && law.fall == FrictionLaw::Fall::none) {
+  if (law.is_one_number()) {
     std::fill_n(shares, strips.count, 1.0);
     return law.coefficient;
   }

@@ -1,12 +1,14 @@
-/// The friction law: coefficient of friction over the profile and over the sliding speed.
+/// The friction law: coefficient of friction over the profile, the sliding speed and the temperature.
 ///
-/// One coefficient per strip, found before the tangential problem is solved:
+/// One coefficient per strip,
 ///
-///     mu_j = mu_0(y_j) f(w_j),
+///     mu_j = mu_0(y_j) f(w_j) g_j,
 ///
 /// mu_0 a number, or the mean over the strip of a function of y given by breakpoints; f = 1, or falling with
-/// the sliding speed w. For w the strip's rigid slip stands, the root of its mean square along the strip,
-/// times the rolling speed:
+/// the sliding speed w; g = 1, or falling with the temperature. mu_0 f is found before the tangential problem
+/// is solved, g with it.
+///
+/// For w the strip's rigid slip stands, the root of its mean square along the strip, times the rolling speed:
 ///
 ///     w_j^2 = V^2 ( (nu_x - phi y_j)^2 + (nu_y + phi x_j)^2 + phi^2 l_j^2 / 3 ).
 ///
@@ -18,9 +20,9 @@
 /// would dip to zero at the spin pole. Modified FASTSIM has one sliding speed per patch,
 /// V sqrt(nu_x^2 + nu_y^2), as published.
 ///
-/// Over temperature f is 1 up to a temperature, a share from another on, and linear between (the form of
-/// CONTACT's user guide, method L = 4); of a strip the mean over its load, at the temperatures that tractions
-/// with these coefficients make (damage/heated_friction.hpp). At rest, and so here, f is 1.
+/// g is the mean over the strip's load of a function of the temperature T: 1 up to a temperature, a share
+/// from another on, and linear between (the form of CONTACT's user guide, method L = 4). T is what tractions
+/// with these coefficients make (damage/heated_friction.hpp).
 #pragma once
 
 #include <cstdint>
@@ -39,32 +41,44 @@ struct FrictionZones {
   const double* coefficient = nullptr;  ///< >= 0 [-]
 };
 
+/// f over w.
+enum class SpeedLaw : std::int32_t {
+  none,         ///< 1
+  exponential,  ///< (1 - A) exp(-B w) + A: Polach, Wear 258 (2005)
+  hyperbolic,   ///< A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
+};
+
+/// The function of T whose mean is g.
+enum class TemperatureLaw : std::int32_t {
+  none,    ///< 1
+  linear,  ///< between 1 of cold surfaces and `hot_ratio` of hot ones
+};
+
 struct FrictionLaw {
-  enum class Fall : std::int64_t {  // as wide as a double: see FrictionZones
-    none,                           ///< f = 1
-    exponential,                    ///< f = (1 - A) exp(-B w) + A: Polach, Wear 258 (2005)
-    hyperbolic,  ///< f = A + (1 - A) / (1 + w / w_half): from a static to a kinetic coefficient
-    heat,        ///< over temperature: friction_when_hot()
-  };
-  double coefficient = 0.3;  ///< mu_0 at rest, where there are no zones [-]
+  double coefficient = 0.3;  ///< mu_0 where there are no zones [-]
   FrictionZones zones{};
-  Fall fall = Fall::none;
+  SpeedLaw speed_law = SpeedLaw::none;
+  TemperatureLaw temperature_law = TemperatureLaw::none;
   double kinetic_ratio = 1.0;  ///< A: friction at high sliding speed over that at rest [-]
   double fall_rate = 0.0;      ///< B [s/m]
   double half_speed = 1.0;     ///< w_half [m/s]
-  double hot_ratio = 1.0;      ///< f of hot surfaces
-  double cold_temperature = 0.0, hot_temperature = 1.0;    ///< where f begins to fall, and ends to [degC]
+  double hot_ratio = 1.0;      ///< friction of hot surfaces over that of cold ones [-]
+  double cold_temperature = 0.0, hot_temperature = 1.0;    ///< where the fall begins, and ends [degC]
   double wheel_temperature = 0.0, rail_temperature = 0.0;  ///< of the bodies [degC]
+
+  bool heated() const { return temperature_law != TemperatureLaw::none; }
+  bool falls() const { return speed_law != SpeedLaw::none || heated(); }
+  bool is_one_number() const { return zones.count == 0 && !falls(); }
 };
 
 /// f(w), 0 to 1; w >= 0 [m/s].
-double friction_fall(const FrictionLaw& law, double sliding_speed);
-
-/// f of a temperature, its slope at will [1/K].
-double friction_when_hot(const FrictionLaw& law, double temperature, double* slope = nullptr);
+double speed_factor(const FrictionLaw& law, double sliding_speed);
 
 /// f'(w) [s/m].
-double friction_fall_slope(const FrictionLaw& law, double sliding_speed);
+double speed_factor_slope(const FrictionLaw& law, double sliding_speed);
+
+/// The function of a temperature [degC] whose mean is g; its slope at will [1/K].
+double temperature_factor(const FrictionLaw& law, double temperature, double* slope = nullptr);
 
 /// Mean of the coefficient between `from` and `to` > from [m].
 double mean_friction(const FrictionZones& zones, double from, double to);
@@ -89,8 +103,9 @@ enum class SlidingSpeed {
 /// Coefficients of strips as their mean over the load and each strip's share of it, which takes their place.
 StripFriction shared_out(const Strips& strips, double* coefficients);
 
-/// Evaluates the law. creepage: at the origin of the contact frame; speed: V [m/s]. Fills `shares`
-/// (strips.count numbers, which must outlive the result); where friction is the same everywhere with ones.
+/// Evaluates the law of cold surfaces, mu_0 f. creepage: at the origin of the contact frame; speed: V [m/s].
+/// Fills `shares` (strips.count numbers, which must outlive the result); where friction is the same
+/// everywhere with ones.
 StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const FrictionFrame& frame,
                        const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares);
 

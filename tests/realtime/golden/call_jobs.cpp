@@ -2,6 +2,7 @@
 /// as placed, plain numbers, refused input.
 #include <limits>
 
+#include "test_config.hpp"
 #include "along_track.hpp"
 #include "check_rail_points.hpp"
 #include "golden/plan.hpp"
@@ -26,10 +27,10 @@ int32_t roll(wrc_contact* contact, double lateral) {
 void run_motion(wrc_contact* contact, Hash& hash) {
   Numbers numbers(5);
   for (int i = 0; i < 8; ++i) {
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = numbers.between(-5e-3, 7e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
-    wrc_planar_motion motion = wrc_planar_motion_default();
+    wrc_planar_motion motion = sized<wrc_planar_motion>();
     motion.speed = i == 0 ? 0.0 : numbers.between(1.0, 90.0);
     motion.pitch_rate = -motion.speed / numbers.between(0.455, 0.465);
     motion.lateral_velocity = numbers.between(-0.1, 0.1);
@@ -48,13 +49,13 @@ void run_motion(wrc_contact* contact, Hash& hash) {
 void run_standstill(wrc_contact* contact, Hash& hash) {
   Numbers numbers(8);
   for (int i = 0; i < 16; ++i) {
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = numbers.between(-4e-3, 5e-3);
     pose.yaw = numbers.between(-0.02, 0.02);
     wrc_planar_load load = wrc_planar_load_default();
     load.normal_force = 70e3;
     const double fastest = i % 4 == 0 ? 80.0 : 0.15;
-    wrc_planar_motion motion = wrc_planar_motion_default();
+    wrc_planar_motion motion = sized<wrc_planar_motion>();
     motion.speed = i == 1 ? 0.0 : numbers.between(-fastest, fastest);
     motion.pitch_rate = -motion.speed / numbers.between(0.459, 0.461);
     motion.lateral_velocity = numbers.between(-0.01, 0.01) * (i % 3);
@@ -82,7 +83,7 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
 void run_geometry(wrc_contact* contact, Hash& hash) {
   Numbers numbers(6);
   for (int i = 0; i < 400; ++i) {
-    wrc_planar_pose pose = wrc_planar_pose_default();
+    wrc_planar_pose pose = sized<wrc_planar_pose>();
     pose.lateral = numbers.between(-6e-3, 7.5e-3);
     pose.roll = numbers.between(-5e-3, 5e-3);
     pose.yaw = numbers.between(-0.03, 0.03);
@@ -124,7 +125,7 @@ void hash_accumulated(wrc_contact* contact, std::int32_t source, Hash& hash) {
   rail.row_first = 1.0;
   rail.row_length = 0.013;
   rail.bin = rail_bin;
-  wrc_accumulation step = wrc_accumulation_default();
+  wrc_accumulation step = sized<wrc_accumulation>();
   step.source = source;
   step.duration = 1e-3;
   step.distance = 1.011;
@@ -157,7 +158,7 @@ void run_temperature(wrc_contact* contact, Hash& hash) {
     hash.add(roll(contact, lateral));
     wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
     bulk.wheel = 80.0 + 1e3 * lateral;
-    wrc_temperature found = wrc_temperature_default();
+    wrc_temperature found = sized<wrc_temperature>();
     hash.add(wrc_contact_temperature(contact, &bulk, &found));
     for (double number : {found.at_entry, found.rise, found.x, found.y, found.largest, found.mean_rise,
                           found.wheel_heat, found.rail_heat})
@@ -176,9 +177,9 @@ void run_heated(wrc_contact* contact, Hash& hash) {
     input.creepage.longitudinal = 6e-3;
     input.creepage.spin = -0.4;
     input.creepage.speed = 55.0;
-    input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     input.friction.bulk.wheel = 80.0;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     const int32_t status = wrc_planar_step(contact, &input, &output);
     hash_step(contact, status, output, hash);
   }
@@ -189,7 +190,7 @@ void run_stresses(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3}) {
     hash.add(roll(contact, lateral));
     wrc_stress_peaks levels[3];
-    wrc_stresses found = wrc_stresses_default();
+    wrc_stresses found = sized<wrc_stresses>();
     hash.add(wrc_contact_stresses(contact, lateral > 0.0 ? WRC_BODY_WHEEL : WRC_BODY_RAIL, depths, 3, levels,
                                   &found));
     const auto hash_peaks = [&](const wrc_stress_peaks& peaks) {
@@ -237,7 +238,7 @@ wrc_wheel_input wheel_on_rail(int i, Numbers& numbers) {
   wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
   wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
   wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
-  wrc_rail_state rail = wrc_rail_state_default();
+  wrc_rail_state rail = sized<wrc_rail_state>();
   rail.y = numbers.between(-1e-3, 1e-3);
   rail.roll = numbers.between(-5e-3, 5e-3);
   rail.z_velocity = numbers.between(-0.05, 0.05);
@@ -263,14 +264,14 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   for (int i = 0; i < 40; ++i) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     add_forces(wrench, hash);
     for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.peak_pressure, wrench.power,
                           wrench.steepest_angle})
       hash.add(number);
     for (int32_t k = 0; k < wrench.region_count; ++k) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       hash.add(wrc_contact_region(contact, k, &region));
       for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
                             region.force[1], region.moment[2], region.power, region.creepage[0]})
@@ -285,11 +286,11 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
   for (int i = 0; i < 24; ++i) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     for (int32_t k = 0; k < wrench.region_count; ++k) {
-      wrc_region region = wrc_region_default();
-      wrc_ellipse ellipse = wrc_ellipse_default();
+      wrc_region region = sized<wrc_region>();
+      wrc_ellipse ellipse = sized<wrc_ellipse>();
       wrc_damage damage{};
       hash.add(wrc_contact_region(contact, k, &region));
       hash.add(wrc_contact_region_ellipse(contact, k, &ellipse));
@@ -318,7 +319,7 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     input.friction.zone_coefficients = zone_coefficient;
     input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     add_forces(wrench, hash);
     hash.add(wrench.power);
@@ -330,18 +331,19 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
-/// Whose friction falls with the temperature it makes.
-void run_heated_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
+/// Whose friction falls with the temperature it makes, and by the speed laws in turn with the sliding speed.
+void run_heated_wheels(bool by_speed, wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 24; ++i) {
     wrc_wheel_input input = wheel_on_rail(i, numbers);
-    if (input.friction.coefficient > 0.0) input.friction.kind = WRC_FRICTION_TEMPERATURE;
+    if (input.friction.coefficient > 0.0) input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+    if (by_speed) input.friction.speed_law = i % 4 < 2 ? WRC_SPEED_LAW_EXPONENTIAL : WRC_SPEED_LAW_HYPERBOLIC;
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     add_forces(wrench, hash);
     hash.add(wrench.power);
-    wrc_temperature temperature = wrc_temperature_default();
+    wrc_temperature temperature = sized<wrc_temperature>();
     hash.add(wrc_contact_region_temperature(contact, 0, nullptr, &temperature));
     for (double number : {temperature.rise, temperature.x, temperature.y, temperature.mean_rise,
                           temperature.wheel_heat, temperature.rail_heat})
@@ -380,7 +382,7 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
 
 /// A wrench's forces and sums, with its derivatives where they are wanted.
 void add_wrench(wrc_contact* contact, const wrc_wheel_input& input, bool derivatives, Hash& hash) {
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
   wrc_wrench_derivatives found{};
   hash.add(derivatives ? wrc_contact_wrench_derivatives(contact, &input, &wrench, &found)
                        : wrc_contact_wrench(contact, &input, &wrench));
@@ -430,11 +432,11 @@ void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
     input.wheel.reference = WRC_REFERENCE_WHEELSET;
     input.wheel.y = (i % 2 == 0 ? -1.0 : 1.0) * numbers.between(2e-3, 6e-3);
     wrc_contact* const contact = i % 2 == 0 ? right : left;
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = sized<wrc_wrench>();
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     add_forces(wrench, hash);
     for (int32_t k = 0; k < wrench.region_count; ++k) {
-      wrc_region region = wrc_region_default();
+      wrc_region region = sized<wrc_region>();
       hash.add(wrc_contact_region(contact, k, &region));
       hash.add(region.surface);
       hash.add(region.normal_force);
@@ -445,7 +447,7 @@ void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
 /// Statuses and zeroed outputs of what cannot be done, and that the contact works as before afterwards.
 void run_refused(wrc_contact* contact, Hash& hash) {
   wrc_planar_input input = wrc_planar_input_default();
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = sized<wrc_planar_output>();
   input.load.normal_force = 80e3;
   const auto refused = [&](double& number, double wrong) {
     const double kept = number;
@@ -469,7 +471,7 @@ void run_refused(wrc_contact* contact, Hash& hash) {
 
 void add_plain_calls(Plan& plan) {
   const std::size_t model = plan.models.size();
-  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  wrc_config& config = plan.models.emplace_back(test_config());
   config.wheel = plan.profiles[0];
   config.rail = plan.profiles[1];
   plan.jobs.push_back({"geometry", model, {}, run_geometry});
@@ -484,14 +486,22 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"standstill", model, {}, run_standstill});
   plan.jobs.push_back({"wheel on rail", model, {}, {}, run_wheels});
   plan.jobs.push_back({"wheel on rail, regions", model, {}, {}, run_wheel_regions});
-  plan.jobs.push_back({"wheel on rail, friction over temperature", model, {}, {}, run_heated_wheels});
+  for (const bool by_speed : {false, true}) {
+    plan.jobs.push_back({by_speed ? "friction factors" : "wheel on rail, friction over temperature",
+                         model,
+                         {},
+                         {},
+                         [by_speed](wrc_contact* right, wrc_contact* left, Hash& hash) {
+                           run_heated_wheels(by_speed, right, left, hash);
+                         }});
+  }
   plan.jobs.push_back({"wheel on rail, zones on the wheel", model, {}, {}, run_greased_wheels});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
 
   static const AlongTrackBodies bodies;
   const std::size_t varying = plan.models.size();
-  wrc_config& along = plan.models.emplace_back(wrc_config_default());
+  wrc_config& along = plan.models.emplace_back(test_config());
   along.wheel.kind = WRC_PROFILE_S1002;
   along.rail.kind = WRC_PROFILE_60E1;
   along.track.rail_inclination = 0.025;
@@ -499,13 +509,13 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"along the track", varying, {}, {}, run_along_track});
 
   const std::size_t rolling = plan.models.size();
-  wrc_config& rollers = plan.models.emplace_back(wrc_config_default());
+  wrc_config& rollers = plan.models.emplace_back(test_config());
   rollers.wheel = plan.profiles[0];
   rollers.rail = plan.profiles[1];
   rollers.roller_curvature = 2.0;
   plan.jobs.push_back({"rollers", rolling, {}, {}, run_rollers});
   const auto add_methods = [&plan](int32_t normal, int32_t tangential) {
-    wrc_config& other = plan.models.emplace_back(wrc_config_default());
+    wrc_config& other = plan.models.emplace_back(test_config());
     other.wheel = plan.profiles[0];
     other.rail = plan.profiles[1];
     other.normal.method = normal;
@@ -526,7 +536,7 @@ void add_plain_calls(Plan& plan) {
     if (tangential != preset_strip_fastsim) add_methods(WRC_NORMAL_STRIP_HALFSPACE, tangential);
 
   const std::size_t guided = plan.models.size();
-  wrc_config& check_rail = plan.models.emplace_back(wrc_config_default());
+  wrc_config& check_rail = plan.models.emplace_back(test_config());
   check_rail.wheel = plan.profiles[0];
   check_rail.rail = plan.profiles[1];
   static const CheckRailPoints points;

@@ -1,9 +1,10 @@
 /// Data of the host in the middle of the chain: gaps by rows and by elements, strips with pressure, double
 /// ellipses.
+#include "test_config.hpp"
 #include "golden/plan.hpp"
 
 wrc_planar_gap HostGap::view() const {
-  wrc_planar_gap gap = wrc_planar_gap_default();
+  wrc_planar_gap gap = sized<wrc_planar_gap>();
   gap.rows = static_cast<uint32_t>(y.size());
   gap.columns = static_cast<uint32_t>(x.size());
   gap.y = y.data();
@@ -56,7 +57,7 @@ HostGap by_elements(const std::vector<Bump>& bumps, int rows, int columns) {
 }
 
 wrc_config& add_model(Plan& plan, int32_t normal, int32_t tangential) {
-  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  wrc_config& config = plan.models.emplace_back(test_config());
   config.normal.method = normal;
   choose_tangential(config, tangential);
   config.planar.strips = 45;
@@ -112,7 +113,7 @@ void run_strips(wrc_contact* contact, Hash& hash) {
       peak.push_back(numbers.between(2e8, 1.4e9));
       edge += w;
     }
-    wrc_planar_strips strips = wrc_planar_strips_default();
+    wrc_planar_strips strips = sized<wrc_planar_strips>();
     strips.count = static_cast<uint32_t>(y.size());
     strips.y = y.data();
     strips.width = width.data();
@@ -144,7 +145,7 @@ void run_patches(wrc_contact* contact, Hash& hash) {
       {6e-3, 6e-3, 0.0}, {6e-3, 4e-3, 0.3}, {3e-3, 9e-3, -0.6}, {8e-3, 1e-3, 0.95}, {0.5e-3, 2e-2, -0.95},
       {1e-6, 1e-6, 0.0}, {0.1, 0.1, 0.5},   {5e-3, 5e-3, 1e-9}, {2e-2, 2e-5, 0.0},  {2e-5, 2e-2, -0.2}};
   for (const auto& shape : shapes) {
-    wrc_ellipse ellipse = wrc_ellipse_default();
+    wrc_ellipse ellipse = sized<wrc_ellipse>();
     ellipse.a = shape[0];
     ellipse.b = shape[1];
     ellipse.psi = shape[2];

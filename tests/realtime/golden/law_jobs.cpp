@@ -1,5 +1,6 @@
 /// What bends the creep curve, and its slopes: friction over place and sliding speed, a layer between the
 /// bodies, damping of the approach, and the derivatives of the forces, with every tangential method.
+#include "test_config.hpp"
 #include "golden/plan.hpp"
 
 namespace {
@@ -7,10 +8,10 @@ namespace {
 constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3};
 constexpr double zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
 
-/// Friction number i: the three kinds in turn, every other time with zones, in the one frame and the other.
+/// Friction number i: the speed laws in turn, every other time with zones, in the one frame and the other.
 wrc_friction friction_number(int i, int32_t tangential) {
   wrc_friction friction = wrc_friction_default();
-  friction.kind = i % 3;
+  friction.speed_law = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(tangential);
   friction.zone_count = i % 2 == 1 ? 4 : 0;
@@ -42,6 +43,15 @@ std::vector<Step> steps_with_laws(int32_t tangential) {
   return steps;
 }
 
+/// The same with both factors.
+std::vector<Step> with_temperature(std::vector<Step> steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    steps[i].friction.speed_law = i % 2 == 0 ? WRC_SPEED_LAW_EXPONENTIAL : WRC_SPEED_LAW_HYPERBOLIC;
+    steps[i].friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
+  }
+  return steps;
+}
+
 void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Hash& hash) {
   for (const Step& step : steps) {
     wrc_planar_input input = wrc_planar_input_default();
@@ -49,17 +59,13 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    wrc_planar_output output = wrc_planar_output_default();
+    wrc_planar_output output = sized<wrc_planar_output>();
     wrc_planar_derivatives slopes{};
-    wrc_step_sensitivity of_step{};
     hash.add(wrc_planar_step(contact, &input, &output));
     hash.add(wrc_planar_tangential_derivatives(contact, &slopes));
-    hash.add(wrc_contact_step_sensitivities(contact, &of_step));
     for (const auto& row : slopes.forces) {
       for (double number : row) hash.add(number);
     }
-    for (double number : of_step.by_load) hash.add(number);
-    for (double number : of_step.by_lateral) hash.add(number);
   }
 }
 
@@ -67,7 +73,7 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
 void run_memory(wrc_contact* contact, Hash& hash) {
   Numbers numbers(19);
   for (int i = 0; i < 40; ++i) {
-    wrc_ellipse ellipse = wrc_ellipse_default();
+    wrc_ellipse ellipse = sized<wrc_ellipse>();
     ellipse.a = numbers.between(5e-3, 6e-3);
     ellipse.b = numbers.between(4e-3, 5e-3);
     ellipse.psi = numbers.between(-0.4, 0.4);
@@ -90,7 +96,7 @@ void run_memory(wrc_contact* contact, Hash& hash) {
 
 void add_laws(Plan& plan) {
   for (int32_t tangential = 0; tangential < tangential_methods; ++tangential) {
-    wrc_config& config = plan.models.emplace_back(wrc_config_default());
+    wrc_config& config = plan.models.emplace_back(test_config());
     config.normal.method = WRC_NORMAL_EKP;
     choose_tangential(config, tangential);
     config.planar.strips = 26;
@@ -99,12 +105,14 @@ void add_laws(Plan& plan) {
     config.rail = plan.profiles[1];
     const std::vector<Step> steps = steps_with_laws(tangential);
     plan.jobs.push_back({"friction", plan.models.size() - 1, steps, {}});
+    if (presets[tangential].method != WRC_TANGENTIAL_FORCE_TABLE)  // it has no tractions that heat
+      plan.jobs.push_back({"friction factors", plan.models.size() - 1, with_temperature(steps), {}});
     plan.jobs.push_back(
         {"sensitivities", plan.models.size() - 1, {}, [steps](wrc_contact* contact, Hash& hash) {
            run_sensitivities(steps, contact, hash);
          }});
   }
-  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  wrc_config& config = plan.models.emplace_back(test_config());
   config.planar.non_steady = 1;
   plan.jobs.push_back({"rolling with memory", plan.models.size() - 1, {}, run_memory});
 }

@@ -1,8 +1,8 @@
 /// Are the results the same bits whatever computes them?
 ///     golden_hash print                  one hash per group of cases, and one over all
 ///     golden_hash write FILE             the same into a file: the expected values
-///     golden_hash check FILE             every instruction set of this processor, 1 to 8 threads, single
-///                                        steps, batches and stages alone, against the file
+///     golden_hash check FILE             every instruction set of this processor, 1 to 8 threads, contact by
+///                                        contact, in turn and stages alone, against the file
 ///     golden_hash check FILE shortly     two of these per instruction set named, none for the best of them
 ///     golden_hash check FILE once        one of these per instruction set named
 ///     golden_hash check FILE threads     8 threads with the best instruction set
@@ -32,7 +32,7 @@ Hashes by_group(const Plan& plan, const std::vector<std::uint64_t>& of_jobs) {
 }
 
 constexpr const char* set_names[] = {"best", "baseline", "AVX2", "AVX-512"};
-constexpr const char* way_names[] = {"single steps", "batches", "stages alone"};
+constexpr const char* way_names[] = {"one by one", "in turn", "stages alone"};
 
 Hashes expected_from(const char* path) {
   Hashes hashes;
@@ -71,9 +71,9 @@ int check(const Plan& plan, const char* path, const std::string& extent) {
     int threads;
     Way way;
   };
-  std::vector<Run> runs = {{1, Way::step}, {1, Way::batch}, {1, Way::stages},
-                           {2, Way::step}, {3, Way::batch}, {8, Way::step}};
-  if (extent == "shortly") runs = {{1, Way::step}, {2, Way::batch}};
+  std::vector<Run> runs = {{1, Way::step}, {1, Way::in_turn}, {1, Way::stages},
+                           {2, Way::step}, {3, Way::in_turn}, {8, Way::step}};
+  if (extent == "shortly") runs = {{1, Way::step}, {2, Way::in_turn}};
   if (extent == "once") runs = {{1, Way::step}};
   if (extent == "threads") runs = {{8, Way::step}};
   const bool named_sets = extent == "shortly" || extent == "once";

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "golden/hash.hpp"
 #include "structs.hpp"
 
@@ -21,7 +22,7 @@ struct HostGap {
 
 /// Input of one step.
 struct Step {
-  wrc_planar_pose pose = wrc_planar_pose_default();
+  wrc_planar_pose pose = sized<wrc_planar_pose>();
   const HostGap* gap = nullptr;  ///< in place of the pose
   wrc_planar_load load = wrc_planar_load_default();
   wrc_creepage creepage = wrc_creepage_default();
@@ -66,7 +67,7 @@ class Numbers {
 
 Plan golden_plan();
 
-void add_poses(Plan& plan);        ///< steps from a pose: methods, creepages, grids, profiles, flat calls
+void add_poses(Plan& plan);        ///< steps from a pose: methods, creepages, grids, profiles
 void add_host_data(Plan& plan);    ///< gaps, strips and patches of the host
 void add_laws(Plan& plan);         ///< friction over place and speed, sensitivities of the forces
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input

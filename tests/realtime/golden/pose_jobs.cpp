@@ -2,6 +2,7 @@
 /// vector register.
 #include <algorithm>
 
+#include "test_config.hpp"
 #include "golden/plan.hpp"
 
 namespace {
@@ -71,11 +72,11 @@ std::vector<Step> creepages() {
 /// A model on S1002 and the benchmark's UIC60; further settings are the caller's.
 wrc_config& add_model(Plan& plan) {
   if (plan.profiles.size() < 2) {
-    plan.profiles.assign(2, wrc_profile_default());
+    plan.profiles.assign(2, sized<wrc_profile>());
     plan.profiles[0].kind = WRC_PROFILE_S1002;
     plan.profiles[1].kind = WRC_PROFILE_UIC60_BENCHMARK;
   }
-  wrc_config& config = plan.models.emplace_back(wrc_config_default());
+  wrc_config& config = plan.models.emplace_back(test_config());
   config.wheel = plan.profiles[0];
   config.rail = plan.profiles[1];
   return config;
@@ -196,7 +197,7 @@ void add_profiles(Plan& plan) {
     wrc_config& config = add_model(plan);
     for (const auto* list : {&on_wheel, &on_rail}) {
       wrc_profile& profile = list == &on_wheel ? config.wheel : config.rail;
-      profile = wrc_profile_default();
+      profile = sized<wrc_profile>();
       profile.kind = WRC_PROFILE_POINTS;
       profile.count = static_cast<uint32_t>(list->size() / 2);
       profile.y = list->data();
@@ -207,7 +208,7 @@ void add_profiles(Plan& plan) {
     add_job(plan, "profiles",
             {at(0.0, 0.0, 0.0, 80e3), at(2e-3, 1e-3, -6e-3, 80e3), at(-3e-3, 0.0, 4e-3, 80e3)});
   }
-  wrc_profile rail = wrc_profile_default();
+  wrc_profile rail = sized<wrc_profile>();
   rail.kind = WRC_PROFILE_60E1;
   for (int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     wrc_config& config = add_model(plan);
@@ -220,23 +221,6 @@ void add_profiles(Plan& plan) {
   }
 }
 
-void add_flat_calls(Plan& plan) {
-  add_model(plan);
-  plan.jobs.push_back({"flat", plan.models.size() - 1, {}, [](wrc_contact* contact, Hash& hash) {
-                         Numbers numbers(2);
-                         for (int i = 0; i < 10; ++i) {
-                           const double in[WRC_FLAT_INPUTS] = {
-                               numbers.between(-5e-3, 7e-3), numbers.between(-2e-3, 2e-3),
-                               numbers.between(-0.01, 0.01), numbers.between(1e4, 1.5e5),
-                               numbers.between(-2e-3, 2e-3), numbers.between(-2e-3, 2e-3),
-                               numbers.between(-0.5, 0.5),   numbers.between(0.1, 0.5)};
-                           double out[WRC_FLAT_OUTPUTS];
-                           hash.add(wrc_contact_step_flat(contact, in, out));
-                           for (double number : out) hash.add(number);
-                         }
-                       }});
-}
-
 }  // namespace
 
 void add_poses(Plan& plan) {
@@ -246,5 +230,4 @@ void add_poses(Plan& plan) {
   add_grids(plan);
   add_warm_start(plan);
   add_profiles(plan);
-  add_flat_calls(plan);
 }

@@ -1,5 +1,6 @@
 /// Results into the hash, member by member: padding and struct sizes stay out of it, so that structs may
 /// grow.
+#include "test_config.hpp"
 #include "golden/plan.hpp"
 
 void hash_point(const wrc_planar_point& point, Hash& hash) {
@@ -64,7 +65,7 @@ void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& ou
   hash_damage(output.damage, hash);
   hash_fields(contact, hash);
   for (int32_t k = 0; k < output.normal.patch_count; ++k) {
-    wrc_patch one = wrc_patch_default();
+    wrc_patch one = sized<wrc_patch>();
     if (wrc_contact_patch(contact, k, &one) < 0) break;
     hash_loaded(output.normal, one.strips, one.ellipse, one.ellipse.normal_force,
                 {one.peak_pressure, one.area, one.length, one.width, one.y_min, one.y_max}, hash);

@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "golden/run.hpp"
 
 #include <exception>
@@ -51,7 +52,7 @@ class Running {
     input.load = step.load;
     input.creepage = step.creepage;
     input.friction = step.friction;
-    output = wrc_planar_output_default();
+    output = sized<wrc_planar_output>();
   }
 
   /// wrc_planar_step() in its stages: the first flag counts.
@@ -86,28 +87,17 @@ class Running {
   wrc_planar_gap gap_{};
 };
 
-void run_batches(std::vector<Running>& all) {
-  for (std::size_t k = 0;; ++k) {
-    std::vector<Running*> going;
+/// Step k of every contact before step k + 1 of any: what one contact left behind anywhere but in itself
+/// would show in the next one's bits.
+void run_in_turn(std::vector<Running>& all) {
+  bool going = true;
+  for (std::size_t k = 0; going; ++k) {
+    going = false;
     for (Running& each : all) {
-      if (k < each.job().steps.size()) going.push_back(&each);
-    }
-    if (going.empty()) return;
-    std::vector<wrc_contact*> contacts;
-    std::vector<wrc_planar_input> inputs;
-    std::vector<wrc_planar_output> outputs;
-    for (Running* each : going) {
-      each->prepare(k);
-      contacts.push_back(each->contact());
-      inputs.push_back(each->input);
-      outputs.push_back(each->output);
-    }
-    std::vector<int32_t> statuses(going.size());
-    wrc_contact_step_batch(contacts.data(), static_cast<uint32_t>(contacts.size()), inputs.data(),
-                           sizeof(wrc_planar_input), outputs.data(), sizeof(wrc_planar_output), statuses.data());
-    for (std::size_t i = 0; i < going.size(); ++i) {
-      going[i]->output = outputs[i];
-      going[i]->keep(k, statuses[i]);
+      if (k >= each.job().steps.size()) continue;
+      going = true;
+      each.prepare(k);
+      each.keep(k, wrc_planar_step(each.contact(), &each.input, &each.output));
     }
   }
 }
@@ -122,7 +112,7 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
     mine.emplace_back(plan.jobs[i], models[plan.jobs[i].model]);
     places.push_back(i);
   }
-  if (way == Way::batch) run_batches(mine);
+  if (way == Way::in_turn) run_in_turn(mine);
   for (Running& each : mine) {
     if (each.job().calls) each.job().calls(each.contact(), each.hash);
     if (each.job().calls_of_both) {
@@ -132,7 +122,7 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
       each.job().calls_of_both(each.contact(), left, each.hash);
       wrc_contact_destroy(left);
     }
-    for (std::size_t k = 0; way != Way::batch && k < each.job().steps.size(); ++k) {
+    for (std::size_t k = 0; way != Way::in_turn && k < each.job().steps.size(); ++k) {
       each.prepare(k);
       each.keep(k, way == Way::stages ? each.run_stages()
                                       : wrc_planar_step(each.contact(), &each.input, &each.output));

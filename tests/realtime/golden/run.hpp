@@ -1,10 +1,10 @@
-/// Runs the plan of golden hashes: which instruction set, how many threads, steps one by one, batched or
-/// stage by stage.
+/// Runs the plan of golden hashes: which instruction set, how many threads, contact by contact,
+/// contacts in turn or stage by stage.
 #pragma once
 
 #include "golden/plan.hpp"
 
-enum class Way { step, batch, stages };
+enum class Way { step, in_turn, stages };
 
 /// The plan's models for one instruction set, shared by all threads.
 class Models {

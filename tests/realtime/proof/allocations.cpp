@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "test_config.hpp"
 #include "proof/heap.hpp"
 #include "proof/proofs.hpp"
 #include "proof/wheel.hpp"
@@ -26,7 +27,7 @@ std::vector<Configuration> configurations() {
     rail_y.push_back(-0.03 + 0.0006 * i);
     rail_z.push_back(20.0 * rail_y.back() * rail_y.back());
   }
-  for (wrc_profile& profile : profiles) profile = wrc_profile_default();
+  for (wrc_profile& profile : profiles) profile = sized<wrc_profile>();
   profiles[0].kind = WRC_PROFILE_S1002;
   profiles[1].kind = WRC_PROFILE_60E1;
   for (int i : {2, 3}) {
@@ -38,7 +39,7 @@ std::vector<Configuration> configurations() {
   }
   std::vector<Configuration> all;
   for (int32_t normal : {WRC_NORMAL_STRIP_HALFSPACE, WRC_NORMAL_EKP}) {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.normal.method = normal;
     all.push_back({"no profiles", config});
     config.wheel = profiles[0];
@@ -90,7 +91,7 @@ Outcome fail_in_allocator(const wrc_config& config) {
   Outcome outcome;
   for (int n = 1;; ++n) {
     Counting counting{n, 0, 0};
-    wrc_allocator allocator = wrc_allocator_default();
+    wrc_allocator allocator = sized<wrc_allocator>();
     allocator.user = &counting;
     allocator.allocate = Counting::allocate;
     allocator.release = Counting::release;

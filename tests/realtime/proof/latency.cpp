@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "test_config.hpp"
 #include "proof/processor_time.hpp"
 #include "proof/proofs.hpp"
 #include "proof/wheel.hpp"
@@ -108,7 +109,7 @@ class OneWheel : public Subject {
 };
 
 /// Eight wheels with two patches each (shifts of 5.0 to 5.3 mm towards the flange), poses prescribed, one
-/// batch.
+/// after the other.
 class EightWheels : public Subject {
  public:
   explicit EightWheels(bool from_pose) : from_pose_(from_pose) {
@@ -140,12 +141,11 @@ class EightWheels : public Subject {
       shown_[at] = shown(gaps_[at][static_cast<std::size_t>(position)]);
       inputs_[at] = wheel.input;
       if (!from_pose_) inputs_[at].gap = &shown_[at];
-      outputs_[at] = wrc_planar_output_default();
+      outputs_[at] = sized<wrc_planar_output>();
     }
   }
   void work() override {
-    wrc_contact_step_batch(contacts_.data(), 8, inputs_.data(), sizeof(wrc_planar_input), outputs_.data(),
-                           sizeof(wrc_planar_output), nullptr);
+    for (std::size_t k = 0; k < 8; ++k) wrc_planar_step(contacts_[k], &inputs_[k], &outputs_[k]);
     ++cycles_;
     for (const wrc_planar_output& output : outputs_) patches_ += output.normal.patch_count;
   }

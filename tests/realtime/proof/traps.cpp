@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "test_config.hpp"
 #include "proof/entries.hpp"
 #include "proof/proofs.hpp"
 
@@ -29,7 +30,7 @@ bool disturbs(Call&& call) {
 }
 
 void refuse_configuration() {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   char text[256];
   for (double wrong : {std::numeric_limits<double>::signaling_NaN(), 1.0 / 3.0, 1e300}) {
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = wrong;

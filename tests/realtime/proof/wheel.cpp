@@ -1,3 +1,4 @@
+#include "test_config.hpp"
 #include "proof/wheel.hpp"
 
 #include <cmath>
@@ -41,7 +42,7 @@ std::string names_of(const Methods& methods) {
 }
 
 Wheel::Wheel(const Methods& with) : methods(with) {
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   config.normal.method = methods.normal;
   choose_tangential(config, methods.tangential);
   config.planar.strips = methods.strips;
@@ -58,7 +59,7 @@ Wheel::Wheel(const Methods& with) : methods(with) {
       wrc_contact_size(model, &contact_bytes, &alignment) < 0 ||
       wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
-  wrc_config of_memory = wrc_config_default();
+  wrc_config of_memory = test_config();
   of_memory.non_steady = 1;
   of_memory.instruction_set = methods.instruction_set;
   if (wrc_model_create(&of_memory, nullptr, &remembering_model, nullptr, 0) < 0 ||
@@ -91,7 +92,7 @@ void Wheel::vary(int i) {
 
 void Wheel::vary_laws(int i) {
   static constexpr double zone_y[] = {-4e-3, 0.0, 0.0, 5e-3}, zone_coefficient[] = {0.1, 0.3, 0.0, 0.4};
-  friction.kind = i % 3;
+  friction.speed_law = i % 3;
   friction.slope_reduction = i % 5 == 4 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(methods.tangential);
   friction.zone_count = i % 2 == 1 ? 4 : 0;
@@ -131,7 +132,7 @@ Gap Wheel::gap_of_pose() {
 }
 
 wrc_planar_gap shown(const Gap& gap) {
-  wrc_planar_gap rows = wrc_planar_gap_default();
+  wrc_planar_gap rows = sized<wrc_planar_gap>();
   rows.rows = static_cast<uint32_t>(gap.y.size());
   rows.y = gap.y.data();
   rows.height = gap.height.data();

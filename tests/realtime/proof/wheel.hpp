@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "test_config.hpp"
 #include "structs.hpp"
 
 /// What a wheel is solved with. Fields not named here have the library's defaults.
@@ -66,7 +67,7 @@ class Wheel {
   wrc_planar_load& load = input.load;
   wrc_creepage& creepage = input.creepage;
   wrc_friction& friction = input.friction;
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = sized<wrc_planar_output>();
   std::vector<char> state;          ///< room for a saved contact
   char* spare = nullptr;            ///< room for another contact, aligned as contacts are
   std::uint64_t contact_bytes = 0;  ///< of that room
