@@ -13,7 +13,6 @@
 #include "normal/methods/stripes.hpp"
 #include "normal/penetration/load_search.hpp"
 #include "normal/strip_halfspace/strip_halfspace.hpp"
-#include "tangential/coarse_halfspace/coarse_halfspace.hpp"
 #include "tangential/force_table/force_table.hpp"
 #include "tangential/methods/fastrip.hpp"
 #include "tangential/methods/fastsim.hpp"
@@ -114,11 +113,6 @@ constexpr TangentialMethod tangential_methods[] = {
      .gives_derivatives = true,
      .over_strips = true,
      .solve = strip_fastsim},
-    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_COARSE_HALFSPACE),
-     .gives_tractions = true,
-     .workspace = [](std::int32_t, std::int32_t) { return coarse_halfspace_workspace(); },
-     .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
-                 TangentialSensitivities*) { return coarse_halfspace(c, c.workspace, fields, fault); }},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FORCE_TABLE),
      .reads = Option::force_table,
      .solve =

@@ -64,7 +64,6 @@ struct OnGrid {
 
   double xx(int m) const { return convolution.planar().xx(m, 0); }  // within a row nothing is turned
   double yy(int m) const { return convolution.planar().yy(m, 0); }
-  double own(int) const { return 0.0; }
   void slip() {
     convolution.tangential(x, y);
     ++solution.products;

@@ -77,10 +77,10 @@ TEST_F(HeatedWheel, CoefficientsGoWithTheTemperaturesTheyMake) {
 // A law that does not fall is constant friction, bit for bit: with and without regions of their own.
 TEST_F(HeatedWheel, WithoutAFallItIsConstant) {
   for (const int32_t method :
-       {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_COARSE_HALFSPACE}) {
+       {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTRIP, WRC_TANGENTIAL_FASTSIM}) {
     config.tangential.method = method;
-    if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) config.tangential = test_config().tangential;
-    config.tangential.method = method;
+    const bool by_patch = method == WRC_TANGENTIAL_FASTSIM;
+    if (by_patch) config.tangential.patch_model = WRC_PATCH_MODEL_PATCH_ELLIPSE;
     create();
     for (const double speed : {40.0, -0.02}) {  // the latter is both ways at once
       wheel.velocity[0] = speed;
@@ -92,7 +92,7 @@ TEST_F(HeatedWheel, WithoutAFallItIsConstant) {
       const wrc_wrench heated = wrench;
       friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;
       EXPECT_EQ(step(), status);
-      if (method == WRC_TANGENTIAL_COARSE_HALFSPACE) {  // whose patches have means of friction, in rounding
+      if (by_patch) {  // patches have means of friction, in rounding
         EXPECT_NEAR(wrench.force[0], heated.force[0], 1e-9 * std::abs(heated.force[0]));
       } else {
         EXPECT_EQ(std::memcmp(&wrench, &heated, sizeof heated), 0) << method << ' ' << speed;
@@ -236,9 +236,15 @@ TEST_F(HeatedWheel, BackwardsAndLeftAreMirrorImages) {
 TEST_F(HeatedWheel, EveryMethodWithTractionsHeats) {
   wheel.y = 0.0;
   Numbers forces;
-  for (const int32_t method : {WRC_TANGENTIAL_STRIP_FASTSIM, WRC_TANGENTIAL_FASTSIM, WRC_TANGENTIAL_FASTRIP,
-                               WRC_TANGENTIAL_COARSE_HALFSPACE}) {
+  struct Way {
+    int32_t method, patch_model;
+  };
+  for (const auto& [method, patch_model] : {Way{WRC_TANGENTIAL_STRIP_FASTSIM, WRC_PATCH_MODEL_PATCH_SDEC},
+                                            Way{WRC_TANGENTIAL_FASTSIM, WRC_PATCH_MODEL_PATCH_SDEC},
+                                            Way{WRC_TANGENTIAL_FASTRIP, WRC_PATCH_MODEL_PATCH_SDEC},
+                                            Way{WRC_TANGENTIAL_FASTSIM, WRC_PATCH_MODEL_PATCH_ELLIPSE}}) {
     config.tangential.method = method;
+    config.tangential.patch_model = patch_model;
     create();
     solve();
     forces.push_back(wrench.force[0] / wrench.normal_force);
@@ -255,11 +261,13 @@ TEST_F(HeatedWheel, RefusesWhatItCannot) {
   friction.hot_temperature = friction.cold_temperature;
   EXPECT_EQ(step(), WRC_ERROR_RANGE);
   friction.hot_temperature = 400.0;
-  config.tangential.method = WRC_TANGENTIAL_COARSE_HALFSPACE;
+  config.tangential.method = WRC_TANGENTIAL_FASTSIM;  // by patches: without fields over a region
+  config.tangential.patch_model = WRC_PATCH_MODEL_PATCH_ELLIPSE;
   create();
   solve();
   wrc_temperature found = sized<wrc_temperature>();
   EXPECT_EQ(wrc_contact_region_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
+  config.tangential = wrc_config_default().tangential;
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;
   create();

@@ -81,7 +81,6 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
   for (const Choice& choice :
        {Choice{preset_modified_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
         Choice{preset_fastrip_sdec, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
-        Choice{preset_coarse_halfspace, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_NONE},
         Choice{preset_fastsim_sdec, WRC_FLEXIBILITY_BLENDED, WRC_SPEED_LAW_NONE},
         Choice{preset_strip_fastsim, WRC_FLEXIBILITY_SEPARATE, WRC_SPEED_LAW_EXPONENTIAL}}) {
     SCOPED_TRACE(presets[choice.preset].name);

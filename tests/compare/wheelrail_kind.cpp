@@ -18,8 +18,6 @@ struct Variant {
 const std::vector<Variant> every_variant = {
     {"strip_halfspace + strip_fastsim", WRC_NORMAL_STRIP_HALFSPACE, preset_strip_fastsim,
      WRC_BOUND_PARABOLIC},
-    {"strip_halfspace + coarse_halfspace", WRC_NORMAL_STRIP_HALFSPACE, preset_coarse_halfspace,
-     WRC_BOUND_PARABOLIC},
     {"strip_halfspace + fastsim_sdec/parabolic", WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec,
      WRC_BOUND_PARABOLIC},
     {"strip_halfspace + fastsim_sdec/elliptic", WRC_NORMAL_STRIP_HALFSPACE, preset_fastsim_sdec,

@@ -107,8 +107,6 @@ class Case {
     config_ = make_config(choices_, size_.finest, wheel.profile, rail.profile);
     make_along_track(choices_, config_, along_track_);
     side_ = static_cast<std::int32_t>(choices_.below(2));
-    if (size_.shallow && config_.tangential.method == WRC_TANGENTIAL_COARSE_HALFSPACE && !choices_.one_in(16))
-      config_.tangential.method = WRC_TANGENTIAL_STRIP_FASTSIM;
     const std::int32_t status = hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
     if (status != WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");

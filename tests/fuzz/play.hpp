@@ -19,8 +19,8 @@ struct Verdict {
 struct Size {
   std::int32_t finest = 512;  ///< strips and cells, at most
   std::uint32_t calls = 5;    ///< hostile calls on the contact, at most
-  /// For many inputs in little time: as many calls as allowed, few of the long ones (a wheel on a rail, the
-  /// coarse half-space), and every field read after one call in eight only.
+  /// For many inputs in little time: as many calls as allowed, few of the long ones (a wheel on a rail), and
+  /// every field read after one call in eight only.
   bool shallow = false;
 };
 

@@ -1,6 +1,5 @@
 /// Newton's method for steady rolling with Coulomb friction on a grid of equal cells: Kalker's exact theory,
-/// for the coarse method in real time (coarse_halfspace/coarse_rolling.hpp) and the exact solver
-/// (halfspace/tangential.hpp).
+/// for the exact solver (halfspace/tangential.hpp).
 ///
 /// Particles travel towards -x. The slip of a cell is its rigid slip plus what all tractions cause,
 ///     s = w + C p;
@@ -24,7 +23,6 @@
 ///     slip()                             turns tractions in x, y into the slips C p these cause
 ///     xx(m), yy(m)                       of C within a row: slip in x from p_x, in y from p_y of the cell m
 ///                                        cells behind [1/Pa]
-///     own(at)                            what is added to a cell's own two coefficients of these [1/Pa]
 ///     cells, rows, vectors, factors      to work in: one of each cell with traction, one of each row,
 ///                                        newton_vectors(), and newton_factors() of all rows
 /// Work is bounded by max_iterations and max_products; sums run in a fixed order.
@@ -220,10 +218,9 @@ void RollingNewton<Problem>::factor(const NewtonRow& row) {
     const auto from_x = static_cast<float>(from.tx), from_y = static_cast<float>(from.ty);
     for (int k = row.begin; k < row.end; ++k) {
       const NewtonCell& to = cells[k];
-      const double own = k == b ? p_.own(to.at) : 0.0;
       // Scaled: 1/Pa would underflow in products of single precision.
-      const auto xx = static_cast<float>(rho_ * (p_.xx(to.i - from.i) + own));
-      const auto yy = static_cast<float>(rho_ * (p_.yy(to.i - from.i) + own));
+      const auto xx = static_cast<float>(rho_ * p_.xx(to.i - from.i));
+      const auto yy = static_cast<float>(rho_ * p_.yy(to.i - from.i));
       const float x = static_cast<float>(to.tx) * xx * from_x, y = static_cast<float>(to.ty) * yy * from_y;
       if (to.slides && from.slides) {
         one[to.first - first] = x + y;
