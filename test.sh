@@ -18,7 +18,7 @@ cd "$(dirname "$0")"
 case ${1:-} in
   "" | quick) ;;
   all) export WRC_TEST_ALL=1 ;;
-  *) sed -n '2,13s/^# *//p' "$0"; exit 2 ;;
+  *) sed -n '2,14s/^# *//p' "$0"; exit 2 ;;
 esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
