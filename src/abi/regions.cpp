@@ -1,7 +1,5 @@
 /// Results by region of the contact's newest solution: the region itself, its fields, damage, wear,
 /// temperatures and stresses.
-#include "contact/region.hpp"
-
 #include <algorithm>
 
 #include "abi/call.hpp"
@@ -10,6 +8,7 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "abi/wear.hpp"
+#include "contact/region.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -23,7 +22,7 @@ static_assert(same<WRC_FIELD_SLIP_Y>(FieldId::slip_y) &&
 
 wrc_region region_of(const RegionResult& found) {
   wrc_region ours = empty<wrc_region>();
-  ours.available = (found.sticks ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U) |
+  ours.available = (found.adhesion_known ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U) |
                    (found.placed ? std::uint32_t{WRC_AVAILABLE_PLACE} : 0U);
   ours.strip_count = found.strips;
   ours.cell_count = found.cells;
