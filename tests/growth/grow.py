@@ -128,6 +128,14 @@ class Probes:
         for function in new.functions.values():
             if function.exported and function.name in old.functions and not function.name.endswith("_init"):
                 self.function(function)
+        missed = set(old.structs) - {each for struct in self.tables for each in self.within(struct)}
+        if missed:
+            sys.exit(f"no function has a {', '.join(sorted(missed))}")
+
+    def within(self, struct):
+        """A struct and those within it."""
+        return {struct}.union(*(self.within(each.type.base) for each in self.new.structs[struct].members
+                                if each.type.base in self.new.structs and not each.type.pointers))
 
     def places(self, struct):
         """[(path, offset, member, beyond the old struct?)] of what is new in a struct and in those within it."""

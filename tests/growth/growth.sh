@@ -81,7 +81,10 @@ structs() {
   "$here/grow.py" headers "$copy" || return 1
   python3 "$copy/tools/interface/describe.py" >"$scratch/log" || { cat "$scratch/log"; return 1; }
   "$here/grow.py" probes "$root/include_c" "$copy/include_c" >"$scratch/probes.h" || return 1
-  local caller=$root/tests/abi/gate/caller.c
+  local caller=$root/tests/abi/gate/caller.c function
+  for function in $(sed '1,/^EXPORTS/d' "$root/src/abi/generated/wrc.def"); do
+    grep -qwE "$function|${function%_init}_default" "$caller" || { echo "WRONG: the caller never calls $function"; wrong=1; }
+  done
   cc -std=c99 -I"$root/include_c" "$caller" "$library" -o "$scratch/then"
   cc -std=c99 -I"$copy/include_c" "$caller" "$library" -o "$scratch/now"
   cc -std=gnu99 -include "$scratch/probes.h" -I"$copy/include_c" "$caller" "$library" -o "$scratch/probing"

@@ -595,7 +595,7 @@ static void numbers(void) {
 /* ------------------------------------------------------------------------------------------------------
  * exact theory */
 
-enum { nx = 12, ny = 10, cells = nx * ny };
+enum { nx = 12, ny = 14, cells = nx * ny };
 
 static wrc_grid small_grid(void) {
   wrc_grid grid;
@@ -750,6 +750,7 @@ static void experimental(void) {
   const wrc_wheel_input input = rolling();
   wrc_wrench wrench = {sizeof wrench};
   wrc_planar_input step = wrc_planar_input_default();
+  step.pose.lateral = 4e-3;
   step.load.normal_force = 80e3;
   step.creepage.longitudinal = 1e-3;
   wrc_wheel_input down = input;
