@@ -17,7 +17,7 @@ shift || true
 patches='
 tangential_method  5  unit_tests  ShenHedrickElkins.*
 struct_member      3  abi_tests   WearFactor.*
-field              3  abi_tests   Utilisation.*
+field              4  abi_tests   Utilisation.*
 status             1  abi_tests   Statuses.*
 '
 command -v git >/dev/null || { echo "skipped: no git"; exit 77; }
