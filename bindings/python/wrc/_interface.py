@@ -974,7 +974,7 @@ class Config(s.Struct):
       check_rail: beside the rail; of Contact.wrench()
       rail_section_count: sections of a rail that changes along the track; of Contact.wrench() (0 .. 1000;
           default 0)
-      rail_section_size: sizeof(RailSection), with sections (0 or 1 .. 4096; default 0)
+      rail_section_size: sizeof(RailSection), with sections (0 or 168 .. 4096; default 0)
       rail_sections: rail_section_count of them. config.rail stays the rail of the stages, and its place is
           the sections' (required)
     """
@@ -2430,7 +2430,7 @@ class DamageBins(s.Struct):
       first [m]: arc length at which the first begins (-1 .. 1; default 0)
       width [m]: of a bin (1e-5 .. 1; default 1e-3)
       row_count: rows along the track; row_count * count 100000000 at most (1 .. 1000000; default 1)
-      bin_size: sizeof(DamageBin) (1 .. 4096; default 0)
+      bin_size: sizeof(DamageBin) (312 .. 4096; default 0)
       row_first [m]: distance at which the first row begins (-1e9 .. 1e9; default 0)
       row_length [m]: of a row; 0: one row takes all, whatever the distance (0 or 1e-3 .. 1e9; default 0)
       bins: row_count * count + 1 of the caller, row by row, zeroed before the first use. The last has what
