@@ -13,7 +13,7 @@ src/base/pack.hpp                      src/base/pack.hpp                        
 src/kernels/kernels_of_this_unit.hpp   src/kernels/kernels_of_this_unit.hpp           1  a list of functions, a line each
 src/tangential/simd/march_kernel.hpp   src/tangential/simd/strip_fastsim_start.hpp    1  two tasks with members of their own, loaded into vectors
 src/surface/surface_calibration.hpp    src/tangential/methods/strip_calibration.hpp   1  two enumerations of fitted constants
-src/contact/wheel_regions.cpp          src/contact/wheel_regions.cpp                  1  a list of fields, a line each
+src/contact/region.hpp                 src/contact/region.hpp                         1  a list of fields, a line each
 '
 python3 - "$known" $(git ls-files 'src/*.cpp' 'src/*.hpp' 'src/*.c' | grep -v generated) <<'PYTHON'
 import collections, re, subprocess, sys

@@ -86,7 +86,6 @@ enum wrc_flexibility {
   X(modified_fastsim, "modified FASTSIM", FASTSIM, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 1)            \
   X(fastrip, "FaStrip", FASTRIP, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastrip_modified, "modified FaStrip", FASTRIP, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)            \
-  X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                       \
-  X(coarse_halfspace, "coarse half-space", COARSE_HALFSPACE, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
+  X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
 
 #endif /* WRC_METHODS_H */

@@ -175,6 +175,7 @@ wrc_wrench wrench_of(const HostedWrench& hosted) {
     ours.rail_moment[i] = hosted.rail_moment[i];
   }
   ours.z = wrench.height;
+  ours.clearance = wrench.clearance;
   ours.normal_force = wrench.normal_force;
   ours.area = wrench.area;
   ours.peak_pressure = wrench.peak_pressure;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/plane_over.hpp"
 
 namespace wrc {
 namespace {
@@ -54,57 +55,6 @@ class Adder {
   DamageTotals& totals_;
   DamageLaws laws_;
   DamagingPatch patch_;
-};
-
-/// The contact plane of the stages over one body's profile.
-class PlaneOver {
- public:
-  /// `at`: the contact point on the right-hand profile.
-  PlaneOver(const MeasuredProfile& profile, double at)
-      : measured_(profile), y0_(at), at_(at), piece_(piece_at(*profile.profile, at)) {
-    const ProfilePoint point = evaluate(*profile.profile, at, piece_);
-    z0_ = point.z;
-    cosine_ = 1.0 / std::sqrt(1.0 + point.slope * point.slope);
-    sine_ = point.slope * cosine_;
-    run_ = 1.0 / cosine_;
-  }
-
-  /// Arc length of the profile's point over `y` of the contact plane. Strips come side by side: each is
-  /// looked for from the one before.
-  double arc(double y) {
-    constexpr int most_steps = 8;
-    constexpr double close = 5e-6;  // [m]: the next step would be some nanometres
-    at_ += (y - y_) / run_;
-    y_ = y;
-    ProfilePoint point;
-    double move = 0.0;
-    for (int n = 0; n < most_steps; ++n) {
-      point = evaluate(*measured_.profile, at_, piece_);
-      run_ =
-          std::max(cosine_ + sine_ * point.slope, 0.1);  // small where the profile turns away from the plane
-      const double off = y - cosine_ * (at_ - y0_) - sine_ * (point.z - z0_);
-      move = std::clamp(off / run_, -0.02, 0.02);
-      at_ += move;
-      if (std::abs(off) < close) break;
-    }
-    // From the strip before by the trapezoidal rule with its end correction: a tenth of the integral's cost.
-    constexpr double beside = 0.6e-3;  // [m]
-    const double slope = point.slope + point.second * move, stretch = std::sqrt(1.0 + slope * slope);
-    const double bend = slope * point.second / stretch, step = at_ - last_;
-    arc_ = std::abs(step) < beside ? arc_ + step * (0.5 * (stretch + stretch_) + step / 12.0 * (bend_ - bend))
-                                   : arc_at(measured_, at_, piece_);
-    last_ = at_;
-    stretch_ = stretch;
-    bend_ = bend;
-    return arc_;
-  }
-
- private:
-  MeasuredProfile measured_;
-  double y0_, z0_ = 0.0, cosine_ = 1.0, sine_ = 0.0, at_;
-  double last_ = -1.0, arc_ = 0.0, stretch_ = 1.0, bend_ = 0.0;  // of the strip before; none so far
-  double y_ = 0.0, run_ = 1.0;                                   // of the strip before
-  std::int32_t piece_;
 };
 
 /// Resultants of the tractions of `count` strips, up to `chunk` of them, over the area of a cell [Pa];
@@ -214,7 +164,7 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
                           arc_at(model.arc[on_rail], right.rail.origin_y + kept.y[k], rail_piece)},
                 .width = kept.width[k],
                 .half_length = kept.half_length[k],
-                .peak = kept.factor * kept.peak[k],
+                .peak = kept.peak[k],
                 .friction = kept.friction[k],
                 .sliding = kept.speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] +
                                                   kept.slip_y[k] * kept.slip_y[k] + turning * turning / 3.0),
@@ -229,7 +179,7 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
 Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals) {
   totals = {};
-  return accumulation.of_wheel_on_rail ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)
+  return contact.newest == Solution::wheel ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)
                                        : add_stages(contact, accumulation, wheel, rail, totals);
 }
 

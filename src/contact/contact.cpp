@@ -49,6 +49,7 @@ Strips strips_at(Contact& contact, Array first, std::int32_t count) {
 /// Forgets the results of every stage after `stage`.
 void back_to(Contact& contact, Stage stage) {
   contact.reached = stage;
+  contact.newest = Solution::stages;
   contact.touching = false;
   contact.pressed = false;
   contact.strips = 0;
@@ -162,6 +163,13 @@ Strips region_strips(Contact& contact, const Patch& patch) {
 double* cell_block(Contact& contact, Array which, const Patch& patch) {
   return array(contact, which) + patch.region_first * contact.model->options.sizes.cells;
 }
+
+TangentialFields cell_fields(Contact& contact, const Patch& patch) {
+  return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
+          cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
+}
+
+double* work_space(Contact& contact) { return array(contact, Array::surface_workspace); }
 
 // ----------------------------------------------------------------------------------------------------------
 // gap

@@ -39,7 +39,7 @@ struct DamageNumbers {
   double load_factor = 0.0;          ///< p0 / k [-]
   double shakedown_limit = 0.0;      ///< of p0 / k at mu_a [-]
   double fatigue_index = 0.0;        ///< [-]
-  double local_fatigue_index = 0.0;  ///< largest of the cells, no_fatigue_index without cells [-]
+  double local_fatigue_index = 0.0;  ///< largest of the cells; 0 without cells [-]
 };
 
 /// Wear of one contact by the laws.
@@ -146,6 +146,9 @@ struct HostedSlopes {
   double z[hosted_inputs] = {};  ///< of the displacement z, given or found
 };
 
+/// Which solution of a contact is its newest: that of the stages, or of a wheel on a rail.
+enum class Solution : std::int32_t { none, stages, wheel };
+
 /// The furthest stage whose result the contact holds.
 enum class Stage : std::uint32_t { none, gap, patch, tangential, damage };
 
@@ -200,7 +203,8 @@ struct Contact {
   TangentialForces forces;  ///< of all patches together
   DamageNumbers damage;
 
-  std::int64_t wheel_solved = 0;  ///< 1: the next holds the last solve_wheel(); the stages do not use it
+  std::int32_t wheel_solved = 0;  ///< 1: `wheel` holds the last solve_wheel(); the stages do not use it
+  Solution newest = Solution::none;
   HostedWrench wheel;
 };
 
@@ -211,16 +215,16 @@ static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + siz
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
                                    sizeof(TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) +
-                                     sizeof(std::uint8_t) + 4 * sizeof(std::int32_t) + sizeof(std::int64_t) +
-                                     sizeof(Pose) + sizeof(ContactPoint) + sizeof(NormalSolution) +
-                                     sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
-                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
-                                     sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
-                                     sizeof(std::int64_t) + sizeof(HostedWrench));
+static_assert(sizeof(Contact) ==
+              sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) + sizeof(std::uint8_t) +
+                  4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) + sizeof(ContactPoint) +
+                  sizeof(NormalSolution) + sizeof(StripTotals) + sizeof(Patch[patch_capacity]) +
+                  sizeof(Creepage) + sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
+                  sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) + sizeof(std::int32_t) +
+                  sizeof(Solution) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
-              2 * sizeof(std::int32_t) + 15 * sizeof(double) +
+              2 * sizeof(std::int32_t) + 16 * sizeof(double) +
                   most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the
@@ -249,6 +253,13 @@ Strips region_strips(Contact& contact, const Patch& patch);
 /// The block of a cell array that belongs to one patch: element (cell i, strip j) at
 /// i * patch.region_count + j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
+
+/// The tractions and slips of one patch.
+TangentialFields cell_fields(Contact& contact, const Patch& patch);
+
+/// Work space behind the state: what a wheel on a rail needs, and state_bytes() at least. Nothing in it
+/// outlives a call.
+double* work_space(Contact& contact);
 
 /// Does the tangential method give tractions and slip of every cell?
 bool gives_fields(const Contact& contact);
@@ -293,60 +304,6 @@ void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel&
 /// `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes = nullptr);
 
-/// The equivalent double ellipse of a region, over the arc length of the rail.
-struct RegionEllipse {
-  Sdec sdec;
-  double joint = 0.0;         ///< where the strips are longest [m]
-  double normal_force = 0.0;  ///< sum of the strips' loads [N]
-};
-
-/// Fields of a region, by enum wrc_field.
-enum class RegionField : std::int32_t {
-  x,
-  pressure,
-  traction_x,
-  traction_y,
-  slip_x,
-  slip_y,
-  power_density,
-  fatigue_index,
-  strip_s,
-  strip_width,
-  strip_centre,
-  strip_half,
-  strip_peak,
-  strip_power,
-  strip_friction,
-  strip_y,
-  strip_z,
-  strip_angle,
-  temperature_rise,
-  count_
-};
-constexpr bool over_cells(RegionField field) {
-  return field < RegionField::strip_s || field == RegionField::temperature_rise;
-}
-constexpr bool of_tractions(RegionField field) {
-  return (field >= RegionField::traction_x && field <= RegionField::fatigue_index) ||
-         field == RegionField::strip_power || field == RegionField::temperature_rise;
-}
-
-/// What is asked of a region of the last solve_wheel(), with which nothing of its results changes
-/// (wheel_regions.cpp).
-Fault region_ellipse(const Contact& contact, std::int32_t index, RegionEllipse& ellipse);
-/// Numbers made of tractions are there where the last solve has them.
-void region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
-/// Where there are tractions: temperatures; y by arc length.
-Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
-                         TemperatureNumbers& temperature);
-/// Did the strips of the last solve roll on their own, not as whole patches?
-bool wheel_gives_fields(const Contact& contact);
-std::int32_t region_strip_count(const Contact& contact, std::int32_t index);
-/// Which of the rail's faces it is on.
-std::int32_t region_face(const Contact& contact, std::int32_t index);
-/// One value per strip, or per cell at cell * strips + strip.
-void region_field(Contact& contact, std::int32_t index, RegionField field, double* values);
-
 /// The friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);
 Fault assess_damage(Contact& contact);
@@ -374,7 +331,6 @@ Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::i
 /// What the last results of the contact, of the stages or of a wheel on a rail, do in a time
 /// (accumulation.cpp).
 struct Accumulation {
-  bool of_wheel_on_rail = true;
   double duration = 0.0;  ///< [s]
   double distance = 0.0;  ///< along the track where it begins [m]
   WearLaws wear;

@@ -1,9 +1,5 @@
 #include "contact/layout.hpp"
 
-#include <iterator>
-
-#include "contact/fields.hpp"
-
 namespace wrc {
 namespace {
 
@@ -20,16 +16,10 @@ std::size_t length(Array which, const ArraySizes& sizes) {
   if (which == Array::rolling_memory) return doubles(sizes.rolling_memory_bytes);
   if (which == Array::surface_state) return doubles(sizes.surface_state_bytes);
   if (which == Array::surface_workspace) return doubles(sizes.surface_workspace_bytes);
-  if (static_cast<std::size_t>(which) >= std::size(field_rows)) return strips;
-  switch (field_rows[static_cast<std::size_t>(which)].grid) {
-    case FieldGrid::gap_rows:
-      return static_cast<std::size_t>(sizes.gap_rows);
-    case FieldGrid::strips:
-      return strips;
-    case FieldGrid::cells:
-      return strips * static_cast<std::size_t>(sizes.cells);
-  }
-  return 0;
+  if (which <= Array::fatigue_index || which == Array::temperature_rise)
+    return strips * static_cast<std::size_t>(sizes.cells);
+  if (which >= Array::gap_y && which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
+  return strips;
 }
 
 std::size_t rounded_up(std::size_t bytes) {

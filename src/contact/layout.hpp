@@ -12,13 +12,30 @@ namespace wrc {
 
 inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
 
-/// Every array a contact owns: first those that callers see as fields (fields.hpp), by their numbers. The
-/// strips strip_y .. strip_peak come from the normal problem; `region_` strips are those that rolled (the
-/// same values unless a variant replaces the patch by an ellipse).
+/// Every array a contact owns: over cells, over the strips of the normal problem and the rows of the gap, then
+/// over the `region_` strips that rolled (the same values unless a variant replaces the patch by an ellipse).
 enum class Array : std::size_t {
-#define WRC_FIELD_ROW(name, grid, stage) name,
-#include "contact/generated/fields.inc"
-#undef WRC_FIELD_ROW
+  x,
+  pressure,
+  traction_x,
+  traction_y,
+  slip_x,
+  slip_y,
+  power_density,
+  fatigue_index,
+  strip_y,
+  strip_width,
+  strip_centre,
+  strip_half,
+  strip_peak,
+  strip_power,
+  gap_y,
+  gap_height,
+  gap_centre,
+  gap_curvature,
+  strip_wear,
+  strip_friction,
+  temperature_rise,
   region_y,
   region_width,
   region_centre,

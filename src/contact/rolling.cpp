@@ -1,15 +1,10 @@
-/// The tangential and damage stages: which region a method works on, and the frames around it.
+/// The tangential stage: which region a method works on, and the frames around it.
 #include <algorithm>
 #include <cmath>
 
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
-#include "contact/temperature_sums.hpp"
-#include "damage/cells.hpp"
-#include "damage/fatigue.hpp"
-#include "damage/frictional_power.hpp"
 #include "damage/heated_friction.hpp"
-#include "damage/subsurface.hpp"
 #include "kernels/kernels.hpp"
 #include "tangential/methods/strip_memory.hpp"
 #include "tangential/simd/tasks.hpp"
@@ -77,11 +72,6 @@ void place_cells(Contact& contact, const Patch& patch) {
   const MarchGrid& grid = contact.model->march_grid;
   grid.kernels->place_cells(region_strips(contact, patch), grid, cell_block(contact, Array::x, patch),
                             cell_block(contact, Array::pressure, patch));
-}
-
-TangentialFields cell_fields(Contact& contact, const Patch& patch) {
-  return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
-          cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
@@ -248,27 +238,6 @@ TangentialForces sum_of_patches(const Contact& contact) {
   return sum;
 }
 
-/// Power per area and per width and the local fatigue index of one patch, added to the numbers of the
-/// contact.
-void assess_patch(Contact& contact, const Patch& patch, DamageNumbers& damage) {
-  const Model& model = *contact.model;
-  const Strips region = region_strips(contact, patch);
-  const TangentialFields fields = cell_fields(contact, patch);
-  const simd::CellTask task{.region = &region,
-                            .fields = &fields,
-                            .middles = &model.march_grid.middles,
-                            .cells = model.options.sizes.cells,
-                            .speed = contact.rolling.speed,
-                            .shear_yield = model.options.shear_yield,
-                            .power_density = cell_block(contact, Array::power_density, patch),
-                            .fatigue_index = cell_block(contact, Array::fatigue_index, patch),
-                            .strip_power = array(contact, Array::strip_power) + patch.region_first};
-  const CellDamage found = assess_cells(task, *model.kernels);
-  damage.power += found.power;
-  damage.peak_power_density = std::max(damage.peak_power_density, found.peak_power_density);
-  damage.local_fatigue_index = std::max(damage.local_fatigue_index, found.fatigue_index);
-}
-
 }  // namespace
 
 bool gives_fields(const Contact& contact) {
@@ -305,6 +274,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   }
   if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
   contact.reached = Stage::tangential;
+  contact.newest = Solution::stages;
   contact.creepage = creepage;
   contact.friction = friction.law.coefficient;
   contact.rolling = rolling;
@@ -353,156 +323,6 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
                        .unit = ""});
   }
   return fault;
-}
-
-Fault assess_damage(Contact& contact) {
-  if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
-  }
-  contact.reached = Stage::damage;
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-  const ModelOptions& options = contact.model->options;
-  DamageNumbers& damage = contact.damage;
-  damage = {};
-  damage.local_fatigue_index = no_fatigue_index;
-  for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
-    if (gives_fields(contact)) {
-      assess_patch(contact, patch, damage);
-    } else {
-      damage.power += patch.forces.power_per_speed * contact.rolling.speed;
-    }
-
-    // Methods that spread the load over the equivalent ellipse have that ellipse's peak pressure.
-    const bool on_ellipse = options.patch_model.on_ellipse;
-    const double peak = on_ellipse
-                            ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
-                            : patch.extent.peak_pressure;
-    const ShakedownPoint point =
-        shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
-    const double index = fatigue_index(point);
-    if (k == 0 ||
-        index > damage.fatigue_index) {  // the contact's numbers are those of the patch nearest to damage
-      damage.fatigue_index = index;
-      damage.utilisation = point.utilised_friction;
-      damage.load_factor = point.load_factor;
-      damage.shakedown_limit = shakedown_limit(point.utilised_friction);
-    }
-  }
-  damage.t_gamma = t_gamma(contact.forces);
-  damage.t_gamma_no_spin = t_gamma_without_spin(contact.forces, contact.creepage);
-  return {};
-}
-
-Fault tractions_needed(const Contact& contact, const char* why_not) {
-  if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
-  }
-  if (!gives_fields(contact)) {
-    return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};
-  }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
-  return {};
-}
-
-Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
-  wear = {};
-  const Fault fault =
-      tractions_needed(contact, "this method has no tractions to wear by: choose another, or use T-gamma");
-  if (fault.status != WRC_OK) return fault;
-  const ModelOptions& options = contact.model->options;
-  wear.worn_area_rate =
-      worn_area_rate(laws.t_gamma, t_gamma(contact.forces), 2.0 * options.wheelset.nominal_radius);
-  const std::int32_t cells = options.sizes.cells;
-  for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
-    const Strips region = region_strips(contact, patch);
-    const TangentialFields fields = cell_fields(contact, patch);
-    const double* pressure = cell_block(contact, Array::pressure, patch);
-    double* per_width = array(contact, Array::strip_wear) + patch.region_first;
-    for (std::int32_t j = 0; j < region.count; ++j) {
-      double sum = 0.0;
-      for (std::int32_t i = 0; i < cells; ++i) {
-        const std::int32_t at = i * region.count + j;
-        const double sx = fields.slip_x[at], sy = fields.slip_y[at];
-        // What friction takes is not negative; the march may leave a trace of the other sign beside a stick
-        // zone.
-        const double work = std::max(0.0, -(sx * fields.traction_x[at] + sy * fields.traction_y[at]));
-        const double depth_rate = wear_depth_rate(laws.sheffield, work);
-        sum += depth_rate;
-        wear.largest_depth_rate = std::max(wear.largest_depth_rate, depth_rate);
-        wear.largest_power_depth_velocity = std::max(
-            wear.largest_power_depth_velocity, wear_depth_velocity(laws.power, contact.rolling.speed * work));
-        wear.largest_depth_velocity =
-            std::max(wear.largest_depth_velocity,
-                     wear_depth_velocity(laws.archard, pressure[at],
-                                         contact.rolling.speed * std::sqrt(sx * sx + sy * sy)));
-      }
-      per_width[j] = sum * 2.0 * region.half_length[j] / cells;
-    }
-  }
-  contact.beside |= Contact::wear;
-  return {};
-}
-
-Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
-                    StressPeaks* levels, BodyStresses& stresses) {
-  stresses = {};
-  const Fault fault =
-      tractions_needed(contact, "this method has no tractions over the patch: choose another");
-  if (fault.status != WRC_OK) return fault;
-  const ModelOptions& options = contact.model->options;
-  LoadLanes loads(in_rail ? options.rail_poisson : options.wheel_poisson, *contact.model->kernels);
-  std::int32_t strips = 0;
-  for (std::int32_t k = 0; k < contact.patches; ++k) strips += contact.patch[k].region_count;
-  for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
-    loads.add_patch(region_strips(contact, patch), cell_block(contact, Array::pressure, patch),
-                    cell_fields(contact, patch), options.sizes.cells, strips, contact.rolling.way,
-                    in_rail ? -1.0 : 1.0);
-  }
-  stresses.surface = loads.peaks(0.0);
-  double deepest = 0.0;
-  // Of each number the largest below, and the depths on both sides of it.
-  constexpr StressPeak StressPeaks::*each[3] = {&StressPeaks::von_mises, &StressPeaks::shear,
-                                                &StressPeaks::tension};
-  double low[3] = {}, high[3] = {};
-  for (std::int32_t k = 0; k < count; ++k) {
-    const StressPeaks found = depths[k] > 0.0 ? loads.peaks(depths[k]) : stresses.surface;
-    if (levels) levels[k] = found;
-    if (!(depths[k] > 0.0)) continue;
-    for (int number = 0; number < 3; ++number) {
-      if (high[number] == deepest) high[number] = depths[k];  // the largest so far was the depth before
-      if (stresses.below.any && !((found.*each[number]).value > (stresses.below.*each[number]).value))
-        continue;
-      low[number] = deepest;
-      high[number] = depths[k];
-    }
-    stresses.below.take(found);
-    deepest = depths[k];
-  }
-  const StressPeaks listed = stresses.below;
-  for (int number = 0; number < 3 && listed.any; ++number)
-    loads.refine(listed.*each[number], each[number], low[number], high[number], stresses.below);
-  return {};
-}
-
-Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature) {
-  temperature = {};
-  const Fault fault = tractions_needed(contact, "this method has no power over the patch: choose another");
-  if (fault.status != WRC_OK) return fault;
-  const ModelOptions& options = contact.model->options;
-  TemperatureSums sums(options.effusivities, bulk, options.sizes.cells, contact.rolling.speed);
-  for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
-    const Strips region = region_strips(contact, patch);
-    const double* const x = cell_block(contact, Array::x, patch);
-    sums.add(region, cell_fields(contact, patch), cell_block(contact, Array::temperature_rise, patch),
-             [&](std::int32_t i, std::int32_t j) { return x[i * region.count + j]; });
-  }
-  temperature = sums.numbers();
-  contact.beside |= Contact::temperature;
-  return {};
 }
 
 }  // namespace wrc

@@ -173,6 +173,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& resu
 
 Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes) {
   contact.wheel_solved = 0;
+  contact.newest = Solution::wheel;
   if (slopes) *slopes = {};
   contact.wheel = {};
   const Model& model = *contact.model;
@@ -197,9 +198,8 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
   SeenWrench found, by_track;
-  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state,
-                              array(contact, Array::surface_workspace), wrench, slopes ? &found : nullptr,
-                              slopes ? &by_track : nullptr);
+  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state, work_space(contact), wrench,
+                              slopes ? &found : nullptr, slopes ? &by_track : nullptr);
   const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};

@@ -39,7 +39,9 @@ struct LoadLanes::Corners {
 /// strip's semi-ellipse less a smaller one): (1 - share / bound)^2 falls linearly to nothing at the border,
 /// which so follows from the last two cells that adhere.
 struct LoadLanes::Shares {
-  const double *pressure, *traction_x, *traction_y;  ///< of the strip's first cell
+  const double* pressure;  ///< over the peak
+  double peak;
+  const double *traction_x, *traction_y;  ///< of the strip's first cell
   std::int32_t strips, own_cells;
   double sign;
   bool slips = false;     ///< behind adhesion that begins at the leading edge
@@ -48,9 +50,10 @@ struct LoadLanes::Shares {
   double bound = 0.0;     ///< share of what slips; that of the second cell behind the last
   double lacks = 0.0;     ///< 1 - share / bound in the last cell
 
-  Shares(const Strips& region, const double* pressures, const TangentialFields& fields, std::int32_t cells_,
+  Shares(const Strips& region, const double* pressure_, const TangentialFields& fields, std::int32_t cells_,
          std::int32_t strip, double sign_)
-      : pressure(pressures + strip),
+      : pressure(pressure_),
+        peak(region.peak[strip]),
         traction_x(fields.traction_x + strip),
         traction_y(fields.traction_y + strip),
         strips(region.count),
@@ -75,7 +78,7 @@ struct LoadLanes::Shares {
 
   void in_cell(std::int32_t i, double& x, double& y) const {
     const std::int32_t at = i * strips;
-    const double p = pressure[at];
+    const double p = peak * pressure[i];
     x = p > 0.0 ? sign * traction_x[at] / p : 0.0;
     y = p > 0.0 ? sign * traction_y[at] / p : 0.0;
   }

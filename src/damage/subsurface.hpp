@@ -33,9 +33,9 @@ class LoadLanes {
 
   LoadLanes(double poisson, const Kernels& kernels);
 
-  /// One patch. pressure and tractions: of `own_cells` cells, cell i of strip j at i * region.count + j,
-  /// cell 0 at the leading edge, which is at +x for way 1 and at -x for -1; strips_of_all: of all patches;
-  /// sign: 1 where tractions are those on the body, -1 where on the other.
+  /// One patch. pressure: of `own_cells` cells, over the strip's peak; tractions of cell i of strip j at
+  /// i * region.count + j, cell 0 at the leading edge, which is at +x for way 1 and at -x for -1;
+  /// strips_of_all: of all patches; sign: 1 where tractions are those on the body, -1 where on the other.
   void add_patch(const Strips& region, const double* pressure, const TangentialFields& fields,
                  std::int32_t own_cells, std::int32_t strips_of_all, double way, double sign);
 

@@ -89,19 +89,20 @@ struct KeptStrips {
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
   double slope_reduction = 1.0;  ///< of a layer between the bodies
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
-  double x = 0.0;       ///< of the wheel's reference point, from that of the host [m]
   double strip[most_overlapping_strips] = {};                                       ///< of the rail
   double place[most_overlapping_strips] = {}, width[most_overlapping_strips] = {};  ///< by arc length [m]
   double y[most_overlapping_strips] = {}, z[most_overlapping_strips] = {};  ///< on the rail's profile [m]
   double angle[most_overlapping_strips] = {};                               ///< strip_angle() [rad]
   double half_length[most_overlapping_strips] = {};                         ///< [m]
-  double peak[most_overlapping_strips] = {};                                ///< without the factor [Pa]
-  double centre[most_overlapping_strips] = {};     ///< x from the wheel's reference point [m]
+  double peak[most_overlapping_strips] = {};                                ///< [Pa]
+  double solved_peak[most_overlapping_strips] = {};                         ///< without the factor [Pa]
+  double centre[most_overlapping_strips] = {};     ///< x from the reference point of the host [m]
   double curvature[most_overlapping_strips] = {};  ///< [1/m]
   double slip_x[most_overlapping_strips] = {}, slip_y[most_overlapping_strips] = {};  ///< [-]
   double spin[most_overlapping_strips] = {};                                          ///< [1/m]
   double friction[most_overlapping_strips] = {};                                      ///< [-]
   double fx[most_overlapping_strips] = {}, fy[most_overlapping_strips] = {};  ///< without the factor [N]
+  double mz[most_overlapping_strips] = {};       ///< about each strip's own middle, without the factor [N m]
   double power[most_overlapping_strips] = {};    ///< frictional, without the factor [W]
   double y_wheel[most_overlapping_strips] = {};  ///< where they touch the wheel, its profile's coordinate [m]
 };
@@ -111,6 +112,7 @@ struct KeptFields {
   std::int32_t strips = 0, cells = 0;
   double *traction_x = nullptr, *traction_y = nullptr;  ///< on the wheel [Pa]
   double *slip_x = nullptr, *slip_y = nullptr;          ///< sliding velocity / rolling speed [-]
+  double* of_strips = nullptr;                          ///< work space: a number for each strip
 };
 
 /// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.

@@ -88,7 +88,6 @@ void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w
   kept.by_region = rolls_by_region(model, in) ? 1.0 : 0.0;
   kept.slope_reduction = in.slope_reduction;
   kept.factor = w.factor;
-  kept.x = in.wheel.position[0];
   const Overlaps& o = w.overlaps;
   const auto& r = w.seen.pose.rotation;
   for (std::int32_t k = 0; k < n; ++k) {
@@ -97,7 +96,8 @@ void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w
     kept.y[k] = w.rail.y[j];
     kept.z[k] = w.rail.z[j];
     kept.angle[k] = strip_angle(w.rail, j);
-    kept.centre[k] = w.pressure.centre[i];
+    kept.centre[k] = in.wheel.position[0] + w.pressure.centre[i];
+    kept.peak[k] = w.factor * w.peak[k];
     kept.power[k] = power_of(w, k, w.speed);
     kept.y_wheel[k] = r[0][1] * o.centre[i] + r[1][1] * o.wy[i] + r[2][1] * o.wz[i];
   }
@@ -107,14 +107,15 @@ void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w
   } each[] = {{w.place, kept.place},
               {w.width, kept.width},
               {w.half_length, kept.half_length},
-              {w.peak, kept.peak},
+              {w.peak, kept.solved_peak},
               {w.curvature, kept.curvature},
               {w.slip_x, kept.slip_x},
               {w.slip_y, kept.slip_y},
               {w.spin, kept.spin},
               {w.friction, kept.friction},
               {w.fx, kept.fx},
-              {w.fy, kept.fy}};
+              {w.fy, kept.fy},
+              {w.mz, kept.mz}};
   for (const auto& [from, to] : each) std::copy_n(from, n, to);
 }
 
@@ -143,6 +144,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     fault = solve_given_height(model, in, w, start, out);
     state.height = in.wheel.position[2];
   }
+  const bool apart = !in.load_prescribed && is_apart(fault);
   state.set = start.set ? 1.0 : 0.0;
   keep_strips(model, in, w, state.kept);
   if (slopes) keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::place, *slopes));
@@ -150,6 +152,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     keep_worst(fault, differentiate_wrench(model, in, w, SlopesBy::track, *by_track));
   for (std::int32_t k = 0; k < w.loaded; ++k)
     out.steepest_angle = std::max(out.steepest_angle, std::abs(state.kept.angle[k] + in.rail.roll));
+  if (apart) out.clearance = clearance(model, in, w);
   keep_worst(fault, outside);
   return fault;
 }
@@ -161,8 +164,8 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
   const struct {
     const double* from;
     double* to;
-  } each[] = {{kept.half_length, w.half_length}, {kept.peak, w.peak},     {kept.curvature, w.curvature},
-              {kept.slip_x, w.slip_x},           {kept.slip_y, w.slip_y}, {kept.spin, w.spin},
+  } each[] = {{kept.half_length, w.half_length}, {kept.solved_peak, w.peak}, {kept.curvature, w.curvature},
+              {kept.slip_x, w.slip_x},           {kept.slip_y, w.slip_y},    {kept.spin, w.spin},
               {kept.friction, w.friction}};
   for (const auto& [from, to] : each) std::copy_n(from + first, count, to);
   for (std::int32_t k = 0; k < count; ++k) {
@@ -190,7 +193,7 @@ KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int
         f.slip_y[at] = w.slip_y[k] + w.spin[k] * (way * w.half_length[k] * model.grid->middles.place[i]);
       }
   }
-  return {count, cells, f.traction_x, f.traction_y, f.slip_x, f.slip_y};
+  return {count, cells, f.traction_x, f.traction_y, f.slip_x, f.slip_y, w.fx};
 }
 
 }  // namespace wrc

@@ -72,6 +72,9 @@ struct SurfaceRegion {
 
 constexpr std::int32_t most_surface_regions = 16;
 
+/// First touch is looked for up to this far above the rail [m].
+inline constexpr double farthest_touch = 50e-3;
+
 struct Wrench {
   double force[3] = {};       ///< on the wheel, track axes [N]
   double moment[3] = {};      ///< about the wheel's reference point, track axes [N m]
@@ -79,6 +82,9 @@ struct Wrench {
   double normal_force = 0.0;  ///< sum of the regions' resultants [N]
   double area = 0.0, peak_pressure = 0.0, power = 0.0;
   double steepest_angle = 0.0;  ///< largest angle of a strip in contact, the rail's roll included [rad]
+  /// By how much a wheel that is apart must be lowered to touch: at most farthest_touch, which says that it
+  /// is that or more; 0 in contact, and inside the rail [m].
+  double clearance = 0.0;
   std::int32_t regions = 0;
   std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
   SurfaceRegion region[most_surface_regions];

@@ -516,26 +516,55 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
   return fault;
 }
 
+namespace {
+
+/// How far a wheel as seen at a height is above the strip that it touches first when it is lowered [m], by
+/// the strips' tangents; at most farthest_touch. Strips count whose mean normal points down by more than
+/// `least_down`. The few strips near the wheel are enough if one touches soon: others' depths are at least a
+/// third of their overlaps, as their normals are less than 80 degrees off the wheel's.
+double fall_to_strips(const SurfaceModel& model, const WheelOnRail& in, const Seen& seen, double least_down,
+                      WheelWork& w) {
+  constexpr double near = 1.5e-3;  // [m]
+  const Overlaps& o = w.overlaps;
+  double fall = farthest_touch;
+  for (const double margin : {near, farthest_touch}) {
+    find(model, in, seen, margin, w);
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
+      if (down > least_down) fall = std::min(fall, -o.depth[i] / down);
+    }
+    if (fall < margin / 3.0) break;
+  }
+  return fall;
+}
+
+}  // namespace
+
+bool is_apart(const Fault& fault) { return fault.status == WRC_FLAG_NO_CONTACT && fault.field == nullptr; }
+
+double clearance(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w) {
+  constexpr int most_steps = 12;
+  constexpr double close = 1e-10;     // [m]
+  constexpr double least_down = 0.1;  // steeper than any flange
+  double lowered = 0.0;
+  for (int n = 0; n < most_steps; ++n) {
+    const Seen seen = see(model, in, in.wheel.position[2] + lowered);
+    const double fall = fall_to_strips(model, in, seen, least_down, w);
+    lowered += fall;
+    if (!(lowered > 0.0) || lowered >= farthest_touch || std::abs(fall) < close) break;
+  }
+  return smaller(larger(lowered, 0.0), farthest_touch);
+}
+
 double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w) {
-  // The few strips near the wheel are enough if one touches soon: others' depths are at least a third of
-  // their overlaps, as their normals are less than 80 degrees off the wheel's.
-  constexpr double far = 50e-3, near = 1.5e-3;  // [m]
   constexpr double deep =
       0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
+  constexpr double least_down = 0.2;
   double height = in.wheel.position[2];
   bool above = false;
   for (int n = 0; n < 16; ++n) {
     const Seen seen = see(model, in, height);
-    const Overlaps& o = w.overlaps;
-    double fall = far;
-    for (const double margin : {near, far}) {
-      find(model, in, seen, margin, w);
-      for (std::int32_t i = 0; i < o.count; ++i) {
-        const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
-        if (down > 0.2) fall = std::min(fall, -o.depth[i] / down);
-      }
-      if (fall < margin / 3.0) break;
-    }
+    double fall = fall_to_strips(model, in, seen, least_down, w);
     if (!above && fall < -deep) {  // to above all of the rail, once
       above = true;
       double lowest = -1e300, top = 1e300;

@@ -62,4 +62,12 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
 /// a face is overlapped there already, until it does.
 double first_touch(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w);
 
+/// Does a solve say that the bodies are apart, and not that the wheel is inside the rail?
+bool is_apart(const Fault& fault);
+
+/// By how much a wheel that is apart must be lowered until the first strip of the rail overlaps it [m], 0 to
+/// farthest_touch, which stands for anything beyond: Newton's method on the nearest strip. Overlaps in `w`
+/// are others afterwards.
+double clearance(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w);
+
 }  // namespace wrc

@@ -33,10 +33,10 @@ struct Slipping {
     }
     for (std::int32_t i = 0; i < cells; ++i) {
       const double xi = 1.0 - (2.0 * i + 1.0) / cells;
+      pressure.push_back(std::sqrt(1.0 - xi * xi));
       for (std::size_t j = 0; j < strips; ++j) {
-        pressure.push_back(peak[j] * std::sqrt(1.0 - xi * xi));
-        x.push_back(share_x * pressure.back());
-        y_traction.push_back(share_y * pressure.back());
+        x.push_back(share_x * peak[j] * pressure.back());
+        y_traction.push_back(share_y * peak[j] * pressure.back());
       }
     }
     region = {strips, strips, y.data(), width.data(), centre.data(), half.data(), peak.data()};

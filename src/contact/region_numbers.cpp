@@ -1,0 +1,376 @@
+/// What the tractions of a solution do to the bodies: damage, wear, temperatures, stresses. The stages' own
+/// calls are of all their patches and fill the contact's arrays; those by index leave the contact as it is.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/region.hpp"
+#include "contact/rolled_region.hpp"
+#include "contact/temperature_sums.hpp"
+#include "damage/cells.hpp"
+#include "damage/fatigue.hpp"
+#include "damage/frictional_power.hpp"
+#include "damage/subsurface.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr const char* no_power = "this method has no power over the patch: choose another";
+constexpr const char* no_wear = "this method has no tractions to wear by: choose another, or use T-gamma";
+constexpr const char* no_stresses = "this method has no tractions over the patch: choose another";
+
+/// Patches from first to end - 1: one, or all.
+struct PatchRange {
+  std::int32_t first = 0, end = 0;
+
+  PatchRange(const Contact& contact, std::int32_t index)
+      : first(index == all_regions ? 0 : index), end(index == all_regions ? contact.patches : index + 1) {}
+};
+
+/// Calls use(RolledRegion&) for the region, or for every patch.
+template <class Use>
+void for_regions(Contact& contact, std::int32_t index, Use&& use) {
+  if (contact.newest == Solution::wheel) {
+    RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
+    return use(rolled);
+  }
+  const PatchRange range(contact, index);
+  for (std::int32_t k = range.first; k < range.end; ++k) {
+    RolledRegion rolled(contact, contact.patch[k]);
+    use(rolled);
+  }
+}
+
+/// The stages' tangential one, and contact.
+Fault rolling_needed(const Contact& contact) {
+  if (contact.reached < Stage::tangential) {
+    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
+  }
+  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  return {};
+}
+
+/// Why nothing can be made of the tractions of a region.
+Fault region_tractions_needed(const Contact& contact, std::int32_t index, const char* why_not) {
+  const Fault fault = check_region(contact, index, true);
+  if (fault.status != WRC_OK) return fault;
+  if (contact.newest == Solution::stages) return tractions_needed(contact, why_not);
+  if (kept_strips(contact).by_region == 0.0) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .field = "config.tangential.method",
+          .cause = "whole patches rolled: their strips have no tractions"};
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// damage
+
+/// The place of a region in the shakedown map.
+void place_in_map(const ShakedownPoint& point, DamageNumbers& damage) {
+  damage.fatigue_index = fatigue_index(point);
+  damage.utilisation = point.utilised_friction;
+  damage.load_factor = point.load_factor;
+  damage.shakedown_limit = shakedown_limit(point.utilised_friction);
+}
+
+/// Damage of one patch or all; `into(patch, rolled)`: where numbers over a patch's cells go.
+template <class Into>
+DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& into) {
+  const ModelOptions& options = contact.model->options;
+  const bool with_cells = gives_fields(contact);
+  DamageNumbers damage;
+  if (with_cells) damage.local_fatigue_index = no_fatigue_index;
+  const PatchRange range(contact, index);
+  for (std::int32_t k = range.first; k < range.end; ++k) {
+    const Patch& patch = contact.patch[k];
+    if (with_cells) {
+      const RolledRegion rolled(contact, patch);
+      const CellDamage found = assess(contact, rolled, into(patch, rolled));
+      damage.power += found.power;
+      damage.peak_power_density = std::max(damage.peak_power_density, found.peak_power_density);
+      damage.local_fatigue_index = std::max(damage.local_fatigue_index, found.fatigue_index);
+    } else {
+      damage.power += patch.forces.power_per_speed * contact.rolling.speed;
+    }
+
+    // Methods that spread the load over the equivalent ellipse have that ellipse's peak pressure.
+    const double peak = options.patch_model.on_ellipse
+                            ? peak_pressure({patch.sdec.a, patch.sdec.b, 0.0}, patch.extent.normal_force)
+                            : patch.extent.peak_pressure;
+    const ShakedownPoint point =
+        shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
+    // Of several patches the numbers are those of the one nearest to damage.
+    if (k == range.first || fatigue_index(point) > damage.fatigue_index) place_in_map(point, damage);
+  }
+  const TangentialForces& forces = index == all_regions ? contact.forces : contact.patch[range.first].forces;
+  damage.t_gamma = t_gamma(forces);
+  damage.t_gamma_no_spin = t_gamma_without_spin(forces, contact.creepage);
+  return damage;
+}
+
+DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
+  const WheelSums sums = wheel_sums(contact, index);
+  DamageNumbers damage;
+  damage.power = contact.wheel.wrench.region[index].power;
+  damage.t_gamma = t_gamma(sums.forces);
+  damage.t_gamma_no_spin = t_gamma_without_spin(sums.forces, sums.creepage);
+  place_in_map(shakedown_point(sums.forces, sums.extent.normal_force, sums.extent.peak_pressure,
+                               contact.model->options.shear_yield),
+               damage);
+  if (kept_strips(contact).by_region > 0.0) return damage;
+  const RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
+  const CellDamage found = assess(contact, rolled, rolled.work);
+  damage.peak_power_density = found.peak_power_density;
+  damage.local_fatigue_index = found.fatigue_index;
+  return damage;
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// wear
+
+/// What friction takes in a cell, over the speed [N/m^2]. That is not negative; the march may leave a trace
+/// of the other sign beside a stick zone.
+double work_in(const TangentialFields& fields, std::int32_t at) {
+  return std::max(0.0,
+                  -(fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at]));
+}
+
+/// Wear over the cells of one region, of which the largest count.
+void add_wear(const RolledRegion& rolled, const WearLaws& laws, double* per_width, WearNumbers& wear) {
+  const TangentialFields& fields = rolled.fields;
+  const auto most = [](double& largest, double value) { largest = std::max(largest, value); };
+  for (std::int32_t j = 0; j < rolled.strips.count; ++j) {
+    per_width[j] = worn_of_strip(rolled, laws.sheffield, j, wear.largest_depth_rate);
+    for (std::int32_t i = 0; i < rolled.cells(); ++i) {
+      const std::int32_t at = i * rolled.strips.count + j;
+      const double sx = fields.slip_x[at], sy = fields.slip_y[at];
+      most(wear.largest_power_depth_velocity,
+           wear_depth_velocity(laws.power, rolled.speed * work_in(fields, at)));
+      most(wear.largest_depth_velocity, wear_depth_velocity(laws.archard, rolled.pressure(i, j),
+                                                            rolled.speed * std::sqrt(sx * sx + sy * sy)));
+    }
+  }
+}
+
+double worn_area(const Contact& contact, const WearLaws& laws, double t_gamma) {
+  return worn_area_rate(laws.t_gamma, t_gamma, 2.0 * contact.model->options.wheelset.nominal_radius);
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// temperatures
+
+TemperatureSums temperature_sums(const Contact& contact, const BulkTemperatures& bulk, double speed) {
+  const ModelOptions& options = contact.model->options;
+  return {options.effusivities, bulk, cells_of_newest(contact), speed};
+}
+
+void add_temperature(const RolledRegion& rolled, double* rise, TemperatureSums& sums) {
+  sums.add(rolled.strips, rolled.fields, rise,
+           [&](std::int32_t i, std::int32_t j) { return rolled.x(i, j); });
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// stresses
+
+/// Largest stresses at the depths, and around the largest of these.
+BodyStresses stresses_under(const LoadLanes& loads, const double* depths, std::int32_t count,
+                            StressPeaks* levels) {
+  BodyStresses stresses;
+  stresses.surface = loads.peaks(0.0);
+  double deepest = 0.0;
+  // Of each number the largest below, and the depths on both sides of it.
+  constexpr StressPeak StressPeaks::*each[3] = {&StressPeaks::von_mises, &StressPeaks::shear,
+                                                &StressPeaks::tension};
+  double low[3] = {}, high[3] = {};
+  for (std::int32_t k = 0; k < count; ++k) {
+    const StressPeaks found = depths[k] > 0.0 ? loads.peaks(depths[k]) : stresses.surface;
+    if (levels) levels[k] = found;
+    if (!(depths[k] > 0.0)) continue;
+    for (int number = 0; number < 3; ++number) {
+      if (high[number] == deepest) high[number] = depths[k];  // the largest so far was the depth before
+      if (stresses.below.any && !((found.*each[number]).value > (stresses.below.*each[number]).value))
+        continue;
+      low[number] = deepest;
+      high[number] = depths[k];
+    }
+    stresses.below.take(found);
+    deepest = depths[k];
+  }
+  const StressPeaks listed = stresses.below;
+  for (int number = 0; number < 3 && listed.any; ++number)
+    loads.refine(listed.*each[number], each[number], low[number], high[number], stresses.below);
+  return stresses;
+}
+
+/// The body that stresses are looked for in, and the depths.
+struct StressTask {
+  bool in_rail;
+  const double* depths;
+  std::int32_t count;
+  StressPeaks* levels;
+
+  LoadLanes lanes(const Contact& contact) const {
+    const ModelOptions& options = contact.model->options;
+    return {in_rail ? options.rail_poisson : options.wheel_poisson, *contact.model->kernels};
+  }
+  /// strips_of_all: of all regions that are added.
+  void add(const RolledRegion& rolled, std::int32_t strips_of_all, LoadLanes& loads) const {
+    loads.add_patch(rolled.strips, rolled.grid->middles.pressure, rolled.fields, rolled.cells(),
+                    strips_of_all, rolled.way, in_rail ? -1.0 : 1.0);
+  }
+};
+
+BodyStresses stresses_of_patches(Contact& contact, std::int32_t index, const StressTask& task) {
+  const PatchRange range(contact, index);
+  std::int32_t strips = 0;
+  for (std::int32_t k = range.first; k < range.end; ++k) strips += contact.patch[k].region_count;
+  LoadLanes loads = task.lanes(contact);
+  for (std::int32_t k = range.first; k < range.end; ++k)
+    task.add(RolledRegion(contact, contact.patch[k]), strips, loads);
+  return stresses_under(loads, task.depths, task.count, task.levels);
+}
+
+BodyStresses stresses_of_wheel(Contact& contact, std::int32_t index, const StressTask& task) {
+  // The march before the lanes: each of them takes half of the stack that a call may use.
+  const RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
+  LoadLanes loads = task.lanes(contact);
+  task.add(rolled, rolled.strips.count, loads);
+  return stresses_under(loads, task.depths, task.count, task.levels);
+}
+
+}  // namespace
+
+CellDamage assess(const Contact& contact, const RolledRegion& rolled, const CellNumbers& into) {
+  const Model& model = *contact.model;
+  return assess_cells({.region = &rolled.strips,
+                       .fields = &rolled.fields,
+                       .middles = &rolled.grid->middles,
+                       .cells = rolled.cells(),
+                       .speed = rolled.speed,
+                       .shear_yield = model.options.shear_yield,
+                       .power_density = into.power_density,
+                       .fatigue_index = into.fatigue_index,
+                       .strip_power = into.strip_power},
+                      *model.kernels);
+}
+
+double worn_of_strip(const RolledRegion& rolled, const SheffieldWearLaw& law, std::int32_t strip,
+                     double& largest) {
+  double sum = 0.0;
+  for (std::int32_t i = 0; i < rolled.cells(); ++i) {
+    const double rate = wear_depth_rate(law, work_in(rolled.fields, i * rolled.strips.count + strip));
+    sum += rate;
+    largest = std::max(largest, rate);
+  }
+  return sum * 2.0 * rolled.strips.half_length[strip] / rolled.cells();
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// by index
+
+Fault region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage) {
+  damage = {};
+  Fault fault = check_region(contact, index, true);
+  if (fault.status != WRC_OK) return fault;
+  if (contact.newest == Solution::wheel) {
+    damage = damage_of_wheel(contact, index);
+    return {};
+  }
+  if (fault = rolling_needed(contact); fault.status != WRC_OK) return fault;
+  damage =
+      damage_of_patches(contact, index, [](const Patch&, const RolledRegion& rolled) { return rolled.work; });
+  return {};
+}
+
+Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, WearNumbers& wear) {
+  wear = {};
+  const Fault fault = region_tractions_needed(contact, index, no_wear);
+  if (fault.status != WRC_OK) return fault;
+  const TangentialForces forces = contact.newest == Solution::wheel ? wheel_sums(contact, index).forces
+                                  : index == all_regions            ? contact.forces
+                                                                    : contact.patch[index].forces;
+  wear.worn_area_rate = worn_area(contact, laws, t_gamma(forces));
+  for_regions(contact, index,
+              [&](RolledRegion& rolled) { add_wear(rolled, laws, rolled.work.strip_power, wear); });
+  return {};
+}
+
+Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
+                         TemperatureNumbers& temperature) {
+  temperature = {};
+  const Fault fault = region_tractions_needed(contact, index, no_power);
+  if (fault.status != WRC_OK) return fault;
+  const bool wheel = contact.newest == Solution::wheel;
+  TemperatureSums sums =
+      temperature_sums(contact, bulk, wheel ? kept_strips(contact).speed : contact.rolling.speed);
+  for_regions(contact, index,
+              [&](RolledRegion& rolled) { add_temperature(rolled, rolled.work.power_density, sums); });
+  temperature = sums.numbers();
+  return {};
+}
+
+Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const double* depths,
+                      std::int32_t count, StressPeaks* levels, BodyStresses& stresses) {
+  stresses = {};
+  const Fault fault = region_tractions_needed(contact, index, no_stresses);
+  if (fault.status != WRC_OK) return fault;
+  const StressTask task{in_rail, depths, count, levels};
+  stresses = contact.newest == Solution::wheel ? stresses_of_wheel(contact, index, task)
+                                               : stresses_of_patches(contact, index, task);
+  return {};
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// of the stages
+
+Fault tractions_needed(const Contact& contact, const char* why_not) {
+  const Fault fault = rolling_needed(contact);
+  if (fault.failed() || gives_fields(contact)) return fault;
+  return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};
+}
+
+Fault assess_damage(Contact& contact) {
+  const Fault fault = rolling_needed(contact);
+  if (!fault.failed()) contact.reached = Stage::damage;
+  if (fault.status != WRC_OK) return fault;
+  contact.damage = damage_of_patches(contact, all_regions, [&](const Patch& patch, const RolledRegion&) {
+    return CellNumbers{cell_block(contact, Array::power_density, patch),
+                       cell_block(contact, Array::fatigue_index, patch),
+                       array(contact, Array::strip_power) + patch.region_first};
+  });
+  return {};
+}
+
+Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
+  wear = {};
+  const Fault fault = tractions_needed(contact, no_wear);
+  if (fault.status != WRC_OK) return fault;
+  wear.worn_area_rate = worn_area(contact, laws, t_gamma(contact.forces));
+  for (std::int32_t k = 0; k < contact.patches; ++k)
+    add_wear(RolledRegion(contact, contact.patch[k]), laws,
+             array(contact, Array::strip_wear) + contact.patch[k].region_first, wear);
+  contact.beside |= Contact::wear;
+  return {};
+}
+
+Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature) {
+  temperature = {};
+  const Fault fault = tractions_needed(contact, no_power);
+  if (fault.status != WRC_OK) return fault;
+  TemperatureSums sums = temperature_sums(contact, bulk, contact.rolling.speed);
+  for (std::int32_t k = 0; k < contact.patches; ++k)
+    add_temperature(RolledRegion(contact, contact.patch[k]),
+                    cell_block(contact, Array::temperature_rise, contact.patch[k]), sums);
+  temperature = sums.numbers();
+  contact.beside |= Contact::temperature;
+  return {};
+}
+
+Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
+                    StressPeaks* levels, BodyStresses& stresses) {
+  stresses = {};
+  const Fault fault = tractions_needed(contact, no_stresses);
+  if (fault.status != WRC_OK) return fault;
+  stresses = stresses_of_patches(contact, all_regions, {in_rail, depths, count, levels});
+  return {};
+}
+
+}  // namespace wrc

@@ -1,0 +1,61 @@
+#include "contact/rolled_region.hpp"
+
+namespace wrc {
+
+KeptStrips& kept_strips(Contact& contact) {
+  return reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state))->kept;
+}
+const KeptStrips& kept_strips(const Contact& contact) {
+  return reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
+}
+
+KeptRun kept_run(const KeptStrips& kept, const SurfaceRegion& region) {
+  const auto all = static_cast<std::int32_t>(kept.count);
+  KeptRun run;
+  while (run.first < all && kept.strip[run.first] < region.first) ++run.first;
+  while (run.first + run.count < all && kept.strip[run.first + run.count] < region.first + region.count)
+    ++run.count;
+  return run;
+}
+
+RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
+    : strips(patch_strips(contact, patch)),
+      grid(&contact.model->march_grid),
+      speed(contact.rolling.speed),
+      way(contact.reached >= Stage::tangential ? contact.rolling.way : 1.0) {
+  if (contact.reached < Stage::tangential || !gives_fields(contact)) return;
+  strips = region_strips(contact, patch);
+  fields = cell_fields(contact, patch);
+  friction = array(contact, Array::strip_friction) + patch.region_first;
+  const std::int32_t all = strips.count * cells();
+  work.power_density = work_space(contact);
+  work.fatigue_index = work.power_density + all;
+  work.strip_power = work.fatigue_index + all;
+}
+
+RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells)
+    : grid(&contact.model->surface_grid) {
+  KeptStrips& kept = kept_strips(contact);
+  const auto [first, count] = kept_run(kept, region);
+  strips = {count,
+            count,
+            kept.place + first,
+            kept.width + first,
+            kept.centre + first,
+            kept.half_length + first,
+            kept.peak + first};
+  friction = kept.friction + first;
+  profile_y = kept.y + first;
+  profile_z = kept.z + first;
+  angle = kept.angle + first;
+  speed = kept.speed;
+  way = kept.backwards > 0.0 ? -1.0 : 1.0;
+  if (!with_cells || kept.by_region > 0.0) return;
+  const KeptFields rolled = roll_kept(*contact.model->surface, kept, first, count, work_space(contact));
+  for (double* const a : {rolled.traction_x, rolled.traction_y})
+    for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.factor;
+  fields = {rolled.traction_x, rolled.traction_y, rolled.slip_x, rolled.slip_y};
+  work = {rolled.slip_x, rolled.slip_y, rolled.of_strips};
+}
+
+}  // namespace wrc
