@@ -370,9 +370,9 @@ class Struct(c.Structure):
         return view
 
     @classmethod
-    def columns(cls, array: np.ndarray) -> Dict[str, np.ndarray]:
+    def table(cls, array: np.ndarray) -> Dict[str, np.ndarray]:
         """An array of these structs as columns of numbers by name, "pose.lateral" and "force[0]", for tables:
-        pandas.DataFrame(wrc.Wrench.columns(out)). Members that point elsewhere have none."""
+        pandas.DataFrame(wrc.Wrench.table(out)). Members that point elsewhere have none."""
         found: Dict[str, np.ndarray] = {}
         for name in cls.members():
             part, member = array[name], getattr(cls, name)
@@ -380,7 +380,7 @@ class Struct(c.Structure):
                 continue
             nested = _nested(cls, name)
             if nested is not None:
-                found.update({f"{name}.{inner}": column for inner, column in nested.columns(part).items()})
+                found.update({f"{name}.{inner}": column for inner, column in nested.table(part).items()})
             elif part.ndim == 1:
                 found[name] = part
             else:
@@ -408,7 +408,7 @@ class Struct(c.Structure):
                 yield f"{indent}{name}"
                 yield from value._lines(indent + "  ")
             else:
-                unit = self._units_.get(name, "")
+                unit = self._units_.get(name, "") if value is not None else ""
                 yield f"{indent}{name:<{width}}  {_shown(value)}{' ' + unit if unit else ''}"
 
 
