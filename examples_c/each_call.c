@@ -122,7 +122,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   static double pressure[512];
   input.wheel.z = 0.3e-3;
   input.wheel.velocity[0] = 20.0;
-  input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  input.wheel.pitch_rate = -20.0 / 0.46;
   DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes));
   DO(wrc_contact_region(contact, 0, &region));
   DO(wrc_contact_region_ellipse(contact, 0, &ellipse));

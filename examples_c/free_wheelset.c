@@ -43,12 +43,11 @@ int main(int argc, char** argv) {
 
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wheel_state* wheel = &input.wheel;
-  wheel->angular_axes = WRC_AXES_BODY;
   wrc_wrench wrench = wrc_wrench_default();
 
   /* The height at which the centred wheelset stands. */
   wheel->velocity[0] = speed;
-  wheel->angular_velocity[1] = -speed / radius;
+  wheel->pitch_rate = -speed / radius;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * load;
   status = wrc_contact_wrench(contact[right], &input, &wrench);
@@ -70,9 +69,9 @@ int main(int argc, char** argv) {
     wheel->yaw = yaw;
     wheel->velocity[1] = dy;
     wheel->velocity[2] = dz;
-    wheel->angular_velocity[0] = roll_rate;
-    wheel->angular_velocity[1] = pitch_rate - roll_rate * sin(yaw);
-    wheel->angular_velocity[2] = yaw_rate;
+    wheel->roll_rate = roll_rate;
+    wheel->pitch_rate = pitch_rate;
+    wheel->yaw_rate = yaw_rate;
     double force[3] = {0.0, 0.0, load}, moment[3] = {0.0, 0.0, 0.0};
     for (int side = 0; side < 2; ++side) {
       status = wrc_contact_wrench(contact[side], &input, &wrench);

@@ -127,16 +127,14 @@ static double irregularity(const Vehicle* v, double distance, double* slope) {
   return scale * fade * y;
 }
 
-/* What the element is given: of a rail that is bent, but at rest, in axes turned into its direction. Returns
- * the slope. */
-static double input_of(const Vehicle* v, double t, const double* s, int w, int side, wrc_wheel_input* input) {
+/* What the element is given. */
+static void input_of(const Vehicle* v, double t, const double* s, int w, int side, wrc_wheel_input* input) {
   const double *q = s + FREEDOMS * w, *rate = s + N + FREEDOMS * w;
   const double distance = v->start + v->speed * t - (w == 0 ? 0.0 : 2.0 * half_base);
   wrc_wheel_state* wheel = &input->wheel;
   *input = wrc_wheel_input_default();
   input->start = WRC_START_WARM;
   input->damping = 0.05;
-  wheel->angular_axes = WRC_AXES_BODY;
   wheel->y = q[Y];
   wheel->z = q[Z];
   wheel->roll = q[ROLL];
@@ -144,19 +142,12 @@ static double input_of(const Vehicle* v, double t, const double* s, int w, int s
   wheel->velocity[0] = v->speed;
   wheel->velocity[1] = rate[Y];
   wheel->velocity[2] = rate[Z];
-  wheel->angular_velocity[0] = rate[ROLL];
-  wheel->angular_velocity[1] = -v->speed / radius + rate[PITCH];
-  wheel->angular_velocity[2] = rate[YAW] + v->speed * curvature_at(v, distance);
-  double slope;
-  input->rail.y = irregularity(v, distance, &slope);
-  if (slope != 0.0) { /* small: the axes of roll and yaw turn with the yaw */
-    wheel->yaw -= slope;
-    wheel->velocity[0] += slope * rate[Y];
-    wheel->velocity[1] -= slope * v->speed;
-  }
+  wheel->roll_rate = rate[ROLL];
+  wheel->pitch_rate = -v->speed / radius + rate[PITCH];
+  wheel->yaw_rate = rate[YAW] + v->speed * curvature_at(v, distance);
+  input->rail.y = irregularity(v, distance, &input->rail.y_slope);
   if (side == right && v->sections) input->distance = distance;
   if (side == right && w == 0 && v->flat) input->angle = v->flat_angle - v->speed / radius * t;
-  return slope;
 }
 
 /* Accelerations, and if wanted their derivatives. */
@@ -183,7 +174,7 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
   for (int w = 0; w < 2; ++w) {
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input;
-      const double turned = input_of(v, t, s, w, side, &input);
+      input_of(v, t, s, w, side, &input);
       wrc_wrench wrench = wrc_wrench_default();
       wrc_wrench_derivatives by;
       const int32_t status = J ? wrc_contact_wrench_derivatives(v->contact[w][side], &input, &wrench, &by)
@@ -193,12 +184,8 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
         return 1; /* recoverable: CVODE takes a smaller step */
       }
       memcpy(v->wheel_force[w][side], wrench.force, sizeof wrench.force);
-      const double all[6] = {wrench.force[0],
-                             wrench.force[1] + turned * wrench.force[0],
-                             wrench.force[2],
-                             wrench.moment[0] - turned * wrench.moment[1],
-                             wrench.moment[1] + turned * wrench.moment[0],
-                             wrench.moment[2]};
+      const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],
+                             wrench.moment[0], wrench.moment[1], wrench.moment[2]};
       static const int by_place[FREEDOMS] = {WRC_BY_Y, WRC_BY_Z, WRC_BY_ROLL, WRC_BY_YAW, -1};
       static const int by_rate[FREEDOMS] = {WRC_BY_VELOCITY_Y, WRC_BY_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_X,
                                             WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
@@ -400,11 +387,9 @@ static void slow_rates(Vehicle* v, double y, double yaw, double u[SLOW]) {
     a[3][SLOW] = -axle_load;
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input = wrc_wheel_input_default();
-      input.wheel.angular_axes = WRC_AXES_BODY;
       input.wheel.y = y, input.wheel.z = u[3], input.wheel.roll = u[4], input.wheel.yaw = yaw;
       input.wheel.velocity[0] = 1.0, input.wheel.velocity[1] = u[0], input.wheel.velocity[2] = rates[0];
-      input.wheel.angular_velocity[0] = rates[1], input.wheel.angular_velocity[1] = u[2];
-      input.wheel.angular_velocity[2] = u[1];
+      input.wheel.roll_rate = rates[1], input.wheel.pitch_rate = u[2], input.wheel.yaw_rate = u[1];
       wrc_wrench w = wrc_wrench_default();
       wrc_wrench_derivatives by;
       must(wrc_contact_wrench_derivatives(v->contact[0][side], &input, &w, &by), "slow rolling");

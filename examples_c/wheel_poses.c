@@ -45,7 +45,7 @@ static wrc_wheel_input rolling(double y) {
   input.vertical_load = load;
   input.wheel.y = y;
   input.wheel.velocity[0] = speed;
-  input.wheel.angular_velocity[1] = -speed / radius;
+  input.wheel.pitch_rate = -speed / radius;
   return input;
 }
 
@@ -69,11 +69,11 @@ static void independent_wheels(void) {
       }
       const double both = (moment[0] + moment[1]) / (slope[0] + slope[1]);
       for (int side = 0; side < 2 && turn < 5; ++side)
-        input[side].wheel.angular_velocity[1] -= own ? moment[side] / slope[side] : both;
+        input[side].wheel.pitch_rate -= own ? moment[side] / slope[side] : both;
     }
     printf("  %s %10.3f %10.3f %13.0f %9.0f %14.0f\n", own ? "each by itself" : "on one axle   ",
-           input[0].wheel.angular_velocity[1], input[1].wheel.angular_velocity[1], wrench[0].force[0],
-           wrench[1].force[0], wrench[0].moment[2] + wrench[1].moment[2]);
+           input[0].wheel.pitch_rate, input[1].wheel.pitch_rate, wrench[0].force[0], wrench[1].force[0],
+           wrench[0].moment[2] + wrench[1].moment[2]);
   }
   wrc_model_destroy(model);
 }

@@ -7,9 +7,9 @@
  * state.bin, from which the next call goes on where this one ended, or was ended. draw_wheel_wear.py draws
  * them.
  *
- * The leading wheelset of a bogie stands in each curve at half the angle of attack of a rigid bogie of 2.5 m
- * and is free to roll and to move sideways: its rotation and its place are those at which no moment turns the
- * axle and its lateral forces carry the cant deficiency. Every curve is run through both ways; tangent track
+ * A wheelset that its bogie steers stands radially in each curve, without an angle of attack, and is free to
+ * roll and to move sideways: its rotation and its place are those at which no moment turns the axle and its
+ * lateral forces carry the cant deficiency. Every curve is run through both ways; tangent track
  * lies between. Depth is worn by Archard's law. The profile is renewed whenever some place of it has lost 0.1
  * mm. Needs POSIX: curves are dealt out to processes. */
 #define _DEFAULT_SOURCE
@@ -29,8 +29,7 @@ enum { BINS = 280, POINTS = 400, MOST_CURVES = 4000, MOST_PROCESSES = 64, TOGETH
 /* dry coefficients of the KTH map times this: rails are wet and greasy for most of a year */
 static const double natural_lubrication = 0.05;
 
-static const double wheel_load = 70e3, friction = 0.3, wheelbase = 2.5, radius = 0.46, base = 1.5,
-                    gravity = 9.81;
+static const double wheel_load = 70e3, friction = 0.3, radius = 0.46, base = 1.5, gravity = 9.81;
 
 typedef struct curve {
   double curvature;  /* 1/m; > 0: to the right */
@@ -102,10 +101,9 @@ static int32_t forces(wheelset* set, const curve* c, double y, double rotation, 
   input.start = WRC_START_WARM;
   input.friction.coefficient = friction;
   input.wheel.y = y;
-  input.wheel.yaw = -0.25 * wheelbase * c->curvature; /* lags behind the track: nose outwards */
   input.wheel.velocity[0] = c->speed;
-  input.wheel.angular_velocity[1] = -c->speed / radius * (1.0 + rotation);
-  input.wheel.angular_velocity[2] = c->speed * c->curvature;
+  input.wheel.pitch_rate = -c->speed / radius * (1.0 + rotation);
+  input.wheel.yaw_rate = c->speed * c->curvature;
   for (int side = 0; side < 2; ++side) {
     wrc_wrench wrench = wrc_wrench_default();
     const double outer = side == 0 ? -1.0 : 1.0; /* a curve to the right loads the left wheel */

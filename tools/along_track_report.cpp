@@ -35,6 +35,7 @@ class Pair {
     input.friction.coefficient = 0.0;
     input.start = WRC_START_COLD;
     input.wheel.velocity[0] = 20.0;
+    input.wheel.angular_axes = WRC_AXES_TRACK;
     input.wheel.angular_velocity[1] = -20.0 / radius;
   }
   ~Pair() {

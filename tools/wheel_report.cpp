@@ -112,6 +112,7 @@ int poses(const Csv& file, long count, unsigned seed) {
       input.wheel.z = deepest + random.between(-0.6e-3, 0.0);
       input.wheel.velocity[0] = speed;
       input.wheel.velocity[1] = random.between(-slip, slip) * speed;
+      input.wheel.angular_axes = WRC_AXES_TRACK;
       input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
       input.friction.coefficient = random.between(0.1, 0.6);
       input.start = random.one_in(2) ? WRC_START_COLD : WRC_START_WARM;
@@ -183,6 +184,7 @@ int loads(const Csv& file, long count, unsigned seed) {
     const double speed = random.between(5.0, 60.0), slip = std::pow(10.0, random.between(-4.0, -2.0));
     input.wheel.velocity[0] = speed;
     input.wheel.velocity[1] = random.between(-slip, slip) * speed;
+    input.wheel.angular_axes = WRC_AXES_TRACK;
     input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
     input.friction.coefficient = random.between(0.1, 0.5);
     input.vertical_load = random.between(20e3, 120e3);
@@ -377,6 +379,7 @@ struct Run {
     input.wheel.roll = shaken * 0.5e-3 * std::sin(3.1 * phase);
     input.wheel.velocity[0] = speed;
     input.wheel.velocity[1] = speed * input.wheel.yaw + shaken * 0.02 * std::sin(7.0 * phase);
+    input.wheel.angular_axes = WRC_AXES_TRACK;
     input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + shaken * 1e-3 * std::sin(5.0 * phase));
     input.wheel.z = height_for(contact, input, 80e3 * (1.0 + shaken * 0.3 * std::sin(11.0 * phase)));
     return input;

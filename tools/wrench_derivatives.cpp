@@ -4,13 +4,13 @@
 ///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors] [--list ERROR]
 ///
 /// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
-/// displaced, turned and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
+/// displaced, turned, aslant and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
 /// standstill, creepages up to saturation, some with falling friction or a soft layer; `--heated`: all with
 /// friction over temperature; `--factors`: all with friction over temperature that falls with the sliding
 /// speed. An error is over the largest entry of its row among the columns of the same unit (lengths, angles,
-/// velocities, angular velocities): that is less than the largest of the whole row. An entry whose
-/// differences to the two sides are not the same stands at a kink: a strip enters, a cell goes from stick to
-/// slip, a table's interval ends.
+/// velocities, angular velocities, slopes of the rail, a factor on friction): that is less than the largest
+/// of the whole row. An entry whose differences to the two sides are not the same stands at a kink: a strip
+/// enters, a cell goes from stick to slip, a table's interval ends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,22 +26,52 @@
 
 namespace {
 
-constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD;
+constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD + 3;
+constexpr int slope_y = WRC_BY_VERTICAL_LOAD, slope_z = slope_y + 1, factor = slope_z + 1;
 constexpr const char* row_names[rows] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 constexpr const char* column_names[columns] = {
-    "y",  "z",  "roll",   "yaw",    "vx",        "vy",      "vz",      "wx",
-    "wy", "wz", "rail y", "rail z", "rail roll", "rail vy", "rail vz", "rail wx"};
+    "y",      "z",      "roll",      "yaw",     "vx",      "vy",      "vz",      "wx",      "wy",      "wz",
+    "rail y", "rail z", "rail roll", "rail vy", "rail vz", "rail wx", "slope y", "slope z", "friction"};
 
-enum Unit { length, angle, velocity, angular_velocity, units };
-constexpr Unit unit_of[columns] = {
-    length,           length,           angle,  angle,  velocity, velocity, velocity, angular_velocity,
-    angular_velocity, angular_velocity, length, length, angle,    velocity, velocity, angular_velocity};
+enum Unit { length, angle, velocity, angular_velocity, slope, pure, units };
+constexpr Unit unit_of[columns] = {length,
+                                   length,
+                                   angle,
+                                   angle,
+                                   velocity,
+                                   velocity,
+                                   velocity,
+                                   angular_velocity,
+                                   angular_velocity,
+                                   angular_velocity,
+                                   length,
+                                   length,
+                                   angle,
+                                   velocity,
+                                   velocity,
+                                   angular_velocity,
+                                   slope,
+                                   slope,
+                                   pure};
 
 struct Case {
   wrc_wheel_input input = wrc_wheel_input_default();
 
-  double* number(int column) { return &wrench_input(input, column); }
+  double* number(int column) {
+    return column == factor    ? &input.friction.coefficient
+           : column == slope_y ? &input.rail.y_slope
+           : column == slope_z ? &input.rail.z_slope
+                               : &wrench_input(input, column);
+  }
 };
+
+/// Of a column here, among those of wrc_wrench_derivatives.
+int column_of(int column) {
+  return column == factor    ? WRC_BY_FRICTION
+         : column == slope_y ? WRC_BY_RAIL_Y_SLOPE
+         : column == slope_z ? WRC_BY_RAIL_Z_SLOPE
+                             : column;
+}
 
 double seconds() {
   using clock = std::chrono::steady_clock;
@@ -107,7 +137,8 @@ int main(int argc, char** argv) {
     Case c;
     wrc_contact* const contact = contacts[random() % 2];
     c.input.wheel.reference = random() % 2 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
-    c.input.wheel.angular_axes = random() % 2 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+    const std::int32_t axes = static_cast<std::int32_t>(random() % 3);
+    c.input.wheel.angular_axes = axes;
     c.input.wheel.y = between(-8e-3, 8e-3);
     c.input.wheel.roll = between(-10e-3, 10e-3);
     c.input.wheel.yaw = between(-15e-3, 15e-3);
@@ -120,12 +151,14 @@ int main(int argc, char** argv) {
     c.input.wheel.velocity[0] = speed;
     c.input.wheel.velocity[1] = between(-slip, slip) * speed;
     c.input.wheel.velocity[2] = between(-0.1, 0.1);
-    c.input.wheel.angular_velocity[0] = between(-0.1, 0.1);
-    c.input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + between(-slip, slip));
-    c.input.wheel.angular_velocity[2] = between(-0.1, 0.1);
+    *c.number(WRC_BY_ANGULAR_VELOCITY_X) = between(-0.1, 0.1);
+    *c.number(WRC_BY_ANGULAR_VELOCITY_Y) = -speed / 0.46 * (1.0 + between(-slip, slip));
+    *c.number(WRC_BY_ANGULAR_VELOCITY_Z) = between(-0.1, 0.1);
     c.input.rail.y_velocity = between(-0.01, 0.01);
     c.input.rail.z_velocity = between(-0.01, 0.01);
     c.input.rail.roll_rate = between(-0.01, 0.01);
+    c.input.rail.y_slope = between(-5e-3, 5e-3);
+    c.input.rail.z_slope = between(-5e-3, 5e-3);
     c.input.damping = random() % 2 ? between(0.0, 0.2) : 0.0;
     c.input.friction.coefficient = between(0.1, 0.6);
     if (random() % 4 == 0) {
@@ -168,15 +201,18 @@ int main(int argc, char** argv) {
     step_time += t1 - t0;
     both_time += t2 - t1;
     ratios.push_back((t2 - t1) / (t1 - t0));
-    double difference[rows][columns];
-    bool kink[rows][columns];
+    double difference[rows][columns] = {};
+    bool kink[rows][columns] = {};
     for (int column = 0; column < columns; ++column) {
       double* const number = c.number(column);
       const double value = *number;
       const double h = unit_of[column] == length     ? 1e-9
                        : unit_of[column] == angle    ? 1e-9
+                       : unit_of[column] == slope    ? 1e-9
+                       : unit_of[column] == pure     ? 1e-7 * value
                        : unit_of[column] == velocity ? 1e-8 * std::max(0.1, std::fabs(speed))
                                                      : 2e-8 * std::max(0.1, std::fabs(speed));
+      if (!(h > 0.0)) continue;  // a factor on no friction: nothing
       double ends[3][rows];
       for (int end = 0; end < 3; ++end) {
         *number = value + (end - 1) * h;
@@ -189,9 +225,9 @@ int main(int argc, char** argv) {
       const double high = value + h, low = value - h;
       *number = value;
       for (int r = 0; r < rows; ++r) {
-        difference[r][column] = (ends[2][r] - ends[0][r]) / (high - low);
-        kink[r][column] = std::fabs(ends[2][r] - 2.0 * ends[1][r] + ends[0][r]) / h >
-                          1e-3 * std::fabs(difference[r][column]) + 1e-9 * std::fabs(ends[1][r]) / h;
+        difference[r][column] = (ends[2][r] - ends[0][r]) / (high - low) * (column == factor ? value : 1.0);
+        kink[r][column] = std::fabs(ends[2][r] - 2.0 * ends[1][r] + ends[0][r]) >
+                          1e-3 * std::fabs(ends[2][r] - ends[0][r]) / 2.0 + 1e-9 * std::fabs(ends[1][r]);
       }
     }
     ++done;
@@ -203,7 +239,7 @@ int main(int argc, char** argv) {
         largest_of[unit_of[column]] = std::max(largest_of[unit_of[column]], size);
       }
       for (int column = 0; column < columns; ++column) {
-        const double error = std::fabs(found.wrench[r][column] - difference[r][column]);
+        const double error = std::fabs(found.wrench[r][column_of(column)] - difference[r][column]);
         const auto over = [&](double size) { return size > 0.0 ? error / size : error > 0.0 ? 1.0 : 0.0; };
         const double relative = over(largest_of[unit_of[column]]);
         for (Errors* const e : {&literal, &of_unit, &by_entry[r][column]}) {
@@ -215,7 +251,7 @@ int main(int argc, char** argv) {
         if (relative > listed && !kink[r][column])
           std::printf("pose %ld y %.4f mm yaw %.4f z %.6f: d%s/d%s %.9g by differences %.9g\n", done,
                       1e3 * c.input.wheel.y, c.input.wheel.yaw, c.input.wheel.z, row_names[r],
-                      column_names[column], found.wrench[r][column], difference[r][column]);
+                      column_names[column], found.wrench[r][column_of(column)], difference[r][column]);
       }
     }
   }

@@ -219,9 +219,8 @@ static double standing(instance* of, outcome* how) {
   wrc_wheel_input given = wrc_wheel_input_default();
   wrc_wrench wrench = wrc_wrench_default();
   const double speed = of->now.real[SET_speed];
-  given.wheel.angular_axes = WRC_AXES_BODY;
   given.wheel.velocity[0] = speed;
-  given.wheel.angular_velocity[1] = -speed / OF_KIND(of, wheel_radius);
+  given.wheel.pitch_rate = -speed / OF_KIND(of, wheel_radius);
   given.friction.coefficient = OF_KIND(of, friction);
   given.start = WRC_START_COLD;
   given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
@@ -279,7 +278,7 @@ outcome model_start(instance* of) {
 
 static wrc_contact* of_wheel(instance* of) { return of->contact[of->now.integer[WHEEL_side]]; }
 
-/* What the sixteen inputs, friction and damping are to the library. */
+/* What the inputs, friction and damping are to the library. */
 static void give_wheel(instance* of) {
   const double* from = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
@@ -289,16 +288,18 @@ static void give_wheel(instance* of) {
   wheel->z = from[WHEEL_z];
   wheel->roll = from[WHEEL_roll];
   wheel->yaw = from[WHEEL_yaw];
-  for (int i = 0; i < 3; ++i) {
-    wheel->velocity[i] = from[WHEEL_vx + i];
-    wheel->angular_velocity[i] = from[WHEEL_wx + i];
-  }
+  for (int i = 0; i < 3; ++i) wheel->velocity[i] = from[WHEEL_vx + i];
+  wheel->roll_rate = from[WHEEL_roll_rate];
+  wheel->pitch_rate = from[WHEEL_pitch_rate];
+  wheel->yaw_rate = from[WHEEL_yaw_rate];
   rail->y = from[WHEEL_rail_y];
   rail->z = from[WHEEL_rail_z];
   rail->roll = from[WHEEL_rail_roll];
   rail->y_velocity = from[WHEEL_rail_y_velocity];
   rail->z_velocity = from[WHEEL_rail_z_velocity];
-  rail->roll_rate = from[WHEEL_rail_roll_velocity];
+  rail->roll_rate = from[WHEEL_rail_roll_rate];
+  rail->y_slope = from[WHEEL_rail_y_slope];
+  rail->z_slope = from[WHEEL_rail_z_slope];
   of->input.friction.coefficient = from[WHEEL_friction];
   of->input.damping = from[WHEEL_damping];
 }
@@ -322,7 +323,6 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
   double* now = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
   wrc_wrench wrench = wrc_wrench_default();
-  wheel->angular_axes = WRC_AXES_BODY;
   wheel->y = now[SET_y];
   wheel->z = now[SET_z];
   wheel->roll = now[SET_roll];
@@ -330,9 +330,9 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
   wheel->velocity[0] = now[SET_speed];
   wheel->velocity[1] = now[SET_y_rate];
   wheel->velocity[2] = now[SET_z_rate];
-  wheel->angular_velocity[0] = now[SET_roll_rate];
-  wheel->angular_velocity[1] = now[SET_pitch_rate] - now[SET_roll_rate] * sin(now[SET_yaw]);
-  wheel->angular_velocity[2] = now[SET_yaw_rate];
+  wheel->roll_rate = now[SET_roll_rate];
+  wheel->pitch_rate = now[SET_pitch_rate];
+  wheel->yaw_rate = now[SET_yaw_rate];
   of->input.friction.coefficient = now[SET_friction];
   of->input.damping = now[SET_damping];
   of->now.integer[SET_status] = 0;
@@ -343,6 +343,8 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
     of->input.rail.z = rail[1];
     of->input.rail.y_velocity = rail[2];
     of->input.rail.z_velocity = rail[3];
+    of->input.rail.y_slope = rail[4];
+    of->input.rail.z_slope = rail[5];
     const outcome how =
         answer(of, of->contact[side], wrc_contact_wrench(of->contact[side], &of->input, &wrench));
     if (how != FINE) return how;
@@ -380,6 +382,13 @@ static outcome solve(instance* of) {
   return how;
 }
 
+/* The column of an input's derivatives. */
+static uint32_t column_of(uint32_t input) {
+  return input == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
+         : input == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
+                                       : input;
+}
+
 /* Rows of the wrench, columns of the inputs. */
 outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns, size_t unknown_count,
                           const uint32_t* knowns, size_t known_count, const double* seed, double* result) {
@@ -389,7 +398,7 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
     if (unknowns[i] < WHEEL_fx || unknowns[i] > WHEEL_mz)
       return wrong(of, WRONG, "derivatives are of fx .. mz");
   for (size_t j = 0; j < known_count; ++j)
-    if (knowns[j] > WHEEL_rail_roll_velocity) return wrong(of, WRONG, "derivatives are by the inputs");
+    if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, WRONG, "derivatives are by the inputs");
   if (!of->slopes_known) {
     wrc_wrench wrench = wrc_wrench_default();
     give_wheel(of);
@@ -404,7 +413,7 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
   for (size_t i = 0; i < results; ++i) result[i] = 0.0;
   for (size_t i = 0; i < unknown_count; ++i)
     for (size_t j = 0; j < known_count; ++j) {
-      const double slope = of->slopes.wrench[unknowns[i] - WHEEL_fx][knowns[j]];
+      const double slope = of->slopes.wrench[unknowns[i] - WHEEL_fx][column_of(knowns[j])];
       if (transposed)
         result[j] += slope * seed[i];
       else

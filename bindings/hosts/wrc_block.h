@@ -1,8 +1,8 @@
-/* One wheel on its rail as a block of plain numbers: 16 in, 6 out, and their derivatives. What the Simulink
- * and Modelica folders have in common. Inputs are the columns of enum wrc_wrench_input (wrc_wheel.h): y, z,
- * roll, yaw, velocity x y z, angular velocity x y z in track axes, rail y, z, roll and their rates. Outputs:
- * force x y z, moment x y z on the wheel about the middle of the wheelset, track axes. Every call starts
- * anew: the same inputs have the same outputs. */
+/* One wheel on its rail as a block of plain numbers: 18 in, 6 out, and their derivatives. What the Simulink
+ * and Modelica folders have in common. Inputs: y, z, roll, yaw, velocity x y z, rates of roll, pitch (about
+ * the axle, -v / r rolling forwards) and yaw; rail y, z, roll, velocities y z of its material, its rate of
+ * roll, its slopes dy/dx, dz/dx along the track. Outputs: force x y z, moment x y z on the wheel about the
+ * middle of the wheelset, track axes. Every call starts anew: the same inputs have the same outputs. */
 #ifndef WRC_BLOCK_H
 #define WRC_BLOCK_H
 
@@ -11,7 +11,7 @@
 
 #include "wrc/wrc.h"
 
-enum { WRC_BLOCK_INPUTS = 16, WRC_BLOCK_OUTPUTS = 6 };
+enum { WRC_BLOCK_INPUTS = 18, WRC_BLOCK_OUTPUTS = 6 };
 
 typedef struct wrc_block {
   wrc_model* model;
@@ -52,12 +52,13 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
   wrc_rail_state* rail = &block->input.rail;
   wheel->y = in[0], wheel->z = in[1], wheel->roll = in[2], wheel->yaw = in[3];
   memcpy(wheel->velocity, in + 4, sizeof wheel->velocity);
-  memcpy(wheel->angular_velocity, in + 7, sizeof wheel->angular_velocity);
+  wheel->roll_rate = in[7], wheel->pitch_rate = in[8], wheel->yaw_rate = in[9];
   rail->y = in[10], rail->z = in[11], rail->roll = in[12];
   rail->y_velocity = in[13], rail->z_velocity = in[14], rail->roll_rate = in[15];
+  rail->y_slope = in[16], rail->z_slope = in[17];
 }
 
-/* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 16, or NULL. */
+/* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 18, or NULL. */
 static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
   wrc_wrench wrench = wrc_wrench_default();
   int status, i;
@@ -67,8 +68,10 @@ static int wrc_block_wrench(wrc_block* block, const double in[], double out[], d
   if (status < 0) wrc_contact_last_error(block->contact, block->sentence, sizeof block->sentence);
   memcpy(out, wrench.force, sizeof wrench.force);
   memcpy(out + 3, wrench.moment, sizeof wrench.moment);
-  for (i = 0; slopes && i < WRC_BLOCK_OUTPUTS; ++i)
-    memcpy(slopes + i * WRC_BLOCK_INPUTS, block->slopes.wrench[i], WRC_BLOCK_INPUTS * sizeof *slopes);
+  for (i = 0; slopes && i < WRC_BLOCK_OUTPUTS * WRC_BLOCK_INPUTS; ++i) {
+    const int row = i / WRC_BLOCK_INPUTS, column = i % WRC_BLOCK_INPUTS;
+    slopes[i] = block->slopes.wrench[row][column < 16 ? column : WRC_BY_RAIL_Y_SLOPE + column - 16];
+  }
   return status;
 }
 

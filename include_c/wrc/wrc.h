@@ -29,7 +29,7 @@
  *  - Orientation: R = Rx(roll) Rz(yaw), right-hand rule: roll > 0 lowers the right wheel, yaw > 0 turns the nose to the right.
  *    The pitch about the axle does not matter. A rotation matrix of the host may take the place of both angles.
  *  - Velocities are those of the reference point, in track axes. Rolling forwards, the pitch rate is about -v / r0 < 0.
- *  - Rail: P is displaced by (y, z), and the profile turned about P by roll.
+ *  - Rail: P is displaced by (y, z), and the profile turned about P by roll. A rail that runs aslant has slopes dy/dx, dz/dx.
  *  - Wrench: force and moment ON THE WHEEL in track axes. The moment is about the reference point. A wheel that is pressed
  *    down has force[2] < 0.
  *  - Both sides share these axes: nothing is mirrored for a left wheel. One model serves both sides; each wheel has a contact
@@ -288,10 +288,14 @@ enum wrc_wrench_input {
   WRC_BY_RAIL_ROLL_RATE = 15,    /**< rail.roll_rate [rad/s] */
   WRC_BY_VERTICAL_LOAD = 16,     /**< vertical_load [N], where it is prescribed */
   WRC_BY_DISTANCE = 17,          /**< distance [m], without what strips grow wider or narrower along the track */
-  WRC_BY_ANGLE = 18              /**< angle [rad] */
+  WRC_BY_ANGLE = 18,             /**< angle [rad] */
+  WRC_BY_RAIL_Y_SLOPE = 19,      /**< rail.y_slope [-]; 0 of a roller */
+  WRC_BY_RAIL_Z_SLOPE = 20,      /**< rail.z_slope [-]; 0 of a roller */
+  WRC_BY_ROLLER_RATE = 21,       /**< roller_rate [rad/s]; 0 of a rail that is no roller */
+  WRC_BY_FRICTION = 22           /**< a factor, here 1, on all coefficients of `friction` [-] */
 };
 
-#define WRC_WRENCH_INPUTS 19 /**< columns of wrc_wrench_derivatives that this version fills */
+#define WRC_WRENCH_INPUTS 23 /**< columns of wrc_wrench_derivatives that this version fills */
 #define WRC_ALL_REGIONS (-1) /**< in place of an index: all patches of a contact plane together */
 
 /* ------------------------------------------------------------------------------------------- structs: the model */
@@ -517,8 +521,8 @@ typedef struct wrc_wheel_state {
   uint32_t reserved0;   /**< 0 */
   double y;             /**< displacement of the reference point to the right, -0.2..0.2 m [0] */
   double z;             /**< the same downwards, -0.5..0.2 m; 0 is the nominal height [0] */
-  double roll;          /**< about x, right wheel down, -0.5..0.5 rad [0] */
-  double yaw;           /**< about the rolled z, nose to the right, -0.5..0.5 rad [0] */
+  double roll;          /**< about x, right wheel down, -0.5..0.5 rad; 0 with a matrix [0] */
+  double yaw;           /**< about the rolled z, nose to the right, -0.5..0.5 rad; 0 with a matrix [0] */
   double velocity[3];   /**< of the reference point, track axes, -200..200, -50..50, -50..50 m/s [0] */
   double roll_rate;     /**< time derivative of roll, -200..200 rad/s [0] */
   double pitch_rate;    /**< about the axle, -v / r0 rolling forwards, -2000..2000 rad/s [0] */
@@ -529,10 +533,11 @@ typedef struct wrc_wheel_state {
   double reserved[6];   /**< 0 */
 } wrc_wheel_state;
 
-/** Displacement and motion of a rail, track axes. Velocities are those of its material: a bent rail at rest has none. Its slopes
- * along the track are inputs of their own. speed * slope is never a velocity. */
+/** Displacement and motion of a rail, track axes. Velocities are those of its material: a bent rail at rest has none, and
+ * speed * slope is never one. Its slopes say where it leads: it is turned about P, the shortest way, into (1, y_slope, z_slope).
+ * Sections of a rail are turned with it. A roller has no slopes. */
 typedef struct wrc_rail_state {
-  double y;           /**< displacement of the origin of its profile to the right, -0.2..0.2 m [0] */
+  double y;           /**< displacement of the origin of its profile to the right, at the wheel, -0.2..0.2 m [0] */
   double z;           /**< the same downwards, -0.2..0.2 m [0] */
   double roll;        /**< rotation about that origin and the x axis, -0.5..0.5 rad [0] */
   double y_slope;     /**< dy / dx of the rail at the wheel, -0.1..0.1 [0] */

@@ -16,10 +16,12 @@
 #else
 #define WRC_COMPILER "gcc " __VERSION__
 #endif
-#define WRC_BUILD                                                                       \
-  "wrc " WRC_VERSION_TEXT ", interface " WRC_TEXT_OF(WRC_ABI_VERSION) ", experimental interface " WRC_TEXT_OF(WRC_EXPERIMENTAL_VERSION) ", commit " WRC_COMMIT ", " WRC_COMPILER ", flags " WRC_FLAGS \
-  ", kernels for "                                                                      \
-  "this processor: "
+#define WRC_BUILD                                                                             \
+  "wrc " WRC_VERSION_TEXT                                                                     \
+  ", interface " WRC_TEXT_OF(WRC_ABI_VERSION) ", experimental interface " WRC_TEXT_OF(        \
+      WRC_EXPERIMENTAL_VERSION) ", commit " WRC_COMMIT ", " WRC_COMPILER ", flags " WRC_FLAGS \
+                                ", kernels for "                                              \
+                                "this processor: "
 
 extern "C" {
 

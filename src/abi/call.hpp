@@ -10,8 +10,9 @@
 namespace wrc::abi {
 
 /// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
-/// wrc_contact_last_error. `function`: its name, with which the sentence begins. `cleared` is what clearing the outputs came to: they are zeroed before the handle
-/// is looked at, so that a call without a contact leaves no old numbers behind either.
+/// wrc_contact_last_error. `function`: its name, with which the sentence begins. `cleared` is what clearing
+/// the outputs came to: they are zeroed before the handle is looked at, so that a call without a contact
+/// leaves no old numbers behind either.
 template <typename Work>
 std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
   if (!valid(handle)) return WRC_ERROR_NULL;

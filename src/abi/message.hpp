@@ -16,7 +16,8 @@ const char* status_text(std::int32_t status);
 /// Uses neither locale nor heap. `file`: the one it is about, which it ends with; nullptr: about none.
 void write_sentence(const Fault& fault, char* text, std::size_t size, const char* file = nullptr);
 
-/// The outcome of a call that is no contact's: its sentence into the caller's text. `file`: as write_sentence().
+/// The outcome of a call that is no contact's: its sentence into the caller's text. `file`: as
+/// write_sentence().
 inline std::int32_t finish(const char* function, Fault outcome, char* text, std::uint64_t size,
                            const char* file = nullptr) {
   outcome.call = function;

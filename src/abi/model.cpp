@@ -87,8 +87,8 @@ Fault check_contact(const wrc_model* model, std::int32_t side, wrc_contact** con
 wrc_contact* init_contact(const wrc_model& model, std::int32_t side, void* memory) {
   auto* made = static_cast<wrc_contact*>(memory);
   *made = {};
-  made->contact = &make_contact(*model.model, static_cast<Side>(side),
-                                static_cast<char*>(memory) + sizeof(wrc_contact));
+  made->contact =
+      &make_contact(*model.model, static_cast<Side>(side), static_cast<char*>(memory) + sizeof(wrc_contact));
   made->tag = contact_tag;
   return made;
 }
@@ -281,7 +281,8 @@ int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_alloc
   Fault fault = abi::check_contact(model, side, contact);
   if (!fault.failed())
     fault = abi::guarded([&] {
-      return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact_bytes(*model->model), memory, source);
+      return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact_bytes(*model->model), memory,
+                           source);
     });
   if (!fault.failed()) {
     *contact = abi::init_contact(*model, side, memory);

@@ -319,8 +319,8 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
               .cause = "rows increase, by 0.1 mm or more"};
   constexpr double most = 0.005;
   const Fault fault =
-      check_all(theirs.deviations, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations", "m",
-                -most, most, "did you pass mm?", "did you pass mm?");
+      check_all(theirs.deviations, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations",
+                "m", -most, most, "did you pass mm?", "did you pass mm?");
   if (fault.failed()) return fault;
   for (std::uint32_t r = 0; r < rows; ++r) {
     const double* const row = theirs.deviations + static_cast<std::size_t>(r) * angles;
@@ -388,7 +388,8 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
     return unsupported("config.check_rail.y", config.check_rail.y,
                        "there is no check rail: give config.check_rail.profile, or leave its place 0", "m");
-  if (config.rail_section_count == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 && !guided)
+  if (config.rail_section_count == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 &&
+      !guided)
     return {};
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
@@ -411,7 +412,8 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   if (!has_profiles(config) || !options.normal_method->half_space)
     return config.rail_section_count > 0
                ? unsupported("config.rail_sections", static_cast<double>(config.rail_section_count), reader)
-               : unsupported("config.roundness.angle_count", static_cast<double>(config.roundness.angle_count), reader);
+               : unsupported("config.roundness.angle_count",
+                             static_cast<double>(config.roundness.angle_count), reader);
   return first_of({read_sections(theirs, config, options), read_roundness(config.roundness, options.radius)});
 }
 

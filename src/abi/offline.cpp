@@ -104,7 +104,8 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   halfspace::GapProblem problem;
   fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
-  problem.prescribed = ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? Prescribed::load : Prescribed::approach;
+  problem.prescribed =
+      ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? Prescribed::load : Prescribed::approach;
   problem.normal_force = ours.normal_force;
   problem.approach = ours.approach;
   problem.tolerance = ours.tolerance;
@@ -273,16 +274,15 @@ Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths,
 }
 
 Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
-  return solve_rolling(theirs, solution,
-                       [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
-                         halfspace::RollingSolution found;
-                         found.fault = {.status = WRC_FLAG_NO_CONTACT};
-                         if (!touching(problem)) return found;
-                         const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
-                         return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {},
-                                                         bodies.coupling)
-                             .solve(problem);
-                       });
+  return solve_rolling(
+      theirs, solution, [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+        halfspace::RollingSolution found;
+        found.fault = {.status = WRC_FLAG_NO_CONTACT};
+        if (!touching(problem)) return found;
+        const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
+        return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {}, bodies.coupling)
+            .solve(problem);
+      });
 }
 
 /// Friction at y in the contact frame: that of the nearest strip.
@@ -442,8 +442,8 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   halfspace::SurfaceOptions solver;
   PlacedWheel placed;
   Reporter reporter;
-  Fault fault = first_of({read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted),
-                          read_options(options, solver, reporter)});
+  const Fault reading = read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted);
+  Fault fault = first_of({reading, read_options(options, solver, reporter)});
   if (fault.failed()) return fault;
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
@@ -473,6 +473,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   if (found.fault.failed()) return found.fault;
   fault = found.fault;
   keep_worst(fault, outside);
+  keep_worst(fault, reading);
 
   HostedWrench result;
   Wrench& wrench = result.wrench;
@@ -526,9 +527,9 @@ Fault create_transient(const wrc_grid* grid, const wrc_material* wheel, const wr
                                 read_or_defaults(rail, "rail", of_rail)});
   if (fault.failed()) return fault;
   const PressedBodies bodies = bodies_of(of_wheel, of_rail);
-  handle = new wrc_exact_transient{
-      transient_tag, cells, of_wheel, of_rail,
-      halfspace::TransientSolver(grid_of(cells), bodies.material, bodies.coupling)};
+  handle =
+      new wrc_exact_transient{transient_tag, cells, of_wheel, of_rail,
+                              halfspace::TransientSolver(grid_of(cells), bodies.material, bodies.coupling)};
   return {};
 }
 
@@ -538,7 +539,8 @@ Fault step_transient(wrc_exact_transient& handle, const wrc_exact_rolling_proble
       theirs, solution, [&](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
         const bool other_grid = !equal(ours.grid, handle.grid);
         halfspace::RollingSolution found;
-        if (other_grid || !equal(ours.wheel_material, handle.wheel) || !equal(ours.rail_material, handle.rail)) {
+        if (other_grid || !equal(ours.wheel_material, handle.wheel) ||
+            !equal(ours.rail_material, handle.rail)) {
           found.fault = {.status = WRC_ERROR_RANGE,
                          .field = other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
                          .cause = "other than the handle was made with: its history does not fit"};
@@ -648,9 +650,8 @@ int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* whe
   if (transient == nullptr) return WRC_ERROR_NULL;
   *transient = nullptr;
   return abi::finish(
-      __func__,
-      abi::guarded([&]() -> Fault { return abi::create_transient(grid, wheel, rail, *transient); }), text,
-      size);
+      __func__, abi::guarded([&]() -> Fault { return abi::create_transient(grid, wheel, rail, *transient); }),
+      text, size);
 }
 
 int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,

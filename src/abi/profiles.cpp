@@ -170,27 +170,31 @@ extern "C" {
 
 int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
                                       wrc_wheelset_geometry* functions, char* text, uint64_t size) {
-  return abi::finish(__func__, abi::guarded([&] { return abi::find_functions(model, problem, functions); },
+  return abi::finish(__func__,
+                     abi::guarded([&] { return abi::find_functions(model, problem, functions); },
                                   abi::memory_of, abi::memory_cause),
                      text, size);
 }
 
 int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
                                 uint64_t size) {
-  return abi::finish(__func__, 
+  return abi::finish(
+      __func__,
       abi::guarded([&] { return abi::find_conicity(problem, conicity); }, abi::memory_of, abi::memory_cause),
       text, size);
 }
 
 int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
-                             uint64_t size) {
-  return abi::finish(__func__, 
-      abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause), text, size);
+                                uint64_t size) {
+  return abi::finish(
+      __func__, abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause),
+      text, size);
 }
 
 int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
                               wrc_flange* flange, char* text, uint64_t size) {
-  return abi::finish(__func__, 
+  return abi::finish(
+      __func__,
       abi::guarded([&] { return abi::find_flange(count, y, z, flange_back_to_origin, flange); },
                    abi::memory_of, abi::memory_cause),
       text, size);

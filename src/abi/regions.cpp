@@ -1,7 +1,5 @@
 /// Results by region of the contact's newest solution: the region itself, its fields, damage, wear,
 /// temperatures and stresses.
-#include "contact/region.hpp"
-
 #include <algorithm>
 
 #include "abi/call.hpp"
@@ -10,6 +8,7 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "abi/wear.hpp"
+#include "contact/region.hpp"
 
 namespace wrc::abi {
 namespace {

@@ -8,7 +8,8 @@ namespace wrc::abi {
 
 /// A double ellipse with its load; `joint`: lateral place or arc length [m].
 inline wrc_ellipse ellipse_of(const Sdec& sdec, double joint, double normal_force) {
-  return {.a = sdec.a, .b = sdec.b, .psi = sdec.psi, .y = joint, .normal_force = normal_force, .reserved = {}};
+  return {
+      .a = sdec.a, .b = sdec.b, .psi = sdec.psi, .y = joint, .normal_force = normal_force, .reserved = {}};
 }
 
 /// Wear and fatigue numbers; without tractions those of cells are missing.

@@ -6,7 +6,8 @@
 
 namespace abi = wrc::abi;
 
-extern "C" int32_t wrc_planar_tangential_derivatives(wrc_contact* handle, wrc_planar_derivatives* derivatives) {
+extern "C" int32_t wrc_planar_tangential_derivatives(wrc_contact* handle,
+                                                     wrc_planar_derivatives* derivatives) {
   return abi::call(__func__, handle, abi::clear(derivatives), [&](wrc::Contact& contact) {
     wrc::TangentialSensitivities found;
     const wrc::Fault outcome = wrc::find_sensitivities(contact, found);

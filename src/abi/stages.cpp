@@ -88,8 +88,8 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
 }
 
 Fault check_stride(const wrc_planar_gap& gap, const char* of) {
-  Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "", static_cast<double>(gap.column_count),
-                      1e12, "rows overlap: the stride is in elements");
+  Fault fault = check(static_cast<double>(gap.row_stride), "row_stride", "",
+                      static_cast<double>(gap.column_count), 1e12, "rows overlap: the stride is in elements");
   fault.of = of;
   return fault;
 }
@@ -115,8 +115,8 @@ Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
-    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.column_count), gap.x, gap.y, gap.h,
-                                          static_cast<std::int64_t>(gap.row_stride)});
+    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.column_count), gap.x, gap.y,
+                                          gap.h, static_cast<std::int64_t>(gap.row_stride)});
   }
 
   wrc::take_gap(contact, GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
@@ -307,7 +307,7 @@ int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motio
 }
 
 int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const wrc_planar_load* load,
-                           wrc_planar_normal_solution* normal) {
+                          wrc_planar_normal_solution* normal) {
   return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     wrc_planar_load ours;
     Fault outcome = abi::read(load, "load", ours);
@@ -320,7 +320,8 @@ int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const 
   });
 }
 
-int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* strips, wrc_planar_normal_solution* normal) {
+int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* strips,
+                              wrc_planar_normal_solution* normal) {
   return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     Fault outcome;
     if (strips != nullptr) outcome = abi::take_strips(contact, strips);
@@ -349,7 +350,7 @@ int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
 }
 
 int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, const wrc_creepage* creepage,
-                               const wrc_friction* friction, wrc_planar_forces* forces) {
+                              const wrc_friction* friction, wrc_planar_forces* forces) {
   return abi::call(__func__, handle, abi::clear(forces), [&](Contact& contact) {
     wrc_creepage ours;
     wrc_friction theirs;

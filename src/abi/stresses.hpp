@@ -16,7 +16,9 @@ inline constexpr double most_stress_depths = 64.0;
 Fault check_stress_depths(std::int32_t body, const double* depths, std::uint32_t count);
 
 inline wrc_stress_peaks peaks_of(const StressPeaks& found) {
-  const auto one = [](const StressPeak& peak) { return wrc_stress_peak{peak.value, peak.x, peak.y, peak.z, {}}; };
+  const auto one = [](const StressPeak& peak) {
+    return wrc_stress_peak{peak.value, peak.x, peak.y, peak.z, {}};
+  };
   return {one(found.von_mises), one(found.shear), one(found.tension), {}};
 }
 

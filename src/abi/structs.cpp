@@ -24,8 +24,10 @@ Fault refuse(const Member& member, const char* of, double value, std::int32_t in
     fault.status = WRC_ERROR_UNSUPPORTED;
     fault.cause = member.enumeration->names;
   } else if (member.rule == Rule::zero) {
-    fault.cause = "it is kept for later versions and must be 0: was the struct initialised, or is the program's header newer than "
-                  "this library?";
+    fault.cause =
+        "it is kept for later versions and must be 0: was the struct initialised, or is the program's header "
+        "newer than "
+        "this library?";
   } else {
     fault.low = member.low;
     fault.high = member.high;

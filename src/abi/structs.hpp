@@ -203,7 +203,8 @@ void write(const Struct& ours, Struct* theirs) {
   if constexpr (Description<Struct>::versioned) {
     const std::uint32_t size = theirs->struct_size;
     std::memcpy(theirs, &ours, std::min<std::size_t>(size, sizeof(Struct)));
-    if (size > sizeof(Struct)) std::memset(reinterpret_cast<char*>(theirs) + sizeof(Struct), 0, size - sizeof(Struct));
+    if (size > sizeof(Struct))
+      std::memset(reinterpret_cast<char*>(theirs) + sizeof(Struct), 0, size - sizeof(Struct));
     theirs->struct_size = size;
   } else {
     *theirs = ours;

@@ -1,7 +1,6 @@
 /// Wear by the laws: parameters checked and translated.
 #include "abi/wear.hpp"
 
-
 namespace wrc::abi {
 namespace {
 

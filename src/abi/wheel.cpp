@@ -24,10 +24,8 @@ void rotation_of_axle(const double (&axle)[3], double (&rotation)[3][3]) {
   for (int i = 0; i < 3; ++i) std::copy_n(full[i], 3, rotation[i]);
 }
 
-Fault check_rotation(const double* r) {
-  Fault fault = check_all(r, 9, "input.wheel.rotation", "", -1.001, 1.001,
-                          "these are not cosines between axes", "these are not cosines between axes");
-  if (fault.failed()) return fault;
+/// `r`: row by row, each number a cosine already.
+Fault check_rotation(const double (&r)[9]) {
   constexpr double tolerance = 1e-6;
   double furthest = 0.0;  // of R R^T from 1
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +41,7 @@ Fault check_rotation(const double* r) {
             .unit = "",
             .low = 0.0,
             .high = tolerance,
-            .cause = "this is no rotation; it is 9 numbers row by row"};
+            .cause = "this is no rotation"};
   }
   const double determinant = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
                              r[2] * (r[3] * r[7] - r[4] * r[6]);
@@ -71,51 +69,97 @@ Fault check_rotation(const double* r) {
   return {};
 }
 
-Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostedWheel& hosted) {
-  Fault fault;
-  if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
-  if (!fault.failed() && ours.rotation != nullptr) {
-    constexpr const char* not_both = "give roll and yaw or a rotation, not both";
-    fault = first_of({check(ours.roll, "input.wheel.roll", "rad", 0.0, 0.0, not_both, not_both),
-                      check(ours.yaw, "input.wheel.yaw", "rad", 0.0, 0.0, not_both, not_both),
-                      check_rotation(ours.rotation)});
-  }
-  if (fault.failed()) return fault;
-
-  const double* const v = ours.velocity;
-  const double* const w = ours.angular_velocity;
-  double given[3][3];
-  if (ours.rotation != nullptr) {
-    for (int i = 0; i < 3; ++i) std::copy_n(ours.rotation + 3 * i, 3, given[i]);
-    double axle[3] = {given[0][1], given[1][1], given[2][1]};
-    const double length = std::sqrt(axle[0] * axle[0] + axle[1] * axle[1] + axle[2] * axle[2]);
-    for (double& part : axle) part /= length;
-    rotation_of_axle(axle, hosted.rotation);
-  } else {
+/// Reads the direction of the axle into hosted.rotation; `axes`: those of the body, which may be turned by
+/// the pitch, track = axes * body.
+Fault read_axle(const wrc_wheel_state& ours, HostedWheel& hosted, double (&axes)[3][3]) {
+  if (ours.orientation == WRC_ORIENTATION_ANGLES) {
     const auto [sine_roll, cosine_roll] = sine_cosine(flush_subnormals(ours.roll));
     const auto [sine_yaw, cosine_yaw] = sine_cosine(flush_subnormals(ours.yaw));
     rotation_of_axle({-sine_yaw, cosine_roll * cosine_yaw, sine_roll * cosine_yaw}, hosted.rotation);
-    for (int i = 0; i < 3; ++i) std::copy_n(hosted.rotation[i], 3, given[i]);
+    for (int i = 0; i < 3; ++i) std::copy_n(hosted.rotation[i], 3, axes[i]);
+    return {};
   }
-  hosted.axes_turn = ours.angular_axes != WRC_AXES_TRACK;
-  if (hosted.axes_turn)
-    for (int i = 0; i < 3; ++i) std::copy_n(given[i], 3, hosted.axes[i]);
+  double rows[9];
+  const bool by_columns = ours.orientation == WRC_ORIENTATION_COLUMNS;
+  for (int i = 0; i < 9; ++i) rows[i] = ours.rotation[by_columns ? i % 3 * 3 + i / 3 : i];
+  const Fault fault = check_rotation(rows);
+  if (fault.failed()) return fault;
+  for (int i = 0; i < 3; ++i) std::copy_n(rows + 3 * i, 3, axes[i]);
+  double axle[3] = {axes[0][1], axes[1][1], axes[2][1]};
+  const double length = std::sqrt(axle[0] * axle[0] + axle[1] * axle[1] + axle[2] * axle[2]);
+  for (double& part : axle) part /= length;
+  rotation_of_axle(axle, hosted.rotation);
+  return {};
+}
+
+/// Reads the angular velocity; `body`: the body's axes.
+void read_turning(const wrc_wheel_state& ours, const double (&body)[3][3], HostedWheel& hosted) {
+  const double rates[3] = {ours.roll_rate, ours.pitch_rate, ours.yaw_rate};
+  const bool by_rates = ours.angular_axes == WRC_AXES_NONE, in_track = ours.angular_axes == WRC_AXES_TRACK;
+  const double* const w = by_rates ? rates : ours.angular_velocity;
+  for (int i = 0; i < 3; ++i) {
+    if (!in_track) std::copy_n(by_rates ? hosted.rotation[i] : body[i], 3, hosted.axes[i]);
+    if (by_rates) hosted.axes[i][0] = i == 0 ? 1.0 : 0.0;  // roll is about the track's x
+    const double* const along = hosted.axes[i];
+    hosted.angular_velocity[i] =
+        flush_subnormals(in_track ? w[i] : along[0] * w[0] + along[1] * w[1] + along[2] * w[2]);
+    hosted.turning_with_body[i] = in_track   ? 0.0
+                                  : by_rates ? along[1] * w[1] + along[2] * w[2]
+                                             : hosted.angular_velocity[i];
+  }
+}
+
+/// Part of a vector across an axle of unit length, over its whole; 0 of none.
+double part_across(const double (&v)[3], double x, double y, double z) {
+  const double along = v[0] * x + v[1] * y + v[2] * z;
+  const double across[3] = {v[0] - along * x, v[1] - along * y, v[2] - along * z};
+  const auto square = [](const double(&a)[3]) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; };
+  const double whole = square(v);
+  return whole > 0.0 ? std::sqrt(square(across) / whole) : 0.0;
+}
+
+/// Flags a rotation whose transpose has its axle along the angular velocity, which its own has not: without
+/// pitch a transpose is a rotation that a wheel may have.
+Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3], const HostedWheel& hosted) {
+  constexpr double least = 1e-3, much_less = 0.05;
+  if (ours.orientation == WRC_ORIENTATION_ANGLES || ours.angular_axes != WRC_AXES_TRACK) return {};
+  const auto& w = hosted.angular_velocity;
+  const double across = part_across(w, body[0][1], body[1][1], body[2][1]);
+  const double of_transpose = part_across(w, body[1][0], body[1][1], body[1][2]);
+  if (!(across > least && of_transpose < much_less * across)) return {};
+  return {.status = WRC_FLAG_ROTATION_TRANSPOSED,
+          .field = "part of input.wheel.angular_velocity across the axle",
+          .value = across,
+          .unit = "",
+          .low = 0.0,
+          .high = least,
+          .cause = ours.orientation == WRC_ORIENTATION_ROWS
+                       ? "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
+                         "did you pass its columns? then say WRC_ORIENTATION_COLUMNS"
+                       : "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
+                         "did you pass its rows? then say WRC_ORIENTATION_ROWS"};
+}
+
+Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostedWheel& hosted) {
+  Fault fault;
+  double body[3][3];
+  if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
+  if (!fault.failed()) fault = read_axle(ours, hosted, body);
+  if (fault.failed()) return fault;
+  read_turning(ours, body, hosted);
   hosted.of_wheelset = ours.reference == WRC_REFERENCE_WHEELSET;
   hosted.y = flush_subnormals(ours.y);
   hosted.z = height_read ? flush_subnormals(ours.z) : 0.0;
-  for (int i = 0; i < 3; ++i) {
-    hosted.velocity[i] = flush_subnormals(v[i]);
-    hosted.angular_velocity[i] = flush_subnormals(
-        ours.angular_axes == WRC_AXES_TRACK ? w[i]
-                                            : given[i][0] * w[0] + given[i][1] * w[1] + given[i][2] * w[2]);
-  }
-  return {};
+  for (int i = 0; i < 3; ++i) hosted.velocity[i] = flush_subnormals(ours.velocity[i]);
+  return look_for_transpose(ours, body, hosted);
 }
 
 RailMotion rail_of(const wrc_rail_state& checked) {
   return {.y = flush_subnormals(checked.y),
           .z = flush_subnormals(checked.z),
           .roll = flush_subnormals(checked.roll),
+          .slope_y = flush_subnormals(checked.y_slope),
+          .slope_z = flush_subnormals(checked.z_slope),
           .velocity_y = flush_subnormals(checked.y_velocity),
           .velocity_z = flush_subnormals(checked.z_velocity),
           .velocity_roll = flush_subnormals(checked.roll_rate)};
@@ -145,8 +189,8 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   Fault fault = read(theirs, "input", ours);
   if (fault.failed()) return fault;
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
-  fault =
-      first_of({read_wheel(ours.wheel, height, hosted), read_hosted_friction(ours.friction, method, hosted)});
+  const Fault wheel = read_wheel(ours.wheel, height, hosted);
+  fault = first_of({wheel, read_hosted_friction(ours.friction, method, hosted)});
   if (fault.failed()) return fault;
   hosted.rail = rail_of(ours.rail);
   hosted.rail.turning = flush_subnormals(ours.roller_rate);
@@ -160,7 +204,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
   hosted.angle = flush_subnormals(ours.angle);
-  return {};
+  return wheel;
 }
 
 wrc_wrench wrench_of(const HostedWrench& hosted) {
@@ -198,8 +242,11 @@ wrc_wrench_derivatives derivatives_of(const HostedSlopes& slopes) {
 Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes = nullptr) {
   contact.wheel_solved = 0;
   HostedWheel hosted;
-  const Fault fault = read_hosted(input, *contact.model->options.tangential_method, hosted);
-  return fault.failed() ? fault : solve_wheel(contact, hosted, slopes);
+  const Fault reading = read_hosted(input, *contact.model->options.tangential_method, hosted);
+  if (reading.failed()) return reading;
+  Fault fault = solve_wheel(contact, hosted, slopes);
+  keep_worst(fault, reading);
+  return fault;
 }
 
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
@@ -221,17 +268,18 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
   return abi::wheel_step(handle, input, wrench);
 }
 
-int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input,
-                                         wrc_wrench* wrench, wrc_wrench_derivatives* derivatives) {
-  return abi::call(
-      __func__, handle, abi::first_of({abi::clear(wrench), abi::clear(derivatives)}), [&](wrc::Contact& contact) {
-        wrc::HostedSlopes slopes;
-        const wrc::Fault outcome = abi::solve(contact, input, derivatives == nullptr ? nullptr : &slopes);
-        if (outcome.failed()) return outcome;
-        abi::write(abi::with_flags(abi::wrench_of(contact.wheel), outcome), wrench);
-        if (derivatives != nullptr) abi::write(abi::derivatives_of(slopes), derivatives);
-        return outcome;
-      });
+int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench,
+                                       wrc_wrench_derivatives* derivatives) {
+  return abi::call(__func__, handle, abi::first_of({abi::clear(wrench), abi::clear(derivatives)}),
+                   [&](wrc::Contact& contact) {
+                     wrc::HostedSlopes slopes;
+                     const wrc::Fault outcome =
+                         abi::solve(contact, input, derivatives == nullptr ? nullptr : &slopes);
+                     if (outcome.failed()) return outcome;
+                     abi::write(abi::with_flags(abi::wrench_of(contact.wheel), outcome), wrench);
+                     if (derivatives != nullptr) abi::write(abi::derivatives_of(slopes), derivatives);
+                     return outcome;
+                   });
 }
 
 int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,

@@ -180,7 +180,7 @@ Fault accumulate(const Contact& contact, const Accumulation& accumulation, const
                  const DamageBins* rail, DamageTotals& totals) {
   totals = {};
   return contact.newest == Solution::wheel ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)
-                                       : add_stages(contact, accumulation, wheel, rail, totals);
+                                           : add_stages(contact, accumulation, wheel, rail, totals);
 }
 
 }  // namespace wrc

@@ -72,8 +72,8 @@ struct Friction {
 /// Which way and how fast the bodies roll. Backwards the leading edge is at -x; creepages are sliding
 /// velocities over `speed` either way.
 struct Rolling {
-  double speed = 0.0;      ///< V, its amount [m/s]
-  double way = 1.0;        ///< 1: along x; -1: backwards
+  double speed = 0.0;          ///< V, its amount [m/s]
+  double way = 1.0;            ///< 1: along x; -1: backwards
   double reverse_share = 0.0;  ///< share of the forces that is of rolling against `way`, near standstill
 };
 
@@ -92,9 +92,10 @@ struct HostedWheel {
   double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
   double velocity[3] = {};                                    ///< of the reference point [m/s]
   double angular_velocity[3] = {};                            ///< [rad/s]
-  /// Its components as the host gives them: along the columns of `axes`, which turn with the body or not.
+  /// What the host gives of it are components along the columns of `axes`: those of the track or the body, or
+  /// x, the axle and the rolled z, about which roll, the wheel and yaw turn.
   double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  bool axes_turn = false;
+  double turning_with_body[3] = {};  ///< its part along columns that turn with roll and yaw [rad/s]
   /// Of the frame that the velocities are given in, about its own axes.
   double frame_speed = 0.0, frame_turning[3] = {};  ///< [m/s], [rad/s]
   RailMotion rail;
@@ -137,6 +138,10 @@ enum HostedInput : std::int32_t {
   by_load,
   by_distance,
   by_angle,
+  by_rail_slope_y,
+  by_rail_slope_z,
+  by_roller_velocity,
+  by_friction,
   hosted_inputs
 };
 
@@ -215,13 +220,13 @@ static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + siz
 static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
                                    sizeof(TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) ==
-              sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) + sizeof(std::uint8_t) +
-                  4 * sizeof(std::int32_t) + sizeof(std::int64_t) + sizeof(Pose) + sizeof(ContactPoint) +
-                  sizeof(NormalSolution) + sizeof(StripTotals) + sizeof(Patch[patch_capacity]) +
-                  sizeof(Creepage) + sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
-                  sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) + sizeof(std::int32_t) +
-                  sizeof(Solution) + sizeof(HostedWrench));
+static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + 3 * sizeof(bool) +
+                                     sizeof(std::uint8_t) + 4 * sizeof(std::int32_t) + sizeof(std::int64_t) +
+                                     sizeof(Pose) + sizeof(ContactPoint) + sizeof(NormalSolution) +
+                                     sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
+                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
+                                     sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
+                                     sizeof(std::int32_t) + sizeof(Solution) + sizeof(HostedWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostedWrench) ==
               2 * sizeof(std::int32_t) + 16 * sizeof(double) +

@@ -12,8 +12,9 @@ namespace wrc {
 
 inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
 
-/// Every array a contact owns: over cells, over the strips of the normal problem and the rows of the gap, then
-/// over the `region_` strips that rolled (the same values unless a variant replaces the patch by an ellipse).
+/// Every array a contact owns: over cells, over the strips of the normal problem and the rows of the gap,
+/// then over the `region_` strips that rolled (the same values unless a variant replaces the patch by an
+/// ellipse).
 enum class Array : std::size_t {
   x,
   pressure,

@@ -304,7 +304,8 @@ std::size_t model_bytes(const ModelOptions& options) {
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
   return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
          table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + march_grid_size(options.surface_cells) + 3 * profiles + scratch + arcs(options));
+         sizeof(double) * (march_grid_size(options.sizes.cells) + march_grid_size(options.surface_cells) +
+                           3 * profiles + scratch + arcs(options));
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {

@@ -302,7 +302,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
     TangentialSensitivities own;
     TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
     keep_worst(fault, rolling.reverse_share > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
-                                              : roll(contact, patch, friction, rolling.way, wanted));
+                                                  : roll(contact, patch, friction, rolling.way, wanted));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
     if (!sensitivities) continue;

@@ -5,6 +5,7 @@
 #include "base/elementary.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "surface/rail_direction.hpp"
 
 namespace wrc {
 namespace {
@@ -37,6 +38,7 @@ void mirror_body(WheelOnRail& problem) {
   rail.y = -rail.y;
   rail.velocity_y = -rail.velocity_y;
   rail.roll = -rail.roll;
+  rail.slope_y = -rail.slope_y;
   rail.velocity_roll = -rail.velocity_roll;
 }
 
@@ -73,9 +75,14 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) from_wheel[k] += wheel.rotation[i][k] * (point[i] - wheel.position[i]);
   }
-  const auto [sine, cosine] = sine_cosine(problem.rail.roll);
-  const double y = point[1] - right(model).rail.origin_y - problem.rail.y;
-  double z = point[2] - right(model).rail.origin_z - problem.rail.z;
+  const RailMotion& rail = problem.rail;
+  const auto [sine, cosine] = sine_cosine(rail.roll);
+  double from_rail[3] = {point[0], point[1] - right(model).rail.origin_y - rail.y,
+                         point[2] - right(model).rail.origin_z - rail.z};
+  if (rail.slope_y != 0.0 || rail.slope_z != 0.0)
+    turn_along_rail(direction_of(rail.slope_y, rail.slope_z), from_rail);
+  const double y = from_rail[1];
+  double z = from_rail[2];
   const double from_axle = point[0] - wheel.position[0] + problem.distance;
   z -= 0.5 * model.options.roller_curvature * from_axle * from_axle;  // what a roller falls
   return {.y_wheel = from_wheel[1],
@@ -106,6 +113,12 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   if (hosted.rail.turning != 0.0 && !roller)
     return not_read("input.roller_rate", hosted.rail.turning, "rad/s",
                     "the rail is no roller: give config.roller_curvature, or leave it 0");
+  const RailMotion& rail = hosted.rail;
+  if (roller && (rail.slope_y != 0.0 || rail.slope_z != 0.0))
+    return not_read(
+        rail.slope_y != 0.0 ? "input.rail.y_slope" : "input.rail.z_slope",
+        rail.slope_y != 0.0 ? rail.slope_y : rail.slope_z, "",
+        "a roller leads nowhere along the track: turn its axle by the wheel's yaw, and leave it 0");
   constexpr double beside_roller = 0.2;  // [m]
   if (roller && !(std::abs(hosted.distance) <= beside_roller))
     return {.status = WRC_ERROR_RANGE,

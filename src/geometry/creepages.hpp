@@ -25,7 +25,7 @@ struct RigidCreepage {
   double lateral = 0.0;        ///< nu_y [-]
   double spin = 0.0;           ///< phi [1/m]
   double rolling_speed = 0.0;  ///< what the velocities are divided by, with the sign of V [m/s]
-  double reverse_share = 0.0;      ///< share of the forces that is of rolling against that sign, 0 to 1/2
+  double reverse_share = 0.0;  ///< share of the forces that is of rolling against that sign, 0 to 1/2
   bool limited = false;        ///< is |rolling_speed| something else than |V|?
   double normal_velocity =
       0.0;  ///< of the wheel's point along the contact normal, into the rail positive [m/s]
@@ -49,7 +49,7 @@ inline constexpr double floor_speed = 0.1;
 /// are |V| and 0.
 template <class Number>
 struct RollingReferenceOf {
-  Number divisor = 0.0;    ///< [m/s]
+  Number divisor = 0.0;        ///< [m/s]
   Number reverse_share = 0.0;  ///< 0..1/2
 };
 using RollingReference = RollingReferenceOf<double>;

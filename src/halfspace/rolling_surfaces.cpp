@@ -76,6 +76,33 @@ void TurnedAboveAxle::turn(double sine, double (&v)[3]) const {
 
 void TurnedAboveAxle::turn_back(double (&v)[3]) const { turn(-sine_, v); }
 
+SeenAlongRail::SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state) {
+  WheelMotion& wheel = state.wheel;
+  RailMotion& rail = state.rail;
+  aslant_ = rail.slope_y != 0.0 || rail.slope_z != 0.0;
+  if (!aslant_) return;
+  direction_ = direction_of(rail.slope_y, rail.slope_z);
+  rail.slope_y = rail.slope_z = 0.0;
+  const double origin[3] = {0.0, bodies.rail_y + rail.y, bodies.rail_z + rail.z};
+  // Only what the wheel does beside the rail matters.
+  wheel.velocity[1] -= rail.velocity_y;
+  wheel.velocity[2] -= rail.velocity_z;
+  rail.velocity_y = rail.velocity_z = 0.0;
+  for (int i = 0; i < 3; ++i) wheel.position[i] -= origin[i];
+  for (double* const v : {wheel.position, wheel.velocity, wheel.angular_velocity})
+    turn_along_rail(direction_, v);
+  for (int i = 0; i < 3; ++i) wheel.position[i] += origin[i];
+  for (int k = 0; k < 3; ++k) {
+    double axis[3] = {wheel.rotation[0][k], wheel.rotation[1][k], wheel.rotation[2][k]};
+    turn_along_rail(direction_, axis);
+    for (int i = 0; i < 3; ++i) wheel.rotation[i][k] = axis[i];
+  }
+}
+
+void SeenAlongRail::turn_back(double (&v)[3]) const {
+  if (aslant_) turn_into_track(direction_, v);
+}
+
 RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface,
                                  const WheelOnRail& state)
     : bodies_(bodies),

@@ -15,6 +15,7 @@
 #include "halfspace/wheel_deviation.hpp"
 #include "patch/material.hpp"
 #include "surface/out_of_round.hpp"
+#include "surface/rail_direction.hpp"
 #include "surface/varying_rail.hpp"
 #include "surface/wheel_on_rail.hpp"
 
@@ -83,6 +84,21 @@ class TurnedAboveAxle {
   void turn(double sine, double (&v)[3]) const;
   double sine_ = 0.0, cosine_ = 1.0;    // of the turn
   double down_y_ = 0.0, down_z_ = 1.0;  // of the rail's z axis
+};
+
+/// A wheel on a rail that runs aslant of the track (surface/rail_direction.hpp), seen in axes along it, and
+/// back.
+class SeenAlongRail {
+ public:
+  /// Turns the wheel of `state` about the displaced origin of the rail's profile, and leaves it no slopes.
+  /// Nothing at all without them.
+  SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state);
+  /// From axes along the rail to those of the track.
+  void turn_back(double (&v)[3]) const;
+
+ private:
+  bool aslant_ = false;
+  RailDirection<double> direction_;
 };
 
 /// A wheel over one face of a rail, or above the axle of a roller. Axes: x from the wheel's reference point,

@@ -320,7 +320,8 @@ void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocatio
 Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
   const WheelOnRail& state = problem.state;
   double sum = state.vertical_load + state.friction + state.rail.y + state.rail.z + state.rail.roll +
-               state.rail.velocity_y + state.rail.velocity_z + state.rail.velocity_roll;
+               state.rail.slope_y + state.rail.slope_z + state.rail.velocity_y + state.rail.velocity_z +
+               state.rail.velocity_roll;
   for (int k = 0; k < 3; ++k) {
     sum += state.wheel.position[k] + state.wheel.velocity[k] + state.wheel.angular_velocity[k];
     for (const double r : state.wheel.rotation[k]) sum += r;
@@ -351,6 +352,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
   s.height = height;
   WheelOnRail state = in;
   state.wheel.position[2] = height;
+  const SeenAlongRail along_rail(bodies_, state);
   const TurnedAboveAxle turned_wheel(bodies_, state);
   if (bodies_.rail.size() == 1) {
     solve_face(bodies_.rail[0], state, with_friction, start, progress, s);
@@ -387,6 +389,8 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
   }
   turned_wheel.turn_back(s.force);
   turned_wheel.turn_back(s.moment);
+  along_rail.turn_back(s.force);
+  along_rail.turn_back(s.moment);
   return s;
 }
 
@@ -563,6 +567,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
   for (int k = 0; k < 20; ++k) {
     WheelOnRail state = problem.state;
     state.wheel.position[2] = height;
+    const SeenAlongRail along(bodies_, state);
     const TurnedAboveAxle turned(bodies_, state);
     double nearest = apart;
     for (const RailSurface& face : bodies_.rail) {

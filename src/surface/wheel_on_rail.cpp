@@ -96,7 +96,9 @@ void keep_strips(const SurfaceModel& model, const WheelOnRail& in, const Work& w
     kept.y[k] = w.rail.y[j];
     kept.z[k] = w.rail.z[j];
     kept.angle[k] = strip_angle(w.rail, j);
-    kept.centre[k] = in.wheel.position[0] + w.pressure.centre[i];
+    double middle[3] = {w.pressure.centre[i], o.wy[i], o.wz[i]};
+    if (w.seen.aslant) into_track(w.seen, middle);
+    kept.centre[k] = in.wheel.position[0] + middle[0];
     kept.peak[k] = w.factor * w.peak[k];
     kept.power[k] = power_of(w, k, w.speed);
     kept.y_wheel[k] = r[0][1] * o.centre[i] + r[1][1] * o.wy[i] + r[2][1] * o.wz[i];

@@ -23,17 +23,19 @@ namespace wrc {
 
 /// A wheel as a rigid body. The reference point is where the plane of the tape circle meets the axle.
 struct WheelMotion {
-  double position[3] = {};  ///< of the reference point, track axes [m]; x does not matter
+  double position[3] =
+      {};  ///< of the reference point, track axes [m]; x from where the rail's place is given
   double rotation[3][3] = {
       {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * wheel axes; y along the axle
   double velocity[3] = {};               ///< of the reference point against the ground, track axes [m/s]
   double angular_velocity[3] = {};       ///< track axes, the turning about the axle included [rad/s]
 };
 
-/// A rail: displacement of the origin of its profile from its place in the model, and rotation about that
-/// origin.
+/// A rail: displacement of the origin of its profile, at x = 0, from its place in the model, and rotation
+/// about that origin: by roll about its own direction, which the slopes give (rail_direction.hpp).
 struct RailMotion {
-  double y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]; roll about x
+  double y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]
+  double slope_y = 0.0, slope_z = 0.0;                             ///< of its place along the track [-]
   double velocity_y = 0.0, velocity_z = 0.0, velocity_roll = 0.0;  ///< [m/s], [rad/s]
   double turning = 0.0;  ///< of a roller about its axle, right-hand rule about its y [rad/s]
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "surface/overlap.hpp"
+#include "surface/rail_direction.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/surface_normal.hpp"
 #include "surface/surface_rolling.hpp"
@@ -17,7 +18,9 @@ struct Seen {
   double velocity[3];          ///< of the wheel's reference point less that of rail material there
   double angular_velocity[3];  ///< of the wheel less that of the rail
   double cosine, sine;         ///< of the rail's roll
-  double rail_turning;         ///< of a roller about its axle [rad/s]
+  bool aslant;                 ///< does the rail run so?
+  RailDirection<double> direction;
+  double rail_turning;  ///< of a roller about its axle [rad/s]
 };
 
 struct WheelWork {

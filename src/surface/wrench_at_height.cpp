@@ -62,23 +62,35 @@ Seen see(const SurfaceModel& model, const WheelOnRail& in, double height) {
   const SineCosine roll = sine_cosine(in.rail.roll);
   s.cosine = roll.cosine;
   s.sine = roll.sine;
+  s.aslant = in.rail.slope_y != 0.0 || in.rail.slope_z != 0.0;
+  if (s.aslant) s.direction = direction_of(in.rail.slope_y, in.rail.slope_z);
+  const auto along_rail = [&s](double(&v)[3]) {
+    if (s.aslant) turn_along_rail(s.direction, v);
+  };
   for (int k = 0; k < 3; ++k) {
-    double turned[3];
-    into_rail(s.cosine, s.sine, {in.wheel.rotation[0][k], in.wheel.rotation[1][k], in.wheel.rotation[2][k]},
-              turned);
+    double axis[3] = {in.wheel.rotation[0][k], in.wheel.rotation[1][k], in.wheel.rotation[2][k]}, turned[3];
+    along_rail(axis);
+    into_rail(s.cosine, s.sine, axis, turned);
     for (int i = 0; i < 3; ++i) s.pose.rotation[i][k] = turned[i];
   }
-  const double dy = in.wheel.position[1] - model.rail_origin_y - in.rail.y;
-  const double dz = height - model.rail_origin_z - in.rail.z;
+  // from the displaced origin of the rail's profile to the wheel's reference point
+  double place[3] = {in.wheel.position[0], in.wheel.position[1] - model.rail_origin_y - in.rail.y,
+                     height - model.rail_origin_z - in.rail.z};
+  along_rail(place);
+  const double dy = place[1], dz = place[2];
   s.pose.y = s.cosine * dy + s.sine * dz;
   s.pose.z = s.cosine * dz - s.sine * dy;
   // rail material moves with the rail, not along the track
-  const double relative[3] = {in.wheel.velocity[0],
-                              in.wheel.velocity[1] - in.rail.velocity_y + in.rail.velocity_roll * dz,
-                              in.wheel.velocity[2] - in.rail.velocity_z - in.rail.velocity_roll * dy};
+  double relative[3] = {in.wheel.velocity[0], in.wheel.velocity[1] - in.rail.velocity_y,
+                        in.wheel.velocity[2] - in.rail.velocity_z};
+  along_rail(relative);
+  relative[1] += in.rail.velocity_roll * dz;
+  relative[2] -= in.rail.velocity_roll * dy;
   into_rail(s.cosine, s.sine, relative, s.velocity);
-  const double turning[3] = {in.wheel.angular_velocity[0] - in.rail.velocity_roll,
-                             in.wheel.angular_velocity[1], in.wheel.angular_velocity[2]};
+  double turning[3] = {in.wheel.angular_velocity[0], in.wheel.angular_velocity[1],
+                       in.wheel.angular_velocity[2]};
+  along_rail(turning);
+  turning[0] -= in.rail.velocity_roll;
   into_rail(s.cosine, s.sine, turning, s.angular_velocity);
   s.rail_turning = 0.0;
   if (model.roller_curvature != 0.0) {

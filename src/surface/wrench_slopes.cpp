@@ -29,7 +29,8 @@ Number seen_number(const PlaceDual& a) {
 /// Numbers of the strips that carry load; one element per strip.
 struct LoadedStrips {
   std::int32_t count = 0;
-  std::int32_t* pressed;  ///< number among the strips in contact
+  Number friction_factor = 1.0;  ///< on the friction of all
+  std::int32_t* pressed;         ///< number among the strips in contact
   double *place, *width;
   Number *normal, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
   Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
@@ -91,7 +92,8 @@ void find_friction(const SurfaceModel& model, const WheelOnRail& in, const Numbe
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
     const double falls = speed_factor(law, sliding.value);
-    s.friction[k] = at_rest.value * sliding.chain(falls, speed_factor_slope(law, sliding.value));
+    s.friction[k] =
+        s.friction_factor * (at_rest.value * sliding.chain(falls, speed_factor_slope(law, sliding.value)));
     if (in.zones_on_wheel) s.friction[k] += y_on_wheel(w, k).chain(0.0, at_rest.by_wheel_y * falls);
   }
 }
@@ -210,7 +212,8 @@ void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const W
       work.cold_friction[k] = cold.value;
       if (in.zones_on_wheel)
         work.cold_friction[k] = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(w, k).d[input], 0.0);
-      work.cold_friction[k] *= strip_speed_factor(*in.law, work, k, slips_over);
+      work.cold_friction[k] *=
+          strip_speed_factor(*in.law, work, k, slips_over) * (1.0 + step * s.friction_factor.d[input]);
     }
     roll_heated(model, in, s.count, backwards, slips_over, work, {work.fx, work.fy, work.mz}, again);
   };
@@ -222,7 +225,7 @@ void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const W
   solve(0, 0.0, more_solutions);
   for (int r = 0; r < results; ++r) std::copy_n(found[r], s.count, base[r]);
   for (std::size_t input = 0; input < seen_inputs; ++input) {
-    double change = magnitude(speed.d[input]) / speed.value;
+    double change = larger(magnitude(speed.d[input]) / speed.value, magnitude(s.friction_factor.d[input]));
     for (int a = 0; a < numbers; ++a)
       for (std::int32_t k = 0; k < s.count; ++k)
         change = larger(change, magnitude(from[a][k].d[input]) / size[a]);
@@ -356,16 +359,21 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     velocity[i].d[seen_velocity + i] = 1.0;
     turning[i].d[seen_turning + i] = 1.0;
   }
+  const bool on_roller = model.roller_curvature != 0.0;
+  Number roller = seen.rail_turning;
   if (by == SlopesBy::track) velocity[2].d[track_distance] = seen.rail_turning;
+  if (by == SlopesBy::place) roller.d[seen_roller] = 1.0;
   LoadedStrips& loaded = w.loaded;
   loaded.count = 0;
+  loaded.friction_factor = 1.0;
+  if (by == SlopesBy::place) loaded.friction_factor.d[seen_friction] = 1.0;
   Number load = 0.0, sliding = 0.0, below = 0.0;
   for (std::int32_t k = 0; k < s.count; ++k) {
     const OverlapSlopes& overlap = s.overlap[k];
     const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
     Number vx = velocity[0] + turning[1] * z - turning[2] * y;
-    if (seen.rail_turning != 0.0) vx += seen.rail_turning * (seen_number(overlap.depth) * nz);
+    if (on_roller) vx += roller * (seen_number(overlap.depth) * nz);
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
     const Number vz = velocity[2] + turning[0] * y - turning[1] * x;
     Number approach = vy * ny + vz * nz;
@@ -389,7 +397,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     loaded.slip_x[i] = vx;
     loaded.slip_y[i] = vy * nz - vz * ny;
     loaded.spin[i] = turning[1] * ny + turning[2] * nz;
-    loaded.friction[i] = in.friction;
+    loaded.friction[i] = in.friction * loaded.friction_factor;
     loaded.fx[i] = loaded.fy[i] = loaded.mz[i] = 0.0;
     load += N;
     sliding += N * vx;
@@ -398,7 +406,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   if (loaded.count == 0) return {};
   if (in.friction > 0.0) {
     Number rolling_speed = velocity[0] - 0.5 * (sliding / load);
-    if (seen.rail_turning != 0.0) rolling_speed = rolling_speed - seen.rail_turning * (below / load);
+    if (on_roller) rolling_speed = rolling_speed - roller * (below / load);
     roll_strips(model, in, work, rolling_speed, w);
   }
 

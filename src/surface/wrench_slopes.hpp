@@ -14,12 +14,15 @@ struct SurfaceModel;
 struct WheelOnRail;
 struct WheelWork;
 
-/// What a wrench in rail axes depends on: the wheel's place and attitude as the rail sees it, and its
-/// velocities less those of rail material, along and about rail axes [m/s], [rad/s].
+/// What a wrench in rail axes depends on: the wheel's place and attitude as the rail sees it, its velocities
+/// less those of rail material, along and about rail axes [m/s], [rad/s], the turning of a roller [rad/s],
+/// where it acts at a strip's own depth, and a factor on all friction, which is 1 [-].
 enum SeenInput : std::int32_t {
   seen_velocity = place_inputs,
   seen_turning = seen_velocity + 3,
-  seen_inputs = seen_turning + 3
+  seen_roller = seen_turning + 3,
+  seen_friction,
+  seen_inputs
 };
 
 using SeenDual = Dual<seen_inputs>;

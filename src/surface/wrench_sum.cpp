@@ -12,6 +12,7 @@ void into_track(const Seen& s, double (&v)[3]) {
   const double y = v[1], z = v[2];
   v[1] = s.cosine * y - s.sine * z;
   v[2] = s.sine * y + s.cosine * z;
+  if (s.aslant) turn_into_track(s.direction, v);
 }
 
 double power_of(const WheelWork& w, std::int32_t k, double speed) {

@@ -79,7 +79,7 @@ class Line : public testing::Test {
     input.wheel.y = sign * y;
     input.wheel.yaw = sign * 4e-3;
     input.wheel.velocity[0] = 20.0;
-    input.wheel.angular_velocity[1] = -20.0 / 0.4605;
+    input.wheel.pitch_rate = -20.0 / 0.4605;
     return input;
   }
   wrc_wrench solve(double y, int32_t side = 0) const {

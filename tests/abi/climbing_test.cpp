@@ -166,7 +166,7 @@ TEST_F(ClimbingFlange, WhatIsExtrapolatedIsFlagged) {
   ASSERT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED);
   EXPECT_NE(error().find("rolling speed"), std::string::npos);
   wheel.velocity[0] = 0.2;
-  wheel.angular_velocity[1] = -0.2 / 0.46;
+  wheel.pitch_rate = -0.2 / 0.46;
   EXPECT_EQ(step(), WRC_OK) << error();
   // the outer end of the wheel's tread on the rail
   wheel.y = -40e-3;

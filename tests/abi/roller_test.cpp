@@ -38,6 +38,7 @@ class Roller : public testing::Test, protected PlacedWheel {
   }
   /// A wheel at rest rolling on the roller.
   void roll_at(double speed) {
+    wheel.angular_axes = WRC_AXES_TRACK;
     wheel.angular_velocity[1] = -speed / config.wheelset.wheel_radius;
     input.roller_rate = speed * config.roller_curvature;
   }
@@ -220,9 +221,10 @@ TEST_F(Roller, DerivativesAreThoseOfDifferences) {
     create(which);
     wrc_wrench_derivatives found{};
     ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK) << error();
-    double number[6][17] = {}, largest[6][2] = {};
-    for (int k = 0; k < 17; ++k) {
-      double& value = k < 16 ? wrench_input(input, k) : input.distance;
+    double number[6][18] = {}, largest[6][2] = {};
+    const auto column = [](int k) { return k < 16 ? k : k == 16 ? WRC_BY_DISTANCE : WRC_BY_ROLLER_RATE; };
+    for (int k = 0; k < 18; ++k) {
+      double& value = wrench_input(input, column(k));
       const bool place = k < 4 || (k >= 10 && k < 13) || k == 16;
       // so short that no interval of a table ends within it, where derivatives leap by parts of a thousand
       const double at = value, h = place ? 2e-9 : 1e-5;
@@ -238,11 +240,10 @@ TEST_F(Roller, DerivativesAreThoseOfDifferences) {
         largest[r][place] = std::max(largest[r][place], std::abs(number[r][k]));
       }
     }
-    for (int k = 0; k < 17; ++k) {
+    for (int k = 0; k < 18; ++k) {
       const bool place = k < 4 || (k >= 10 && k < 13) || k == 16;
       for (int r = 0; r < 6; ++r)
-        EXPECT_NEAR(found.wrench[r][k < 16 ? k : WRC_BY_DISTANCE], number[r][k], 1e-3 * largest[r][place])
-            << r << ' ' << k;
+        EXPECT_NEAR(found.wrench[r][column(k)], number[r][k], 1e-3 * largest[r][place]) << r << ' ' << k;
     }
     wheel.y = -wheel.y;
   }

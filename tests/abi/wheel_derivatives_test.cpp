@@ -18,6 +18,9 @@ constexpr double differences_see = 1e-3;
 
 constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD;
 
+/// Those of any rail and wheel; the slopes' are compared with their own largest, as places' are meganewtons.
+constexpr int slopes[] = {WRC_BY_RAIL_Y_SLOPE, WRC_BY_RAIL_Z_SLOPE};
+
 /// S1002 on the benchmark UIC60 with a little of everything.
 class WheelDerivatives : public testing::TestWithParam<int32_t>, protected PlacedWheel {
  protected:
@@ -57,24 +60,47 @@ class WheelDerivatives : public testing::TestWithParam<int32_t>, protected Place
     input.friction.coefficient = coefficient;
   }
 
+  /// The derivative of row r by a number, as a central difference with the step h.
+  void differ(double& number, double h, int32_t status, double (&differences)[rows]) {
+    const double value = number;
+    wrc_wrench ends[2] = {wrench, wrench};
+    for (int end = 0; end < 2; ++end) {
+      number = value + (end == 0 ? -h : h);
+      ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), status);
+    }
+    number = value;
+    const double width = (value + h) - (value - h);
+    for (int r = 0; r < rows; ++r) {
+      const auto of = [&](const wrc_wrench& w) { return r < 3 ? w.force[r] : w.moment[r - 3]; };
+      differences[r] = (of(ends[1]) - of(ends[0])) / width;
+    }
+  }
+
+  /// A column, against differences: over their largest among forces, or among moments, or a tenth of the
+  /// normal force [N], [N m], by a radian or a whole factor.
+  void expect_column(int column, const double (&differences)[rows], double tolerance) {
+    for (int r = 0; r < rows; ++r) {
+      double largest = 0.1 * wrench.normal_force;
+      for (int i = r / 3 * 3; i < r / 3 * 3 + 3; ++i) largest = std::max(largest, std::fabs(differences[i]));
+      EXPECT_NEAR(found.wrench[r][column], differences[r], tolerance * largest)
+          << "row " << r << " column " << column;
+    }
+  }
+
   /// Errors of a column over the largest entries of their rows among columns of places, or of velocities.
   void expect_differences(double tolerance, int32_t status = WRC_OK) {
     ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), status);
     double differences[rows][columns];
     for (int k = 0; k < columns; ++k) {
       if (k == WRC_BY_Z && input.prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) continue;
-      const double value = *number(k), h = is_place(k) ? 1e-9 : 1e-7;
-      wrc_wrench ends[2] = {wrench, wrench};
-      for (int end = 0; end < 2; ++end) {
-        *number(k) = value + (end == 0 ? -h : h);
-        ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[end]), status);
-      }
-      *number(k) = value;
-      const double width = (value + h) - (value - h);
-      for (int r = 0; r < rows; ++r) {
-        const auto of = [&](const wrc_wrench& w) { return r < 3 ? w.force[r] : w.moment[r - 3]; };
-        differences[r][k] = (of(ends[1]) - of(ends[0])) / width;
-      }
+      double column[rows];
+      differ(*number(k), is_place(k) ? 1e-9 : 1e-7, status, column);
+      for (int r = 0; r < rows; ++r) differences[r][k] = column[r];
+    }
+    for (const int k : slopes) {
+      double column[rows];
+      differ(*number(k), 1e-8, status, column);
+      expect_column(k, column, tolerance);
     }
     for (int r = 0; r < rows; ++r)
       for (int k = 0; k < columns; ++k) {
@@ -233,6 +259,78 @@ TEST_P(WheelDerivatives, AxesAndReferenceOfTheHost) {
   expect_differences(differences_see);
 }
 
+/// Also where the wheelset turns and yaws much: rates are about axes that are not square to each other.
+TEST_P(WheelDerivatives, ByRates) {
+  input.friction.coefficient = 0.3;
+  wheel.angular_axes = WRC_AXES_NONE;
+  for (double& part : wheel.angular_velocity) part = 0.0;
+  wheel.roll = 0.02;
+  for (const double yaw : {2e-3, -0.03}) {
+    wheel.yaw = yaw;
+    wheel.roll_rate = 0.3;
+    wheel.pitch_rate = -20.0 / 0.46 * 1.001;
+    wheel.yaw_rate = -0.4;
+    press(1e-3, 60e3);
+    expect_differences(differences_see);
+  }
+}
+
+TEST_P(WheelDerivatives, OnARailThatRunsAslant) {
+  input.friction.coefficient = 0.3;
+  input.damping = 0.1;
+  for (const double way : {1.0, -1.0}) {
+    wheel.reference = way > 0.0 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
+    rail.y_slope = way * 0.02;
+    rail.z_slope = 0.015;
+    for (const double y : {-3e-3, 1e-3, 6e-3}) {
+      SCOPED_TRACE(testing::Message() << way << ' ' << y);
+      const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+      press(outward * y, 60e3);
+      input.damping = 0.1;
+      expect_differences(differences_see);
+    }
+  }
+}
+
+TEST_P(WheelDerivatives, ByAFactorOnFriction) {
+  const double y[] = {-0.06, -0.03, 0.0, 0.02};
+  wheel.velocity[1] = 0.06;
+  const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+  for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_FRICTION_TEMPERATURE})
+    for (const bool zones : {false, true})
+      for (const double at : {0.0, 6.5e-3}) {
+        SCOPED_TRACE(testing::Message() << kind << ' ' << zones << ' ' << at);
+        press(outward * at, 60e3);
+        wrc_wrench ends[2] = {wrench, wrench};
+        constexpr double h = 1e-6;
+        double coefficient[4];
+        for (const double factor : {1.0 - h, 1.0 + h, 1.0}) {
+          input.friction = wrc_friction_default();
+          input.friction.kind = kind;
+          input.friction.coefficient = 0.35 * factor;
+          if (zones) {
+            const double at_zones[] = {0.1, 0.25, 0.4, 0.3};
+            for (int k = 0; k < 4; ++k) coefficient[k] = at_zones[k] * factor;
+            input.friction.zone_count = 4;
+            input.friction.zone_y = y;
+            input.friction.zone_coefficients = coefficient;
+            input.friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+          }
+          if (factor != 1.0) {
+            ASSERT_EQ(wrc_contact_wrench(contact, &input, &ends[factor > 1.0]), WRC_OK) << error();
+          }
+        }
+        ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
+        double differences[rows];
+        for (int r = 0; r < rows; ++r) {
+          const auto of = [&](const wrc_wrench& w) { return r < 3 ? w.force[r] : w.moment[r - 3]; };
+          differences[r] = (of(ends[1]) - of(ends[0])) / (2.0 * h);
+        }
+        EXPECT_GT(std::fabs(differences[1]), 100.0);  // [N]
+        expect_column(WRC_BY_FRICTION, differences, differences_see);
+      }
+}
+
 TEST_P(WheelDerivatives, OnlyByTheAxleOfARotation) {
   press(1e-3, 80e3);
   ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
@@ -240,7 +338,8 @@ TEST_P(WheelDerivatives, OnlyByTheAxleOfARotation) {
   const double cr = std::cos(wheel.roll), sr = std::sin(wheel.roll), cy = std::cos(wheel.yaw),
                sy = std::sin(wheel.yaw);
   const double rotation[9] = {cy, -sy, 0.0, cr * sy, cr * cy, -sr, sr * sy, sr * cy, cr};
-  wheel.rotation = rotation;
+  std::copy(rotation, rotation + 9, wheel.rotation);
+  wheel.orientation = WRC_ORIENTATION_ROWS;
   wheel.roll = wheel.yaw = 0.0;
   ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK);
   for (int r = 0; r < rows; ++r)

@@ -26,6 +26,7 @@ class PlacedWheel {
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     wheel.velocity[0] = 20.0;
+    wheel.angular_axes = WRC_AXES_TRACK;
     wheel.angular_velocity[1] = -20.0 / 0.46;
   }
   ~PlacedWheel() {

@@ -81,6 +81,11 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
     wrc_region region = sized<wrc_region>();
     EXPECT_EQ(wrc_contact_region(contact, 0, &region), WRC_ERROR_SEQUENCE);
   }
+  /// Track = matrix * body, as the orientation.
+  void give(const Matrix& matrix) {
+    wheel.orientation = WRC_ORIENTATION_ROWS;
+    std::copy(matrix.begin(), matrix.end(), wheel.rotation);
+  }
   /// Where the reference point is.
   Vector reference() const {
     const double outward = side == WRC_SIDE_LEFT ? -1.0 : 1.0;
@@ -90,9 +95,8 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
   /// The mirror image of the inputs about the track's vertical plane.
   void mirror() {
     take(side == WRC_SIDE_LEFT ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT);
-    for (double* each :
-         {&wheel.y, &wheel.roll, &wheel.yaw, &wheel.velocity[1], &wheel.angular_velocity[0],
-          &wheel.angular_velocity[2], &rail.y, &rail.roll, &rail.y_velocity, &rail.roll_rate})
+    for (double* each : {&wheel.y, &wheel.roll, &wheel.yaw, &wheel.velocity[1], &wheel.angular_velocity[0],
+                         &wheel.angular_velocity[2], &rail.y, &rail.roll, &rail.y_velocity, &rail.roll_rate})
       *each = -*each;
   }
   /// The wrench is that of another wrench, within this share of the force.
@@ -253,6 +257,7 @@ TEST_F(WheelOnRail, AYawedFlangeHasOneSolution) {
   friction.coefficient = 0.0;
   wheel = sized<wrc_wheel_state>();
   wheel.velocity[0] = 20.0;
+  wheel.angular_axes = WRC_AXES_TRACK;
   wheel.angular_velocity[1] = -20.0 / 0.46;
   wheel.y = 6.6e-3;
   wheel.yaw = 17e-3;
@@ -345,7 +350,7 @@ TEST_F(WheelOnRail, ARotationMatrixIsRollAndYawWithOrWithoutPitch) {
   wheel.roll = wheel.yaw = 0.0;
   for (const double pitch : {0.0, -1.0, 2.5, 400.0}) {
     const Matrix full = plain * about_y(pitch);
-    wheel.rotation = full.data();
+    give(full);
     wheel.angular_axes = WRC_AXES_TRACK;
     put(turning, wheel.angular_velocity);
     expect_works();
@@ -389,7 +394,7 @@ TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
   rail.roll_rate = 0.5;
   const Matrix upright = about_x(wheel.roll) * about_z(wheel.yaw);
   wheel.roll = wheel.yaw = 0.0;
-  wheel.rotation = upright.data();
+  give(upright);
   wheel.z = 0.7e-3;
   expect_works();
   const wrc_wrench rolled = wrench;
@@ -406,7 +411,7 @@ TEST_F(WheelOnRail, ARolledRailIsEverythingElseRolledBack) {
   wheel.z = at[2] + radius;
   put(velocity, wheel.velocity);
   put(turning, wheel.angular_velocity);
-  wheel.rotation = turned.data();
+  give(turned);
   rail = sized<wrc_rail_state>();
   expect_works();
   EXPECT_LT(length(vector_of(wrench.force) - back * vector_of(rolled.force)), 1e-6 * rolled.normal_force);
@@ -728,9 +733,8 @@ TEST_F(WheelOnRail, NanAndInfinityAreNamedWhereverTheyStand) {
 TEST_F(WheelOnRail, WhatIsNoRotationIsRefused) {
   wheel.roll = wheel.yaw = 0.0;
   const auto refuse = [&](const Matrix& matrix, const std::vector<std::string>& words) {
-    wheel.rotation = matrix.data();
+    give(matrix);
     expect_refused(WRC_ERROR_RANGE, words);
-    wheel.rotation = nullptr;
   };
   refuse({1, 0, 0, 0, 1, 0, 0, 0, 0.99}, {"wheel.rotation", "no rotation"});
   refuse({1, 0, 0, 0, 1, 0, 0, 0, -1}, {"determinant", "mirror"});
@@ -738,10 +742,10 @@ TEST_F(WheelOnRail, WhatIsNoRotationIsRefused) {
   refuse(about_z(1.0), {"axle", "transpose"});
   refuse(about_x(3.1), {"axle"});
   const Matrix bad = {1, 0, 0, 0, nan_value, 0, 0, 0, 1};
-  wheel.rotation = bad.data();
+  give(bad);
   expect_refused(WRC_ERROR_NOT_FINITE, {"wheel.rotation[4]"});
   const Matrix fine = about_z(1e-3);
-  wheel.rotation = fine.data();
+  give(fine);
   wheel.yaw = 1e-3;
   expect_refused(WRC_ERROR_RANGE, {"wheel.yaw", "not both"});
   wheel.yaw = 0.0;
@@ -751,7 +755,7 @@ TEST_F(WheelOnRail, WhatIsNoRotationIsRefused) {
 TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   const auto refuse = [&](int32_t& value, const std::vector<std::string>& words) {
     const int32_t good = value;
-    for (const int32_t bad : {-1, 2, 99}) {
+    for (const int32_t bad : {-1, 3, 99}) {
       value = bad;
       expect_refused(WRC_ERROR_UNSUPPORTED, words);
     }
@@ -759,6 +763,7 @@ TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   };
   refuse(wheel.reference, {"wheel.reference", "wrc_wheel_reference"});
   refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
+  refuse(wheel.orientation, {"wheel.orientation", "wrc_orientation"});
   refuse(input.prescribed, {"input.prescribed", "wrc_prescribed"});
   const double at[] = {0.0}, zone[] = {0.2};
   friction.zone_count = 1;

@@ -101,6 +101,7 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrenc
   input.wheel.z = 0.1e-3;
   input.wheel.yaw = 3e-3;
   input.wheel.velocity[0] = 20.0;
+  input.wheel.angular_axes = WRC_AXES_TRACK;
   input.wheel.angular_velocity[1] = -20.0 / 0.46;
   if (part == Case::track) input.distance = 1.234 + 1e-3 * i;
   if (part == Case::round) input.angle = 0.1 - 0.0125 * (i % 16);

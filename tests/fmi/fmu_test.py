@@ -126,8 +126,9 @@ for version in (2, 3):
     check(run(ten, 0, 5, 1e-3)[0] > run(one, 0, 5, 1e-3)[0], "a force to the right")
 
 # --- model exchange: derivatives, against differences of the FMU itself
-WRENCH, POSE = ("fx", "fy", "fz", "mx", "my", "mz"), {"y": 1e-3, "z": 2.8e-4, "yaw": 1e-3, "vx": 20.0, "wy": -20.0 / 0.46}
-STEPS = {"y": 1e-7, "z": 1e-8, "roll": 1e-7, "yaw": 1e-6, "vy": 1e-5, "wz": 1e-5, "rail_z": 1e-8, "wy": 1e-4}
+WRENCH, POSE = ("fx", "fy", "fz", "mx", "my", "mz"), {"y": 1e-3, "z": 2.8e-4, "yaw": 1e-3, "vx": 20.0, "pitch_rate": -20.0 / 0.46}
+STEPS = {"y": 1e-7, "z": 1e-8, "roll": 1e-7, "yaw": 1e-6, "vy": 1e-5, "yaw_rate": 1e-5, "rail_z": 1e-8,
+         "pitch_rate": 1e-4, "rail_y_slope": 1e-6, "rail_z_slope": 1e-6}
 for version in (2, 3):
     wheel = Fmu(folder / f"wrc_wheel_fmi{version}.fmu", {"side": 1})
     for name, value in POSE.items():
@@ -160,7 +161,7 @@ for version in (2, 3):
 # --- both through fmpy's own integration
 for version in (2, 3):
     signals = numpy.array([(0.0, 2.6e-4, 20.0, -20 / 0.46), (0.1, 3e-4, 20.0, -20 / 0.46)],
-                          dtype=[("time", float), ("z", float), ("vx", float), ("wy", float)])
+                          dtype=[("time", float), ("z", float), ("vx", float), ("pitch_rate", float)])
     result = simulate_fmu(str(folder / f"wrc_wheel_fmi{version}.fmu"), stop_time=0.1, output_interval=0.01, input=signals,
                           output=["fz"], solver="Euler", step_size=0.01)
     check(len(result) == 11 and result["fz"][-1] < result["fz"][0] < 0, f"simulated: {result}")

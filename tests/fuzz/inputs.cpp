@@ -308,14 +308,14 @@ wrc_planar_pose make_pose(Choices& choices) {
   return pose;
 }
 
-void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail& made) {
-  wrc_wheel_input& input = made.input = wrc_wheel_input_default();
+void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_input& input) {
+  input = wrc_wheel_input_default();
   wrc_wheel_state& wheel = input.wheel;
   wrc_rail_state& rail = input.rail;
   wrc_friction& friction = input.friction;
   const bool far = choices.one_in(4);
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
-  wheel.angular_axes = static_cast<std::int32_t>(choices.below(2));
+  wheel.angular_axes = static_cast<std::int32_t>(choices.below(3));
   wheel.y = far ? anywhere(choices, member<wrc_wheel_state>("y")) : choices.between(-0.01, 0.01);
   wheel.z = far ? anywhere(choices, member<wrc_wheel_state>("z")) : choices.between(-2e-3, 3e-3);
   wheel.roll =
@@ -325,16 +325,20 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   wheel.velocity[0] = sized(choices, member<wrc_wheel_state>("velocity[0]"), 1e-9);
   wheel.velocity[1] = sized(choices, member<wrc_wheel_state>("velocity[1]"), 1e-9);
   wheel.velocity[2] = sized(choices, member<wrc_wheel_state>("velocity[2]"), 1e-9);
-  wheel.angular_velocity[0] = sized(choices, member<wrc_wheel_state>("angular_velocity[0]"), 1e-9);
-  wheel.angular_velocity[1] = sized(choices, member<wrc_wheel_state>("angular_velocity[1]"), 1e-9);
-  wheel.angular_velocity[2] = sized(choices, member<wrc_wheel_state>("angular_velocity[2]"), 1e-9);
+  const bool by_rates = wheel.angular_axes == WRC_AXES_NONE;
+  double* const turning[] = {by_rates ? &wheel.roll_rate : &wheel.angular_velocity[0],
+                             by_rates ? &wheel.pitch_rate : &wheel.angular_velocity[1],
+                             by_rates ? &wheel.yaw_rate : &wheel.angular_velocity[2]};
+  *turning[0] = sized(choices, member<wrc_wheel_state>("roll_rate"), 1e-9);
+  *turning[1] = sized(choices, member<wrc_wheel_state>("pitch_rate"), 1e-9);
+  *turning[2] = sized(choices, member<wrc_wheel_state>("yaw_rate"), 1e-9);
   if (choices.one_in(4)) {  // a turn by the pitch alone, as good as none
     const double sine = choices.between(-1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
     const double turn[9] = {cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine};
-    std::copy(turn, turn + 9, made.rotation);
-    wheel.rotation = made.rotation;
+    std::copy(turn, turn + 9, wheel.rotation);
+    wheel.orientation = choices.one_in(2) ? WRC_ORIENTATION_ROWS : WRC_ORIENTATION_COLUMNS;
     wheel.roll = wheel.yaw = 0.0;
-    if (choices.one_in(8)) made.rotation[choices.below(9)] = choices.poison();
+    if (choices.one_in(8)) wheel.rotation[choices.below(9)] = choices.poison();
   }
   rail.y = far ? sized(choices, member<wrc_rail_state>("y"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   rail.z = far ? sized(choices, member<wrc_rail_state>("z"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
@@ -343,6 +347,10 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
   rail.y_velocity = sized(choices, member<wrc_rail_state>("y_velocity"), 1e-9);
   rail.z_velocity = sized(choices, member<wrc_rail_state>("z_velocity"), 1e-9);
   rail.roll_rate = sized(choices, member<wrc_rail_state>("roll_rate"), 1e-9);
+  if (choices.one_in(3)) {
+    rail.y_slope = choices.signed_magnitude(1e-9, 0.1);
+    rail.z_slope = choices.signed_magnitude(1e-9, 0.1);
+  }
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
   if (choices.one_in(3)) rail = sized<wrc_rail_state>();
   if (choices.one_in(6)) friction.coefficient = 0.0;
@@ -386,7 +394,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail&
                              &rail.roll,
                              &rail.z_velocity,
                              &friction.coefficient,
-                             &wheel.angular_velocity[1],
+                             turning[1],
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();

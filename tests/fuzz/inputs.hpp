@@ -49,11 +49,7 @@ wrc_creepage make_creepage(Choices& choices);
 void make_friction(Choices& choices, FrictionArrays& made);
 wrc_ellipse make_ellipse(Choices& choices);
 /// A wheel on a rail of that configuration, anywhere between the usual and the ends of the ranges.
-struct WheelOnRail {
-  wrc_wheel_input input{};  ///< may point to `rotation`
-  double rotation[9] = {};
-};
-void make_wheel_on_rail(Choices& choices, const wrc_config& config, WheelOnRail& made);
+void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_input& input);
 /// At most `room` rows or strips, or one too many now and then.
 void make_gap(Choices& choices, std::int32_t room, GapArrays& made);
 void make_strips(Choices& choices, std::int32_t room, StripArrays& made);

@@ -330,11 +330,10 @@ class Case {
   /// A wheel on a rail, one call or two: the same twice has the same bits.
   void wheel_on_rail() {
     where_ = "wheel on rail";
-    WheelOnRail given;
+    wrc_wheel_input given;
     make_wheel_on_rail(choices_, config_, given);
     wrc_wrench wrench = sized<wrc_wrench>(), again = wrench;
-    const std::int32_t status =
-        hand_over([&] { return wrc_contact_wrench(contact_, &given.input, &wrench); });
+    const std::int32_t status = hand_over([&] { return wrc_contact_wrench(contact_, &given, &wrench); });
     const bool supported = config_.wheel.kind != WRC_PROFILE_NONE;
     expect(documented(status), "the status is documented for this call");
     expect(supported || status < 0, "without profiles it refuses");
@@ -371,12 +370,12 @@ class Case {
       expect(std::fabs(force[k] - wrench.force[k]) <= 1e-9 * size, "regions add up to the wrench");
     }
     wrc_wrench_derivatives found{};
-    hand_over([&] { return wrc_contact_wrench_derivatives(contact_, &given.input, nullptr, &found); });
+    hand_over([&] { return wrc_contact_wrench_derivatives(contact_, &given, nullptr, &found); });
     expect(std::all_of(&found.wrench[0][0], &found.wrench[0][0] + 6 * WRC_WRENCH_INPUTS,
                        [](double entry) { return std::isfinite(entry); }),
            "every derivative is finite");
-    if (given.input.start != WRC_START_COLD || !choices_.one_in(4)) return;
-    expect(wrc_contact_wrench(contact_, &given.input, &again) == status, "the same call has the same status");
+    if (given.start != WRC_START_COLD || !choices_.one_in(4)) return;
+    expect(wrc_contact_wrench(contact_, &given, &again) == status, "the same call has the same status");
     expect(std::memcmp(&wrench, &again, sizeof wrench) == 0, "the same call gives the same bits");
   }
 

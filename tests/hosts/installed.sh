@@ -29,7 +29,7 @@ int main(void) {
   static wrc_wrench_derivatives slopes;
   input.start = WRC_START_COLD;
   input.wheel.y = 1e-3, input.wheel.z = 3e-4, input.wheel.yaw = 1e-3, input.rail.z = 1e-5;
-  input.wheel.velocity[0] = 20.0, input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  input.wheel.velocity[0] = 20.0, input.wheel.pitch_rate = -20.0 / 0.46;
   if (wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes) != WRC_OK) return 2;
   for (int i = 0; i < 6; ++i) printf("%.17g\n", i < 3 ? wrench.force[i] : wrench.moment[i - 3]);
   for (int i = 0; i < 6; ++i) printf("%.17g\n", slopes.wrench[i][WRC_BY_Z]);
@@ -61,7 +61,7 @@ case $host in
       assert(w(:, 1), w(:, 2));
       printf("%.17g\n", w(:, 1));
       wrong = "";
-      try wrc_wheel(in + [0; 3; zeros(14, 1)], 0, 2, 4, 0, 0.3); catch e, wrong = e.message; end
+      try wrc_wheel(in + [0; 3; zeros(16, 1)], 0, 2, 4, 0, 0.3); catch e, wrong = e.message; end
       assert(! isempty(strfind(wrong, "did you pass mm")));
       try wrc_wheel(in, 2, 2, 4, 0, 0.3); wrong = "side 2 passed"; catch e, wrong = e.message; end
       assert(! isempty(strfind(wrong, "left one")));' 2>said >octave.txt || { cat said octave.txt; exit 1; }
@@ -86,7 +86,7 @@ C
     cat >"$scratch/driver.c" <<'C'
 #include "wrc_modelica.h"
 int main(int count, char** words) {
-  double u[16] = {1e-3, 3e-4, 0, 1e-3, 20, 0, 0, 0, -20.0 / 0.46, 0, 0, 1e-5}, du[16] = {0, 1}, w[6], dw[6];
+  double u[18] = {1e-3, 3e-4, 0, 1e-3, 20, 0, 0, 0, -20.0 / 0.46, 0, 0, 1e-5}, du[18] = {0, 1}, w[6], dw[6];
   void* wheel = wrc_modelica_open(0, 2, 4, 0.0, 0.3);
   (void)words;
   if (count > 1) u[1] = 3.0;

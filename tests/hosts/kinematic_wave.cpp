@@ -80,9 +80,7 @@ class Wheelset {
   // Fy, Fz, and the moments about x, the axle and z that are left, N and N m.
   Vector5 left_over(double y, double yaw, const Rolling& rolling, bool exact) {
     const double cr = std::cos(rolling.roll()), sr = std::sin(rolling.roll());
-    const Vector3d axle(-std::sin(yaw), cr * std::cos(yaw), sr * std::cos(yaw)), third(0.0, -sr, cr);
-    const Vector3d angular = speed * (roll_rate * rolling.lateral_rate() * Vector3d::UnitX() +
-                                      rolling.yaw_rate() * third - (1.0 + rolling.values[2]) / radius * axle);
+    const Vector3d axle(-std::sin(yaw), cr * std::cos(yaw), sr * std::cos(yaw));
     wrc_wheel_input input = wrc_wheel_input_default();
     wrc_wheel_state& wheel = input.wheel;
     wheel.y = y;
@@ -91,7 +89,9 @@ class Wheelset {
     wheel.yaw = yaw;
     wheel.velocity[0] = speed;
     wheel.velocity[1] = speed * rolling.lateral_rate();
-    for (int i = 0; i < 3; ++i) wheel.angular_velocity[i] = angular[i];
+    wheel.roll_rate = speed * roll_rate * rolling.lateral_rate();
+    wheel.pitch_rate = -speed * (1.0 + rolling.values[2]) / radius;
+    wheel.yaw_rate = speed * rolling.yaw_rate();
     input.friction.coefficient = friction;
     Vector3d force(0, 0, load), moment(0, 0, 0);
     for (int side = 0; side < 2; ++side) {

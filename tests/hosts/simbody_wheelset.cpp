@@ -72,12 +72,12 @@ class Track {
   double length_[40], phase_[40], scale_;
 };
 
-// How a wheelset stands and moves, axes along the rails at its place: x forward, y right, z down.
+// How a wheelset stands and moves: x forward, y right, z down; and the rails' lateral place and slope there.
 struct Motion {
   double y, z;
   Rotation rotation;  // of the body, its turning about the axle included
   Vec3 velocity, angular;
-  double rail_y;
+  double rail_y, rail_slope;
 };
 
 // What both rails do to the wheelset, moment about its middle, and the two rails' shares.
@@ -125,25 +125,26 @@ class WrcElement : public Element {
   }
 
   double height() override {
-    return step(WRC_SIDE_RIGHT, {0.0, 0.0, Rotation(), Vec3(0), Vec3(0), 0.0}, WRC_PRESCRIBE_VERTICAL_LOAD,
-                load / 2)
+    return step(WRC_SIDE_RIGHT, {0.0, 0.0, Rotation(), Vec3(0), Vec3(0), 0.0, 0.0},
+                WRC_PRESCRIBE_VERTICAL_LOAD, load / 2)
         .z;
   }
 
  private:
   wrc_wrench step(int side, const Motion& motion, int prescribed, double vertical_load) {
-    double rotation[9];
-    for (int i = 0; i < 9; ++i) rotation[i] = motion.rotation[i / 3][i % 3];
     wrc_wheel_input input = wrc_wheel_input_default();
     wrc_wheel_state& wheel = input.wheel;
     wheel.y = motion.y;
     wheel.z = motion.z;
-    wheel.rotation = rotation;
+    wheel.orientation = WRC_ORIENTATION_ROWS;
+    for (int i = 0; i < 9; ++i) wheel.rotation[i] = motion.rotation[i / 3][i % 3];
+    wheel.angular_axes = WRC_AXES_TRACK;
     for (int i = 0; i < 3; ++i) {
       wheel.velocity[i] = motion.velocity[i];
       wheel.angular_velocity[i] = motion.angular[i];
     }
     input.rail.y = motion.rail_y;
+    input.rail.y_slope = motion.rail_slope;
     input.friction.coefficient = prescribed == WRC_PRESCRIBE_HEIGHT ? friction : 0.0;
     input.prescribed = prescribed;
     input.vertical_load = vertical_load;
@@ -175,8 +176,13 @@ class SmoothElement : public Element {
       throw std::runtime_error("no coefficients");
   }
 
-  Wrench wheels(const Motion& motion) override {
+  Wrench wheels(const Motion& given) override {
     ++calls;
+    // the rails run in the direction of the slope: all is seen in axes along them
+    const Rotation along(std::atan(given.rail_slope), SimTK::ZAxis);
+    const Motion motion{
+        given.y,      given.z, ~along * given.rotation, ~along * given.velocity, ~along * given.angular,
+        given.rail_y, 0.0};
     const double speed = motion.velocity[0], tilt = std::atan2(motion.rotation[2][1], motion.rotation[1][1]);
     Wrench both;
     for (int side = 0; side < 2; ++side) {
@@ -203,8 +209,9 @@ class SmoothElement : public Element {
       const double mz = g * c * coefficients_.c23 * lateral;
       const double whole = std::sqrt(fx * fx + fy * fy) / (friction * n);
       const double share = whole > 1e-8 ? std::tanh(whole) / whole : 1.0;
-      both.force[side] = n * normal + share * (fx * Vec3(1, 0, 0) + fy * across);
-      both.moment[side] = point % both.force[side] - share * mz * normal;
+      const Vec3 force = n * normal + share * (fx * Vec3(1, 0, 0) + fy * across);
+      both.force[side] = along * force;
+      both.moment[side] = along * (point % force - share * mz * normal);
     }
     return both;
   }
@@ -213,7 +220,7 @@ class SmoothElement : public Element {
     double low = 0.0, high = 1e-3;
     for (int i = 0; i < 60; ++i) {
       const double z = 0.5 * (low + high);
-      const Wrench w = wheels({0.0, z, Rotation(), Vec3(1, 0, 0), Vec3(0, -1.0 / radius, 0), 0.0});
+      const Wrench w = wheels({0.0, z, Rotation(), Vec3(1, 0, 0), Vec3(0, -1.0 / radius, 0), 0.0, 0.0});
       (-w.force[0][2] - w.force[1][2] < load ? low : high) = z;
     }
     return low;
@@ -237,16 +244,9 @@ class Wheelset : public Force::Custom::Implementation {
     const Vec3 place = body_.getBodyOriginLocation(state);
     double slope;
     track_.at(options_.speed * state.getTime() + place[0], rail_y, slope);
-    // the rails run in the direction of the slope here: all the element is given is seen in axes along them
-    const Rotation along(std::atan(slope), SimTK::ZAxis);
     const Vec3 velocity = body_.getBodyOriginVelocity(state) + Vec3(options_.speed, 0, 0);
-    Wrench both = element_.wheels({place[1], height_ + place[2], ~along * body_.getBodyRotation(state),
-                                   ~along * velocity, ~along * body_.getBodyAngularVelocity(state), rail_y});
-    for (int side = 0; side < 2; ++side) {
-      both.force[side] = along * both.force[side];
-      both.moment[side] = along * both.moment[side];
-    }
-    return both;
+    return element_.wheels({place[1], height_ + place[2], body_.getBodyRotation(state), velocity,
+                            body_.getBodyAngularVelocity(state), rail_y, slope});
   }
 
   void calcForce(const State& state, SimTK::Vector_<SpatialVec>& forces, SimTK::Vector_<Vec3>&,

@@ -146,8 +146,9 @@ def row(struct, path, told, rows, interface, described):
         else:
             fields.append(("state", "State::" + {"NULL": "null", "0": "zero", "": "not_zero"}[told.state]))
         if told.zero_else:
-            why = told.hints.get("otherwise")
-            fields.append(("otherwise", text((why + "; " if why else "") + f"it is read with {told.condition} only: leave it 0")))
+            why, only = told.hints.get("otherwise"), f"it is read with {told.condition} only: leave it 0"
+            chosen = asked.member.name != told.condition  # by an enumerator, which the hint need not name
+            fields.append(("otherwise", text(f"{why}; {only}" if why and chosen else why or only)))
     if told.counted_by:
         prefix = here + "." if here else ""
         fields.append(("counted_by", f"offsetof({struct}, {prefix}{told.counted_by})"))

@@ -1,5 +1,5 @@
 package Wrc "Wheel/rail contact: libwrc as external functions"
-  type Inputs = Real[16] "y, z, roll, yaw; velocity; angular velocity, track axes; rail y, z, roll and their rates; SI";
+  type Inputs = Real[18] "y, z, roll, yaw; velocity; rates of roll, pitch, yaw; rail y, z, roll, velocities of its material, rate of roll, slopes dy/dx, dz/dx; SI";
   type Wrench = Real[6] "force, moment on the wheel about the middle of the wheelset, track axes [N, N.m]";
 
   class Wheel "One wheel on its rail"
@@ -31,7 +31,7 @@ package Wrc "Wheel/rail contact: libwrc as external functions"
   function wrench_der
     input Wheel wheel;
     input Inputs u;
-    input Real[16] du;
+    input Real[18] du;
     output Real[6] dw;
     external "C" wrc_modelica_wrench_der(wheel, u, du, dw) annotation(Include = "#include \"wrc_modelica.h\"", Library = "wrc");
   end wrench_der;
@@ -40,7 +40,7 @@ package Wrc "Wheel/rail contact: libwrc as external functions"
     parameter Real mass = 8000, damping = 4e4;
     Wheel wheel = Wheel(0);
     Real z(start = 0.1e-3, fixed = true), v(start = 0, fixed = true);
-    Wrench w = wrench(wheel, {0, z, 0, 0, 20, 0, v, 0, -20/0.46, 0, 0, 0, 0, 0, 0, 0});
+    Wrench w = wrench(wheel, {0, z, 0, 0, 20, 0, v, 0, -20/0.46, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   equation
     der(z) = v;
     mass*der(v) = mass*9.81 + w[3] - damping*v;

@@ -33,21 +33,21 @@ struct Rails : SimTK::Force::Custom::Implementation {
                  SimTK::Vector&) const override {
     const Vec3 place = body.getBodyOriginLocation(state);
     const double x = speed * state.getTime() + place[0], slope = (track(x + 1e-4) - track(x - 1e-4)) / 2e-4;
-    const Rotation along(std::atan(slope), SimTK::ZAxis);  // what wrc sees is in axes along the rails
-    const Rotation rotation = ~along * body.getBodyRotation(state);
     wrc_wheel_input input = wrc_wheel_input_default();
-    Vec3::updAs(input.wheel.velocity) = ~along * (body.getBodyOriginVelocity(state) + Vec3(speed, 0, 0));
-    Vec3::updAs(input.wheel.angular_velocity) = ~along * body.getBodyAngularVelocity(state);
-    double by_rows[9];
-    for (int i = 0; i < 9; ++i) by_rows[i] = rotation[i / 3][i % 3];
-    input.wheel.rotation = by_rows;  // pitch and all
+    Vec3::updAs(input.wheel.velocity) = body.getBodyOriginVelocity(state) + Vec3(speed, 0, 0);
+    input.wheel.angular_axes = WRC_AXES_TRACK;
+    Vec3::updAs(input.wheel.angular_velocity) = body.getBodyAngularVelocity(state);
+    input.wheel.orientation = WRC_ORIENTATION_ROWS;  // pitch and all
+    const Rotation rotation = body.getBodyRotation(state);
+    for (int i = 0; i < 9; ++i) input.wheel.rotation[i] = rotation[i / 3][i % 3];
     input.wheel.y = place[1];
     input.wheel.z = height + place[2];
     input.rail.y = track(x);
+    input.rail.y_slope = slope;
     for (auto& wheel : wheels) {
       const auto wrench = wheel.wrench(input);  // throws with the library's sentence
       SpatialVec& sum = forces[body.getMobilizedBodyIndex()];
-      sum += SpatialVec(along * Vec3(wrench.moment), along * Vec3(wrench.force));
+      sum += SpatialVec(Vec3(wrench.moment), Vec3(wrench.force));
     }
   }
   SimTK::Real calcPotentialEnergy(const State&) const override { return 0.0; }

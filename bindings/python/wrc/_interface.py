@@ -19,7 +19,7 @@ VERSION_MINOR = 9
 VERSION_PATCH = 0
 ABI_VERSION = 900
 EXPERIMENTAL_VERSION = 1
-WRENCH_INPUTS = 19
+WRENCH_INPUTS = 23
 ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 
@@ -482,6 +482,10 @@ class WrenchInput(s.Choice):
     VERTICAL_LOAD: vertical_load [N], where it is prescribed
     DISTANCE: distance [m], without what strips grow wider or narrower along the track
     ANGLE: angle [rad]
+    RAIL_Y_SLOPE: rail.y_slope [-]; 0 of a roller
+    RAIL_Z_SLOPE: rail.z_slope [-]; 0 of a roller
+    ROLLER_RATE: roller_rate [rad/s]; 0 of a rail that is no roller
+    FRICTION: a factor, here 1, on all coefficients of friction [-]
     """
 
     Y = 0
@@ -503,6 +507,10 @@ class WrenchInput(s.Choice):
     VERTICAL_LOAD = 16
     DISTANCE = 17
     ANGLE = 18
+    RAIL_Y_SLOPE = 19
+    RAIL_Z_SLOPE = 20
+    ROLLER_RATE = 21
+    FRICTION = 22
 
 
 class DamageQuantity(s.Choice):
@@ -1180,8 +1188,8 @@ class WheelState(s.Struct):
       angular_axes: Axes: by roll_rate, pitch_rate, yaw_rate, or by angular_velocity (default Axes.NONE)
       y [m]: displacement of the reference point to the right (-0.2 .. 0.2; default 0)
       z [m]: the same downwards; 0 is the nominal height (-0.5 .. 0.2; default 0)
-      roll [rad]: about x, right wheel down (-0.5 .. 0.5; default 0)
-      yaw [rad]: about the rolled z, nose to the right (-0.5 .. 0.5; default 0)
+      roll [rad]: about x, right wheel down; 0 with a matrix (-0.5 .. 0.5; default 0)
+      yaw [rad]: about the rolled z, nose to the right; 0 with a matrix (-0.5 .. 0.5; default 0)
       velocity [m/s]: of the reference point, track axes (-200 .. 200, -50 .. 50, -50 .. 50; default 0)
       roll_rate [rad/s]: time derivative of roll (-200 .. 200; default 0)
       pitch_rate [rad/s]: about the axle, -v / r0 rolling forwards (-2000 .. 2000; default 0)
@@ -1230,10 +1238,12 @@ assert c.sizeof(WheelState) == 240
 
 class RailState(s.Struct):
     """Displacement and motion of a rail, track axes. Velocities are those of its material: a bent rail at rest
-        has none. Its slopes along the track are inputs of their own. speed * slope is never a velocity.
+        has none, and speed * slope is never one. Its slopes say where it leads: it is turned about P, the
+        shortest way, into (1, y_slope, z_slope). Sections of a rail are turned with it. A roller has no
+        slopes.
 
     Members:
-      y [m]: displacement of the origin of its profile to the right (-0.2 .. 0.2; default 0)
+      y [m]: displacement of the origin of its profile to the right, at the wheel (-0.2 .. 0.2; default 0)
       z [m]: the same downwards (-0.2 .. 0.2; default 0)
       roll [rad]: rotation about that origin and the x axis (-0.5 .. 0.5; default 0)
       y_slope: dy / dx of the rail at the wheel (-0.1 .. 0.1; default 0)

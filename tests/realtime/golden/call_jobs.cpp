@@ -1,6 +1,7 @@
 /// Calls beside the step: creepages from a motion, rolling backwards and through standstill, wear, profiles
 /// as placed, plain numbers, refused input.
 #include <limits>
+#include <utility>
 
 #include "test_config.hpp"
 #include "along_track.hpp"
@@ -258,6 +259,14 @@ void add_forces(const wrc_wrench& wrench, Hash& hash) {
     for (int k = 0; k < 3; ++k) hash.add(each[k]);
 }
 
+/// Columns of derivatives that all groups have; those behind them are in a group of their own.
+constexpr int by_the_first = WRC_BY_ANGLE + 1;
+
+void add_derivatives(const wrc_wrench_derivatives& found, int columns, Hash& hash) {
+  for (const auto& row : found.wrench)
+    for (int k = 0; k < columns; ++k) hash.add(row[k]);
+}
+
 /// Wheels on rails, both sides of one model.
 void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
@@ -326,8 +335,7 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     if (i % 3 != 0) continue;
     wrc_wrench_derivatives found{};
     hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
-    for (const auto& row : found.wrench)
-      for (double number : row) hash.add(number);
+    add_derivatives(found, by_the_first, hash);
   }
 }
 
@@ -351,8 +359,7 @@ void run_heated_wheels(bool by_speed, wrc_contact* right, wrc_contact* left, Has
     if (i % 3 != 0) continue;
     wrc_wrench_derivatives found{};
     hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
-    for (const auto& row : found.wrench)
-      for (double number : row) hash.add(number);
+    add_derivatives(found, by_the_first, hash);
   }
 }
 
@@ -374,9 +381,8 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
     wrc_wrench_derivatives found{};
     hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
-    for (const auto& row : found.wrench)
-      for (double number : row) hash.add(number);
-    for (double number : found.z) hash.add(number);
+    add_derivatives(found, by_the_first, hash);
+    for (int k = 0; k < by_the_first; ++k) hash.add(found.z[k]);
   }
 }
 
@@ -389,8 +395,7 @@ void add_wrench(wrc_contact* contact, const wrc_wheel_input& input, bool derivat
   add_forces(wrench, hash);
   for (double number : {wrench.z, wrench.normal_force, wrench.area, wrench.power, wrench.steepest_angle})
     hash.add(number);
-  for (const auto& row : found.wrench)
-    for (double number : row) hash.add(number);
+  add_derivatives(found, by_the_first, hash);
 }
 
 /// Wheels with a flat on rails that change along the track, and derivatives by that.
@@ -421,6 +426,25 @@ void run_rollers(wrc_contact* right, wrc_contact* left, Hash& hash) {
     input.frame.twist = numbers.between(-0.01, 0.01);
     input.wheel.velocity[0] = -input.frame.speed;
     add_wrench(i % 2 == 0 ? right : left, input, i % 3 == 0, hash);
+  }
+}
+
+/// Wheels whose turning is given by rates, on rails that run aslant, and all derivatives.
+void run_aslant(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(12);
+  for (int i = 0; i < 24; ++i) {
+    wrc_wheel_input input = wheel_on_rail(i, numbers);
+    wrc_wheel_state& wheel = input.wheel;
+    wheel.angular_axes = WRC_AXES_NONE;
+    wheel.roll_rate = std::exchange(wheel.angular_velocity[0], 0.0);
+    wheel.pitch_rate = std::exchange(wheel.angular_velocity[1], 0.0);
+    wheel.yaw_rate = std::exchange(wheel.angular_velocity[2], 0.0);
+    input.rail.y_slope = numbers.between(-0.01, 0.01);
+    input.rail.z_slope = i % 2 == 0 ? 0.0 : numbers.between(-0.01, 0.01);
+    add_wrench(i % 2 == 0 ? right : left, input, false, hash);
+    wrc_wrench_derivatives found{};
+    hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
+    add_derivatives(found, WRC_WRENCH_INPUTS, hash);
   }
 }
 
@@ -498,6 +522,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"wheel on rail, zones on the wheel", model, {}, {}, run_greased_wheels});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
+  plan.jobs.push_back({"wheel on rail, aslant", model, {}, {}, run_aslant});
 
   static const AlongTrackBodies bodies;
   const std::size_t varying = plan.models.size();

@@ -234,7 +234,8 @@ wrc_wheel_input wheel_input(const Wheel& wheel) {
   input.wheel.y = wheel.pose.lateral;
   input.wheel.yaw = wheel.pose.yaw;
   input.wheel.velocity[0] = 40.0;
-  input.wheel.angular_velocity[1] = -87.0;
+  input.wheel.pitch_rate = -87.0;
+  input.rail.y_slope = 1e-3;
   input.rail.y_velocity = 0.01;
   input.friction.coefficient = wheel.friction.coefficient;
   if (wheel.load.prescribed == WRC_PRESCRIBE_NORMAL_FORCE) {

@@ -1,7 +1,7 @@
 #include <stdio.h>
 
 /* In place of Simulink's: the block as an Octave function, wrench = wrc_wheel(inputs, side, wheel, rail,
- * cant, friction), inputs 16 x n, wrench 6 x n. Calls what Simulink calls, in its order. */
+ * cant, friction), inputs 18 x n, wrench 6 x n. Calls what Simulink calls, in its order. */
 void mexFunction(int results, mxArray* result[], int arguments, const mxArray* argument[]) {
   SimStruct S;
   (void)results;
@@ -11,7 +11,7 @@ void mexFunction(int results, mxArray* result[], int arguments, const mxArray* a
   mdlInitializeSizes(&S);
   if (S.parameters != S.wanted_parameters)
     mexErrMsgTxt("wrc_wheel(inputs, side, wheel, rail, cant, friction)");
-  if (mxGetM(argument[0]) != (size_t)S.input_width) mexErrMsgTxt("inputs: 16 rows");
+  if (mxGetM(argument[0]) != (size_t)S.input_width) mexErrMsgTxt("inputs: 18 rows");
   mdlInitializeSampleTimes(&S);
   mdlStart(&S);
   size_t count = mxGetN(argument[0]);

@@ -16,7 +16,7 @@ import numpy as np
 
 BINS, FIRST, WIDTH = 280, -0.080, 0.5e-3  # of the wheel's profile, by arc length [m]
 TOGETHER = 25  # curves of a lot
-RADIUS, LOAD, FRICTION, WHEELBASE, BASE, GRAVITY = 0.46, 70e3, 0.3, 2.5, 1.5, 9.81
+RADIUS, LOAD, FRICTION, BASE, GRAVITY = 0.46, 70e3, 0.3, 1.5, 9.81
 LUBRICATION = 0.05  # dry coefficients of the KTH map times this: rails are wet and greasy for most of a year
 
 
@@ -47,7 +47,7 @@ def model_of(profile):
 
 
 class Wheelset:
-    """Free to roll and to move sideways; yaw is half the angle of attack of a rigid bogie's leading wheelset."""
+    """Free to roll and to move sideways, and radial in each curve: without an angle of attack."""
 
     def __init__(self, model):
         import wrc
@@ -60,7 +60,7 @@ class Wheelset:
         import wrc
         curvature, _, deficiency, speed = (float(each) for each in curve)
         given, lateral, moment = self.input, 0.0, 0.0
-        given.wheel.y, given.wheel.yaw = y, -0.25 * WHEELBASE * curvature
+        given.wheel.y = y
         given.wheel.velocity[0] = speed
         given.wheel.pitch_rate, given.wheel.yaw_rate = -speed / RADIUS * (1.0 + rotation), speed * curvature
         way = (curvature > 0.0) - (curvature < 0.0)
