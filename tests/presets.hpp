@@ -52,9 +52,9 @@ inline void choose_tangential(wrc_config& config, std::int32_t preset) {
 inline double slope_fall_for(std::int32_t preset) { return presets[preset].slope_falls ? 0.6 : 0.0; }
 
 /// Does the contact's method give tractions and slip? Some give forces alone.
-inline bool gives_tractions(const wrc_contact* contact) {
-  wrc_view view{};
-  return wrc_contact_field(contact, 0, WRC_FIELD_TRACTION_X, &view) != WRC_ERROR_UNSUPPORTED;
+inline bool gives_tractions(wrc_contact* contact) {
+  std::uint64_t counts[2];
+  return wrc_contact_field(contact, 0, WRC_FIELD_TRACTION_X, nullptr, 0, counts) != WRC_ERROR_UNSUPPORTED;
 }
 
 /// The same of a published method.

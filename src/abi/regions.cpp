@@ -22,7 +22,7 @@ static_assert(same<WRC_FIELD_SLIP_Y>(FieldId::slip_y) &&
 
 wrc_region region_of(const RegionResult& found) {
   wrc_region ours = empty<wrc_region>();
-  ours.available = (found.sticks ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U) |
+  ours.available = (found.adhesion_known ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U) |
                    (found.placed ? std::uint32_t{WRC_AVAILABLE_PLACE} : 0U);
   ours.strip_count = found.strips;
   ours.cell_count = found.cells;

@@ -102,8 +102,8 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
   result.extent = sums.extent;
   result.normal_force = region.normal_force;
   result.tangential = sums.forces;
-  result.sticks = rolled.fields.any();
-  if (result.sticks) result.tangential.adhesion_fraction = adhesion_of(rolled);
+  result.adhesion_known = rolled.fields.any();
+  if (result.adhesion_known) result.tangential.adhesion_fraction = adhesion_of(rolled);
   result.creepage = sums.creepage;
   result.rolling_speed = rolled.way * rolled.speed;
   result.power = region.power;
@@ -161,7 +161,7 @@ void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
   result.normal_force = patch.extent.normal_force;
   if (contact.posed && contact.pressed) place_patch(contact, patch, result);
   if (contact.reached < Stage::tangential) return;
-  result.rolled = result.sticks = true;
+  result.rolled = result.adhesion_known = true;
   result.tangential = patch.forces;
   result.creepage = contact.creepage;
   result.rolling_speed = contact.rolling.way * contact.rolling.speed;

@@ -42,7 +42,7 @@ struct RegionEllipse {
 struct RegionResult {
   bool placed = false;                 ///< is the place known? Of the stages with a pose and the normal stage
   bool rolled = false;                 ///< are the tangential forces known?
-  bool sticks = false;                 ///< is the adhesion fraction known?
+  bool adhesion_known = false;         ///< is the adhesion fraction known?
   std::int32_t strips = 0, cells = 0;  ///< cells along each strip
   std::int32_t face = 0;               ///< of the rail's surfaces, by their numbers
 
@@ -71,7 +71,8 @@ struct RegionResult {
 /// WRC_FLAG_TABLE_RANGE where the ellipse's shape number was cut.
 Fault find_region(Contact& contact, std::int32_t index, RegionResult& region);
 
-/// Sums of one region's tractions, its load and peak pressure: what numbers of damage are made of.
+/// Of all patches fatigue is that of the patch nearest to damage. Without tractions the numbers over cells
+/// are 0.
 Fault region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
 
 Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, WearNumbers& wear);

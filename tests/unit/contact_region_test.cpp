@@ -1,19 +1,15 @@
-/// What is asked of a contact's newest solution by the index of a region, of patches and of a wheel's
-/// regions.
+/// What is asked of a contact's newest solution by the index of a region, of
+/// patches and of a wheel's regions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <chrono>
-#include <functional>
-#include <pthread.h>
 #include <cstring>
 #include <vector>
 
 #include "abi/handles.hpp"
 #include "abi/wear.hpp"
 #include "contact/region.hpp"
-#include "contact/rolled_region.hpp"
 
 namespace wrc {
 namespace {
@@ -271,7 +267,8 @@ TEST_F(ContactRegion, FieldsAddUpOfBothSolutions) {
         from_strips += width[j] * of_strips[j];
         worn += width[j] * wear[j];
         const double* const cell = &x[j * x.size() / width.size()];
-        EXPECT_GT(way * (cell[0] - centre[j]), 0.9 * half[j]);  // cell 0 leads, the next is behind it
+        EXPECT_GT(way * (cell[0] - centre[j]),
+                  0.9 * half[j]);  // cell 0 leads, the next is behind it
         EXPECT_LT(way * (cell[1] - cell[0]), 0.0);
         EXPECT_EQ(coefficient[j], friction);
       }
@@ -436,7 +433,8 @@ TEST_F(ContactRegion, SpinMomentIsThatOfTheCells) {
           size += std::abs(q) * area * std::hypot(x - x0, s - s0);
         });
         EXPECT_NEAR(region.tangential.mz, spin, 5e-3 * size) << y << " " << k;
-        // without yaw nothing of the pressure turns about the normal of a surface that is nearly flat
+        // without yaw nothing of the pressure turns about the normal of a
+        // surface that is nearly flat
         double about_normal = 0.0;
         for (int i = 0; i < 3; ++i) about_normal += region.moment[i] * region.normal[i];
         if (yaw == 0.0 && y == 0.0) {
@@ -466,7 +464,8 @@ TEST_F(ContactRegion, ForcesAlongTheRailAreThoseOfTheWrench) {
   EXPECT_NEAR(along, hosted.wrench.force[0], 1e-9 * hosted.wrench.normal_force);
 }
 
-// The mirror image of a right-hand wheel: what lies across and turns about x or the normal changes sign.
+// The mirror image of a right-hand wheel: what lies across and turns about x or
+// the normal changes sign.
 TEST_F(ContactRegion, SidesAreMirrorImages) {
   wheel.y = 5.5e-3;
   wheel.velocity[1] = 0.02;
@@ -503,6 +502,32 @@ TEST_F(ContactRegion, SidesAreMirrorImages) {
     EXPECT_GT(one.damage.t_gamma_no_spin, 0.0);
     EXPECT_EQ(std::memcmp(&one.wear, &other.wear, sizeof one.wear), 0);
     EXPECT_TRUE(same(one.stresses, other.stresses));
+  }
+}
+
+// On both sides: by the wheel's height where it carries the load, and by the
+// stages' gap.
+TEST_F(ContactRegion, BothSolutionsSayWhereTheContactIs) {
+  create();
+  for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
+    take(side);
+    wheel.y = side == WRC_SIDE_RIGHT ? -3e-3 : 3e-3;
+    solve();
+    RegionResult on_rail, planar;
+    ASSERT_EQ(find_region(*contact, 0, on_rail).status, WRC_OK);
+    press(wheel.y, 80e3);
+    roll(some);
+    ASSERT_EQ(find_region(*contact, 0, planar).status, WRC_OK);
+    const RegionPlace &a = on_rail.place, &b = planar.place;
+    EXPECT_NEAR(a.y_rail, b.y_rail, 0.5e-3);
+    EXPECT_NEAR(a.y_wheel, b.y_wheel, 0.5e-3);
+    EXPECT_NEAR(a.z_rail, b.z_rail, 0.1e-3);
+    EXPECT_NEAR(a.z_wheel, b.z_wheel, 0.1e-3);
+    EXPECT_NEAR(on_rail.rolling_radius, planar.rolling_radius, 0.1e-3);
+    EXPECT_NEAR(on_rail.angle, planar.angle, 5e-3);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(on_rail.point[i], planar.point[i], i == 1 ? 0.5e-3 : 0.1e-3);
+    EXPECT_EQ(on_rail.angle < 0.0, side == WRC_SIDE_RIGHT);
+    EXPECT_GT(std::abs(a.y_rail), 2e-3);
   }
 }
 
@@ -575,7 +600,8 @@ TEST_F(ContactRegion, TheNewestSolutionAnswers) {
   EXPECT_EQ(region_damage(*contact, all_regions, damage).status, WRC_OK);
 }
 
-// Forces alone: of a patch or a region that rolled as a whole there are no cells.
+// Forces alone: of a patch or a region that rolled as a whole there are no
+// cells.
 TEST_F(ContactRegion, WithoutTractionsWhatNeedsThemIsRefused) {
   config.tangential.method = WRC_TANGENTIAL_FASTSIM;
   config.tangential.flexibility = WRC_FLEXIBILITY_SINGLE;
@@ -584,7 +610,7 @@ TEST_F(ContactRegion, WithoutTractionsWhatNeedsThemIsRefused) {
   Assessed all;
   FieldSize size;
   ASSERT_EQ(find_region(*contact, 0, all.region).status, WRC_OK);
-  EXPECT_FALSE(all.region.sticks);
+  EXPECT_FALSE(all.region.adhesion_known);
   EXPECT_EQ(region_damage(*contact, 0, all.damage).status, WRC_OK);
   EXPECT_GT(all.damage.power, 0.0);
   EXPECT_EQ(all.damage.peak_power_density, 0.0);
@@ -598,7 +624,8 @@ TEST_F(ContactRegion, WithoutTractionsWhatNeedsThemIsRefused) {
 // ----------------------------------------------------------------------------------------------------------
 // clearance
 
-/// Lowered by its clearance the wheel touches, and a nanometre higher it does not.
+/// Lowered by its clearance the wheel touches, and a nanometre higher it does
+/// not.
 TEST_F(ContactRegion, LoweredByItsClearanceAWheelTouches) {
   const struct {
     double y, yaw;
@@ -665,34 +692,5 @@ TEST_F(ContactRegion, ClearanceFollowsTheHeightAndEndsAtItsBound) {
   EXPECT_EQ(solve().wrench.clearance, 0.0);
 }
 
-
-
-TEST_F(ContactRegion, Stack) {
-  for (int method = 0; method < 3; ++method) {
-  if (method == 1) config.tangential.method = WRC_TANGENTIAL_FASTRIP;
-  create();
-  struct Arg { ContactRegion* t; int what; };
-  static unsigned char memory[1 << 20];
-  for (int what = 0; what < 6; ++what) {
-    wheel.y = 5.5e-3;
-    solve();
-    std::memset(memory, 0xa5, sizeof memory);
-    static ContactRegion* self; static int kind; static std::function<void()> f;
-    f = [&] {
-      RegionResult r; DamageNumbers d; WearNumbers w; TemperatureNumbers t; BodyStresses st; const double depths[] = {1e-3, 2e-3, 3e-3, 5e-3}; static double values[100000];
-      if (what == 0) find_region(*contact, 0, r);
-      if (what == 1) region_damage(*contact, 0, d);
-      if (what == 2) region_wear(*contact, 0, laws, w);
-      if (what == 3) region_temperature(*contact, 0, {}, t);
-      if (what == 4) region_stresses(*contact, 0, true, depths, 4, nullptr, st);
-      if (what == 5) region_field(*contact, 0, FieldId::temperature_rise, laws.sheffield, values);
-    };
-    (void)self; (void)kind;
-    pthread_attr_t attr; pthread_attr_init(&attr); pthread_attr_setstack(&attr, memory, sizeof memory);
-    pthread_t th; pthread_create(&th, &attr, [](void*) -> void* { f(); return nullptr; }, nullptr); pthread_join(th, nullptr);
-    size_t k = 0; while (k < sizeof memory && memory[k] == 0xa5) ++k;
-    printf("method %d what %d stack %zu\n", method, what, sizeof memory - k);
-  }}
-}
 }  // namespace
 }  // namespace wrc
