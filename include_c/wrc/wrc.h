@@ -165,8 +165,8 @@ enum wrc_profile_kind {
 
 /** Where profiles lie. */
 enum wrc_profile_placement {
-  WRC_PLACEMENT_GAUGE = 0, /**< rails by track_gauge and gauge_depth, tops at z = 0: new profiles */
-  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it.
+  WRC_PLACEMENT_GAUGE = 0, /**< rails by track.gauge and track.gauge_depth, tops at z = 0: new profiles */
+  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points, at y = track.rail_origin, z = 0. Inclination turns about it.
                                 A worn rail stays where the new one was */
 };
 
@@ -979,8 +979,8 @@ WRC_API int32_t wrc_contact_field(wrc_contact* contact, int32_t index, int32_t f
  * @param contact the contact; its work space is used
  * @param index as for wrc_contact_region(); WRC_ALL_REGIONS: all patches of a contact plane together
  * @param[out] damage the numbers
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _SEQUENCE (no solution), _RANGE (no such region), _UNSUPPORTED
- * (WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL; _SEQUENCE (no solution); _RANGE (no such region, or
+ * WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_damage(wrc_contact* contact, int32_t index, wrc_damage* damage);
 
 /* ---------------------------------------------------------------------------------------------------- for dlopen */

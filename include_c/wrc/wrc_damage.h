@@ -235,8 +235,8 @@ WRC_DEFAULT_SIZED(wrc_fatigue_laws)
  * @param index as for wrc_contact_damage()
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (the
- * solution has no tractions; WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (no such region, or WRC_ALL_REGIONS of
+ * a wheel), _UNSUPPORTED (no tractions). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wear(wrc_contact* contact, int32_t index, const wrc_wear_laws* laws, wrc_wear* wear);
 
 /** Temperatures in one region of the contact's last solution, from its frictional power. They are flash temperatures of points that
@@ -249,8 +249,8 @@ WRC_API int32_t wrc_contact_wear(wrc_contact* contact, int32_t index, const wrc_
  * @param index as for wrc_contact_damage()
  * @param bulk temperatures of the bodies; NULL: the defaults
  * @param[out] temperature the numbers: x as WRC_FIELD_X, y as WRC_FIELD_STRIP_Y
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (the
- * solution has no tractions; WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (no such region, or WRC_ALL_REGIONS of
+ * a wheel), _UNSUPPORTED (no tractions). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, int32_t index, const wrc_bulk_temperatures* bulk,
                                         wrc_temperature* temperature);
 
@@ -267,8 +267,8 @@ WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, int32_t index, con
  * @param count of depths, 1..64
  * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted; zero on failure
  * @param[out] stresses at the surface, below it and of both; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (no
- * such body; no tractions; WRC_ALL_REGIONS of a wheel). @rt hard, long @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (also WRC_ALL_REGIONS of a wheel),
+ * _UNSUPPORTED (no such body, no tractions). @rt hard, long @thread contact */
 WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t index, int32_t body, const double* depths, uint32_t count,
                                      wrc_stress_peaks* levels, wrc_stresses* stresses);
 

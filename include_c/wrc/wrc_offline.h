@@ -323,7 +323,7 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_opti
  * are solved each alone, with its own rolling speed, and added up. A wheel that is not round has its radius at every cell. Its
  * hollows are bridged as by a rail that is level along the track. Each row of cells has one patch along the track.
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
- * @param input as for wrc_contact_wrench(); without WRC_FRICTION_TEMPERATURE: there are no temperatures
+ * @param input as for wrc_contact_wrench(); without WRC_TEMPERATURE_LAW_LINEAR: there are no temperatures
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them

@@ -265,9 +265,9 @@ class ProfileKind(s.Choice):
 class ProfilePlacement(s.Choice):
     """Where profiles lie.
 
-    GAUGE: rails by track_gauge and gauge_depth, tops at z = 0: new profiles
-    ORIGIN: rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it. A worn
-        rail stays where the new one was
+    GAUGE: rails by track.gauge and track.gauge_depth, tops at z = 0: new profiles
+    ORIGIN: rails by the origin of their points, at y = track.rail_origin, z = 0. Inclination turns about it.
+        A worn rail stays where the new one was
     """
 
     GAUGE = 0
@@ -3289,8 +3289,8 @@ class ContactCalls(_l.Handle):
         index: as for Contact.region(); ALL_REGIONS: all patches of a contact plane together
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _SEQUENCE (no solution), _RANGE (no
-            such region), _UNSUPPORTED (ALL_REGIONS of a wheel).
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL; _SEQUENCE (no solution); _RANGE (no
+            such region, or ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Damage._new()
@@ -3496,7 +3496,7 @@ class ContactCalls(_l.Handle):
         out: the numbers; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE (no such region, or ALL_REGIONS of a wheel), _UNSUPPORTED (no tractions).
         """
         if out is None:
             out = Wear._new()
@@ -3524,7 +3524,7 @@ class ContactCalls(_l.Handle):
         out: the numbers: x as Field.X, y as Field.STRIP_Y; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE (no such region, or ALL_REGIONS of a wheel), _UNSUPPORTED (no tractions).
         """
         if out is None:
             out = Temperature._new()
@@ -3583,7 +3583,7 @@ class ContactCalls(_l.Handle):
             bridged as by a rail that is level along the track. Each row of cells has one patch along the
             track.
 
-        input: as for Contact.wrench(); without WRC_FRICTION_TEMPERATURE: there are no temperatures
+        input: as for Contact.wrench(); without FrictionTemperatureLaw.LINEAR: there are no temperatures
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are
