@@ -93,7 +93,8 @@
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
- * Link wrc.dll by its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init comes from
+ * Link wrc-0.9.dll by its import library, or load it at run time (examples_c/load_at_run_time.c). Its name has the version, as the
+ * SONAME: products with other versions live in one process. Memory handed to an init comes from
  * _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in the process's code page.
  *
  * Valid as C99 to C23 and C++98 to C++23. "Paper" is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.
@@ -458,7 +459,7 @@ typedef struct wrc_config {
                                          straight rail; of wrc_contact_wrench() [0] */
   wrc_config_check_rail check_rail; /**< beside the rail; of wrc_contact_wrench() */
   uint32_t rail_section_count;      /**< sections of a rail that changes along the track, 0..1000; of wrc_contact_wrench() [0] */
-  uint32_t rail_section_size;       /**< sizeof(wrc_rail_section), with sections, 0 or 1..4096 [0] */
+  uint32_t rail_section_size;       /**< sizeof(wrc_rail_section), with sections, 0 or 168..4096 [0] */
   const wrc_rail_section* rail_sections; /**< `rail_section_count` of them. config.rail stays the rail of the stages, and its
                                               place is the sections' [required] */
 } wrc_config;

@@ -8,7 +8,7 @@ import sys
 import threading
 from typing import Any, Callable, Dict, Optional, Tuple
 
-NAMES = {"win32": "wrc.dll", "darwin": "libwrc.dylib"}
+NAMES = {"win32": "wrc-0.9.dll", "darwin": "libwrc.dylib"}
 FOLDER = pathlib.Path(__file__).resolve().parent
 
 
