@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Type, T
 
 import numpy as np
 
-from ._renamed import Renamed, since
+from ._renamed import current, since
 
 S = TypeVar("S", bound="Struct")
 _C_DOUBLES = c.POINTER(c.c_double)
@@ -269,8 +269,7 @@ class Struct(c.Structure):
         return tuple(name for field, name in names if field == name or isinstance(getattr(cls, name, None), Member))
 
     def __dir__(self) -> Iterable[str]:
-        kind = type(self)
-        return [each for each in super().__dir__() if not each.startswith("_") and not isinstance(getattr(kind, each, None), Renamed)]
+        return [each for each in current(self) if not each.startswith("_")]
 
     def set(self: S, **values: Any) -> S:
         """Sets members by name; nested structs by a struct, by a dict of their members, or a profile by the name of its
