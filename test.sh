@@ -7,7 +7,8 @@
 #   ./test.sh quick    the release build and its tests only
 #   ./test.sh all      besides: all tests of the clang and mingw builds, thread sanitizer, the golden hashes from every
 #                      compiler and optimisation and on aarch64 under qemu, kernel symbols at every optimisation,
-#                      clang-tidy over everything, run.sh's own build, a method, member, field and status added to a copy
+#                      clang-tidy over everything, run.sh's own build, a method, member, field and status added to a copy, every
+#                      struct made larger in a copy
 # Before the last line stands what each part took; the last line counts. The exit status is 0 if something passed and
 # nothing failed.
 set -euo pipefail
@@ -17,7 +18,7 @@ cd "$(dirname "$0")"
 case ${1:-} in
   "" | quick) ;;
   all) export WRC_TEST_ALL=1 ;;
-  *) sed -n '2,13s/^# *//p' "$0"; exit 2 ;;
+  *) sed -n '2,14s/^# *//p' "$0"; exit 2 ;;
 esac
 all() { [ -n "${WRC_TEST_ALL:-}" ]; }
 need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
@@ -100,5 +101,6 @@ if [ "${1:-}" != quick ]; then
   gather
   part golden count_check "golden hashes of other builds" golden
   ! all || part growth count_check "what a new thing costs" tests/growth/growth.sh build
+  ! all || part structs count_check "every struct can grow" tests/growth/growth.sh structs build/release/libwrc.so build
 fi
 say_counts

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "wrc/wrc_planar.h"
+#include "wrc/wrc.h"
 
 static const double speed = 20.0; /* m/s */
 

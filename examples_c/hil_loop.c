@@ -22,7 +22,7 @@
 #include <sys/mman.h>
 #include <time.h>
 
-#include "wrc/wrc_planar.h"
+#include "wrc/wrc.h"
 
 enum { wheels = 2, period = 500000 /* ns, between cycles; those with wheels come every second time */ };
 

@@ -729,6 +729,7 @@ static void turnout(FILE* file) {
   config.rail_section_count = (uint32_t)n;
   config.rail_section_size = sizeof section[0];
   config.rail_sections = section;
+  config.rail_section_size = sizeof *section;
   for (int k = 0; k < 2; ++k) {
     Vehicle v;
     double s[STATES];

@@ -459,7 +459,7 @@ typedef struct wrc_config {
                                          straight rail; of wrc_contact_wrench() [0] */
   wrc_config_check_rail check_rail; /**< beside the rail; of wrc_contact_wrench() */
   uint32_t rail_section_count;      /**< sections of a rail that changes along the track, 0..1000; of wrc_contact_wrench() [0] */
-  uint32_t rail_section_size;       /**< sizeof(wrc_rail_section), with sections, 0 or 1..4096 [0] */
+  uint32_t rail_section_size;       /**< sizeof(wrc_rail_section), with sections, 0 or 168..4096 [0] */
   const wrc_rail_section* rail_sections; /**< `rail_section_count` of them. config.rail stays the rail of the stages, and its
                                               place is the sections' [required] */
 } wrc_config;

@@ -173,7 +173,7 @@ typedef struct wrc_damage_bins {
   double first;         /**< arc length at which the first begins, -1..1 m [0] */
   double width;         /**< of a bin, 1e-5..1 m [1e-3] */
   uint32_t row_count;   /**< rows along the track, 1..1000000; row_count * count 100000000 at most [1] */
-  uint32_t bin_size;    /**< sizeof(wrc_damage_bin), 1..4096 [0] */
+  uint32_t bin_size;    /**< sizeof(wrc_damage_bin), 312..4096 [0] */
   double row_first;     /**< distance at which the first row begins, -1e9..1e9 m [0] */
   double row_length;    /**< of a row, 0 or 1e-3..1e9 m; 0: one row takes all, whatever the distance [0] */
   wrc_damage_bin* bins; /**< row_count * count + 1 of the caller, row by row, zeroed before the first use. The last has what lies

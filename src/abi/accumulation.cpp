@@ -8,7 +8,7 @@
 namespace wrc::abi {
 namespace {
 
-static_assert(sizeof(DamageBin) == sizeof(wrc_damage_bin) &&
+static_assert(sizeof(DamageBin) <= Description<wrc_damage_bin>::first &&
               offsetof(DamageBin, largest_pressure) == offsetof(wrc_damage_bin, largest_pressure) &&
               offsetof(DamageBin, overflow) == offsetof(wrc_damage_bin, overflow));
 static_assert(int{damage_sum_places} == sizeof(wrc_damage_totals::sum) / sizeof(double));

@@ -18,7 +18,8 @@ static_assert(same<WRC_FIELD_SLIP_Y>(FieldId::slip_y) &&
               same<WRC_FIELD_TEMPERATURE_RISE>(FieldId::temperature_rise) &&
               same<WRC_FIELD_STRIP_WEAR>(FieldId::strip_wear) &&
               same<WRC_FIELD_STRIP_ANGLE>(FieldId::strip_angle) &&
-              same<WRC_FIELD_GAP_CURVATURE + 1>(FieldId::count_));
+              same<WRC_FIELD_GAP_CURVATURE>(FieldId::gap_curvature) &&
+              enumerations::wrc_field.count == static_cast<std::int32_t>(FieldId::count_));
 
 wrc_region region_of(const RegionResult& found) {
   wrc_region ours = empty<wrc_region>();

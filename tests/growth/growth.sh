@@ -3,7 +3,11 @@
 # ones and its test counted, generated ones not.
 #   growth.sh check [NAME...]    the patches apply, and their counts
 #   growth.sh build [NAME...]    besides, each on a copy of the tree: generates, builds the library, runs the test
-# Needs git; `build` python3-clang-14 besides. Status 77 without.
+# And whether every struct can grow, in both directions: more is put into each of them on a copy of the tree (grow.py).
+#   growth.sh structs LIBRARY          callers compiled before and after have the same bits from LIBRARY, which refuses each new
+#                                      member that is set
+#   growth.sh structs LIBRARY build    besides with the library built from the copy, which knows the new members
+# Needs git; `build` and `structs` python3-clang-14 besides. Status 77 without.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -13,7 +17,7 @@ shift || true
 patches='
 tangential_method  5  unit_tests  ShenHedrickElkins.*
 struct_member      3  abi_tests   WearFactor.*
-field              3  abi_tests   Utilisation.*
+field              4  abi_tests   Utilisation.*
 status             1  abi_tests   Statuses.*
 '
 command -v git >/dev/null || { echo "skipped: no git"; exit 77; }
@@ -60,8 +64,52 @@ built() {
   rm -rf "$copy"
 }
 
+# numbers CALLER LIBRARY: what a caller prints with a library, kept as CALLER.LIBRARY
+numbers() {
+  LD_LIBRARY_PATH=$scratch/$2 "$scratch/$1" >"$scratch/$1.$2" || { echo "WRONG: the caller $1 ends with $? on the library $2"; return 1; }
+  diff "$scratch/then.today" "$scratch/$1.$2" || { echo "WRONG: the caller $1 has other numbers (>) from the library $2"; return 1; }
+  echo "caller $1, library $2: $(wc -l <"$scratch/$1.$2") lines, the same"
+}
+
+# structs LIBRARY [build]: callers compiled then and now, libraries of today and later.
+structs() {
+  local library copy=$scratch/copy wrong=0
+  library=$(readlink -f "$1")
+  mkdir "$copy" "$scratch/today"
+  cp "$library" "$scratch/today/$(objdump -p "$library" | awk '/SONAME/ {print $2}')"
+  (cd "$root" && git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy")
+  "$here/grow.py" headers "$copy" || return 1
+  python3 "$copy/tools/interface/describe.py" >"$scratch/log" || { cat "$scratch/log"; return 1; }
+  "$here/grow.py" probes "$root/include_c" "$copy/include_c" >"$scratch/probes.h" || return 1
+  local caller=$root/tests/abi/gate/caller.c function
+  for function in $(sed '1,/^EXPORTS/d' "$root/src/abi/generated/wrc.def"); do
+    grep -qwE "$function|${function%_init}_default" "$caller" || { echo "WRONG: the caller never calls $function"; wrong=1; }
+  done
+  cc -std=c99 -I"$root/include_c" "$caller" "$library" -o "$scratch/then"
+  cc -std=c99 -I"$copy/include_c" "$caller" "$library" -o "$scratch/now"
+  cc -std=gnu99 -include "$scratch/probes.h" -I"$copy/include_c" "$caller" "$library" -o "$scratch/probing"
+  LD_LIBRARY_PATH=$scratch/today "$scratch/then" >"$scratch/then.today" || return 1
+  numbers now today || wrong=1
+  numbers probing today || wrong=1
+  if [ "${2:-}" = build ]; then
+    (cd "$copy" && CCACHE_BASEDIR=$copy cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_EXAMPLES=OFF \
+      -DWRC_FORTRAN=OFF -DWRC_FMI=OFF -DWRC_WERROR=OFF $(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache) &&
+      CCACHE_BASEDIR=$copy cmake --build build -j 2 --target wrc) >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+    mkdir "$scratch/later"
+    cp "$copy"/build/libwrc.so.* "$scratch/later"
+    numbers then later || wrong=1
+    numbers now later || wrong=1
+    numbers probing later || wrong=1
+  fi
+  return $wrong
+}
+
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+if [ "$what" = structs ]; then
+  structs "$@"
+  exit
+fi
 wrong=0
 while read -r name most target tests; do
   [ -n "$name" ] || continue

@@ -3,6 +3,7 @@ import dataclasses
 import os
 
 import grammar
+import growth
 
 TYPES = {"int32_t": "int32", "uint32_t": "uint32", "uint64_t": "uint64", "double": "real"}
 
@@ -42,7 +43,7 @@ def text(words):
 
 def description(struct, told, interface, described):
     versioned = told[0].role == "struct_size"
-    first = told[0].first_size if versioned else interface.structs[struct].size
+    first = told[0].first_size if versioned else growth.first_sizes(interface).get(struct, interface.structs[struct].size)
     rows = flat(told, "", described)
     lines = ["template <>", f"struct Description<{struct}> {{", f'  static constexpr const char* name = "{struct}";',
              f"  static constexpr bool versioned = {'true' if versioned else 'false'};",

@@ -20,6 +20,7 @@ import cpp_header
 import dlopen
 import fortran
 import grammar
+import growth
 import headers
 import manual
 import python
@@ -29,6 +30,7 @@ MARK = "Written by tools/interface/describe.py from the headers in include_c/wrc
 
 def files(interface, table_order, root):
     """{path in the tree: text}"""
+    growth.check(interface)
     described = {struct.name: grammar.describe(struct, interface)
                  for struct in interface.structs.values()}
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)

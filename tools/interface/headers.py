@@ -102,6 +102,7 @@ class Interface:
     functions: dict
     callbacks: dict   # typedefs of function pointers, and what they stand for
     hints: dict       # {struct: {member: {key: text}}} of HINTS
+    experimental: set # names that EXPERIMENTAL headers declare
 
     def enumerator(self, name):
         """(enumeration, enumerator) of that name, or None."""
@@ -177,11 +178,13 @@ class _Reader:
         self.include = include
 
     def read(self, unit):
-        found = Interface([], [], {}, {}, {}, {}, {})
+        found = Interface([], [], {}, {}, {}, {}, {}, set())
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
             if file is None or not file.name.startswith(str(self.include / "wrc")):
                 continue
+            if pathlib.Path(file.name).name in EXPERIMENTAL:
+                found.experimental.add(cursor.spelling)
             kind = cursor.kind
             if kind == self.kinds.MACRO_DEFINITION:
                 self.macro(cursor, found)

@@ -74,7 +74,7 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
     pressure: shape (ny, nx) [Pa]
     friction: one number, or shape (ny, nx)
     progress: as of normal()
-    problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, wheel_material, tolerance, ...
+    problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, wheel_material, rail_material, tolerance, ...
     """
     return _roll(i._wrc_exact_rolling, grid, pressure, friction, progress, problem)
 
@@ -83,12 +83,12 @@ class Transient:
     """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
 
     grid: of every step; a step goes grid.dx
-    wheel, rail: what they are made of; None: the defaults
+    wheel_material, rail_material: None: the defaults
     """
 
-    def __init__(self, grid: i.Grid, wheel: Optional[i.Material] = None, rail: Optional[i.Material] = None):
+    def __init__(self, grid: i.Grid, wheel_material: Optional[i.Material] = None, rail_material: Optional[i.Material] = None):
         self.grid, self._lock = grid.copy(), threading.Lock()
-        self.materials = {"wheel_material": wheel or i.Material(), "rail_material": rail or i.Material()}
+        self.materials = {"wheel_material": (wheel_material or i.Material()).copy(), "rail_material": (rail_material or i.Material()).copy()}
         self._handle, text = c.c_void_p(), c.create_string_buffer(_SENTENCE)
         _l.check(i._wrc_exact_transient_create(self.grid, *self.materials.values(), c.byref(self._handle), text, _SENTENCE), text)
         weakref.finalize(self, i._wrc_exact_transient_destroy, c.c_void_p(self._handle.value))
