@@ -64,7 +64,7 @@ case $host in
       try wrc_wheel(in + [0; 3; zeros(16, 1)], 0, 2, 4, 0, 0.3); catch e, wrong = e.message; end
       assert(! isempty(strfind(wrong, "did you pass mm")));
       try wrc_wheel(in, 2, 2, 4, 0, 0.3); wrong = "side 2 passed"; catch e, wrong = e.message; end
-      assert(! isempty(strfind(wrong, "left one")));' 2>said >octave.txt || { cat said octave.txt; exit 1; }
+      assert(! isempty(strfind(wrong, "WRC_SIDE_RIGHT")));' 2>said >octave.txt || { cat said octave.txt; exit 1; }
     head -6 direct.txt | diff - octave.txt
     echo "the S-function in Octave: the bits of C"
     ;;

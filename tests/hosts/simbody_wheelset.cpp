@@ -19,8 +19,7 @@
 #include <vector>
 
 #include "SimTKsimbody.h"
-#include "test_config.hpp"
-#include "wrc/wrc_damage.h"
+#include "wrc/wrc.hpp"
 
 using SimTK::Force, SimTK::MobilizedBody, SimTK::Real, SimTK::Rotation, SimTK::SpatialVec, SimTK::State,
     SimTK::Transform, SimTK::Vec3;
@@ -96,7 +95,7 @@ class Element {
 class WrcElement : public Element {
  public:
   WrcElement() {
-    wrc_config config = test_config();
+    auto config = wrc::defaults<wrc_config>();
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = shear_modulus;
     config.wheel_material.poisson = config.rail_material.poisson = poisson;
     config.wheel.kind = WRC_PROFILE_S1002;
@@ -149,7 +148,7 @@ class WrcElement : public Element {
     input.friction.coefficient = prescribed == WRC_PRESCRIBE_HEIGHT ? friction : 0.0;
     input.prescribed = prescribed;
     input.vertical_load = vertical_load;
-    wrc_wrench wrench = sized<wrc_wrench>();
+    auto wrench = wrc::defaults<wrc_wrench>();
     if (wrc_contact_wrench(contact_[side], &input, &wrench) < 0) {
       char text[400];
       wrc_contact_last_error(contact_[side], text, sizeof text);
