@@ -21,14 +21,14 @@ if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
       --inclination T       cant of the rail to apply, 0.025 for 1:40           [0]
       --radius R            nominal wheel radius in m                           [0.46]
       --gauge G             track gauge in m                                    [1.435]
-      --flange-back D       flange-back distance in m                           [1.360]
+      --tape-circles D      distance of the wheels' tape circles in m           [1.5]
       --lateral Y           lateral shift of the wheelset in m                  [0]
       --yaw A               yaw angle in rad                                    [0]
       --load N              normal force in N                                   [80000]
       --creepage X Y PHI    longitudinal, lateral [-] and spin [1/m]            [0.001 0 0]
       --friction MU                                                             [0.35]
       --speed V             in m/s                                              [1]
-      --shear-modulus G --poisson NU                                            [80e9 0.25]
+      --shear-modulus G --poisson NU                                            [82e9 0.28]
       --csv FILE            writes the fields over the patch
 
     Example:  ./run.sh --wheel S1002 --rail 60E1 --inclination 0.025 --lateral 0.003 --load 90000

@@ -45,7 +45,7 @@ clang_suite() { if all; then suite clang; else count_check "clang, configured fo
 # Nothing else needs the cross compiler and wine.
 mingw_suite() {
   if ! (need_packages g++-mingw-w64-x86-64-posix wine wine64 googletest); then
-    count_check "mingw: skipped, wrc.dll cannot be built and run without these packages" sh -c 'exit 77'
+    count_check "mingw: skipped, the DLL cannot be built and run without these packages" sh -c 'exit 77'
   elif all; then
     suite mingw
   else

@@ -21,24 +21,23 @@ static void check(int32_t status, const char* text) {
 }
 
 int main(int argc, char** argv) {
-  char text[256] = "";
+  char text[300] = "";
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;
-  check(wrc_config_check(&config, text, sizeof text), text);
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model, NULL, 0), "no model");
+  check(wrc_model_create(&config, NULL, &model, text, sizeof text), text);
 
   const double load[2] = {0.0, 80e3}; /* N, of each wheel */
   for (int i = 0; i < COUNT; ++i) y[i] = 0.05e-3 * (i - COUNT / 2);
   for (int i = 0; i < AMPLITUDES; ++i) amplitude[i] = 0.5e-3 * (i + 1);
   for (int k = 0; k < 2; ++k) {
-    wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
+    wrc_wheelset_geometry_problem where = {.struct_size = sizeof where};
     where.count = COUNT;
     where.lateral = y;
     where.wheel_load = load[k];
-    wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
+    wrc_wheelset_geometry functions = {.struct_size = sizeof functions};
     functions.radius_difference = dr[k];
     functions.angle_right = right[k];
     functions.angle_left = left[k];
@@ -50,11 +49,11 @@ int main(int argc, char** argv) {
     problem.count = COUNT;
     problem.lateral = y;
     problem.radius_difference = dr[k];
-    problem.amplitudes = AMPLITUDES;
-    problem.amplitude = amplitude;
+    problem.amplitude_count = AMPLITUDES;
+    problem.amplitudes = amplitude;
     for (int32_t method = 0; method < 2; ++method) {
       problem.method = method; /* enum wrc_conicity_method */
-      wrc_conicity result = wrc_conicity_default();
+      wrc_conicity result = {.struct_size = sizeof result};
       result.conicity = conicity[k][method];
       check(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
     }

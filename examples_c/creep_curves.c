@@ -19,6 +19,7 @@
 
 static const double pi = 3.14159265358979323846;
 static const double mu = 0.35;
+static const double shear_modulus = 80e9, poisson = 0.25; /* Pa, -: the source paper's steel */
 
 typedef struct {
   const char *name, *method; /* ours, and the published one */
@@ -84,10 +85,16 @@ static double position(const sweep* s, int point) {
   return 0.0;
 }
 
+static wrc_material steel(void) {
+  wrc_material material = wrc_material_default();
+  material.shear_modulus = shear_modulus;
+  material.poisson = poisson;
+  return material;
+}
+
 static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
   static double pressure[GRID * GRID];
-  wrc_grid grid = wrc_grid_default();
-  grid.nx = grid.ny = GRID;
+  wrc_grid grid = {.nx = GRID, .ny = GRID};
   grid.dx = 2.0 * ellipse.a / GRID;
   grid.dy = 2.0 * ellipse.b / GRID;
   grid.x0 = -ellipse.a + 0.5 * grid.dx;
@@ -105,7 +112,8 @@ static wrc_exact_rolling_solution solve_exactly(const wrc_creepage* creepage) {
   for (int k = 0; k < GRID * GRID; ++k) pressure[k] *= ellipse.normal_force / load;
 
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = {.struct_size = sizeof solution};
+  problem.wheel_material = problem.rail_material = steel();
   problem.grid = grid;
   problem.pressure = pressure;
   problem.coefficient = mu;
@@ -119,16 +127,18 @@ static wrc_contact* make_contact(const variant* v, wrc_model** model) {
   wrc_config config = wrc_config_default();
   char text[512];
   if (wrc_config_use(&config, v->method, text, sizeof text) < 0) fail(v->name, text);
+  config.wheel_material = config.rail_material = steel();
   config.tangential.bound = v->bound;
   config.tangential.flexibility = v->flexibility;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, model, NULL, 0) < 0 ||
-      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0)
-    fail(v->name, "cannot be made");
+  if (wrc_model_create(&config, NULL, model, text, sizeof text) < 0 ||
+      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, &contact, text, sizeof text) < 0)
+    fail(v->name, text);
   return contact;
 }
 
-static wrc_planar_forces roll(wrc_contact* contact, const wrc_creepage* creepage, const wrc_friction* friction) {
+static wrc_planar_forces roll(wrc_contact* contact, const wrc_creepage* creepage,
+                              const wrc_friction* friction) {
   wrc_planar_forces forces;
   if (wrc_planar_tangential(contact, &ellipse, creepage, friction, &forces) < 0) {
     char text[256];
@@ -241,9 +251,8 @@ int main(int argc, char** argv) {
   ellipse.psi = -0.3;
   ellipse.normal_force = 80e3;
   wrc_coefficients c;
-  if (wrc_linear_coefficients(ellipse.a / ellipse.b, ellipse.psi, 0.25, &c) < 0)
+  if (wrc_linear_coefficients(ellipse.a / ellipse.b, ellipse.psi, poisson, &c) < 0)
     fail("coefficients", "refused");
-  const double shear_modulus = 80e9; /* of the default configuration */
   const double area = ellipse.a * ellipse.b, stiffness = shear_modulus * area;
   unit[0] = mu * ellipse.normal_force / (stiffness * c.c11s);
   unit[1] = mu * ellipse.normal_force / (stiffness * c.c22s);

@@ -4,7 +4,7 @@
     draw_hil_loop.py FILE.csv [PICTURE.png]
 
 Left: histogram of the cycles' ends. Right: the share of cycles that ended later than a given time, which shows the tail
-that a histogram hides. Both from the moment the cycle was due; the line at 1000 us is the period.
+that a histogram hides. Both from the moment the cycle was due; the line at 500 us is when the next one is.
 """
 import csv
 import sys
@@ -16,15 +16,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-PERIOD = 1000.0  # us
-COLOURS = {"eight wheels": "#0072B2", "empty": "#999999"}  # Okabe and Ito
+PERIOD = 500.0  # us
+COLOURS = {"two wheels": "#0072B2", "empty": "#999999"}  # Okabe and Ito
 
 
 def read(path):
-    ends = {"eight wheels": [], "empty": []}
+    ends = {"two wheels": [], "empty": []}
     with open(path, newline="", encoding="ascii") as file:
         for row in csv.DictReader(file):
-            ends["eight wheels" if int(row["wheels"]) > 0 else "empty"].append(float(row["solved_us"]))
+            ends["two wheels" if int(row["wheels"]) > 0 else "empty"].append(float(row["solved_us"]))
     return {name: np.sort(np.array(values)) for name, values in ends.items()}
 
 

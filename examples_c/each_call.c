@@ -28,48 +28,30 @@ static void* aligned(int which, uint64_t bytes, uint64_t alignment) {
 }
 
 static void stages(wrc_contact* contact) {
-  wrc_planar_pose pose = wrc_planar_pose_default();
-  wrc_planar_motion motion = wrc_planar_motion_default();
+  wrc_planar_pose pose = {.lateral = 2e-3};
+  wrc_planar_motion motion = {.speed = 20.0, .pitch_rate = -20.0 / 0.46 * 1.001};
   wrc_planar_load load = wrc_planar_load_default();
   wrc_friction friction = wrc_friction_default();
   wrc_planar_point point;
   wrc_creepage creepage;
   wrc_planar_normal_solution normal;
   wrc_planar_forces forces;
-  wrc_wear wear;
-  wrc_planar_derivatives by;
-  wrc_patch patch = wrc_patch_default();
-  wrc_temperature temperature = wrc_temperature_default();
-  pose.lateral = 2e-3;
-  motion.speed = 20.0;
-  motion.pitch_rate = -20.0 / 0.46 * 1.001;
+  wrc_planar_derivatives by = {.struct_size = sizeof by};
+  wrc_region patch = {.struct_size = sizeof patch};
   load.normal_force = 80e3;
   DO(wrc_planar_geometry(contact, &pose, &point));
   DO(wrc_planar_creepages(contact, &motion, &creepage));
   DO(wrc_planar_normal(contact, NULL, &load, &normal)); /* NULL: the gap wrc_planar_geometry() found */
   DO(wrc_planar_tangential(contact, NULL, &creepage, &friction, &forces));
-  DO(wrc_contact_wear(contact, NULL, &wear)); /* NULL: the published laws */
-  DO(wrc_contact_temperature(contact, NULL, &temperature));
-  printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, worn %.3g mm^2/km, %.0f K warmer\n", 1e3 * point.y_rail,
-         1e-6 * normal.peak_pressure, forces.fx, 1e9 * wear.worn_area_rate, temperature.rise);
   DO(wrc_planar_tangential_derivatives(contact, &by));
-  DO(wrc_contact_patch(contact, 0, &patch));
-  printf("        dFx / d longitudinal %.3g N, by load %.3g, patch 0 a %.2f mm\n", by.forces[0][0],
-         by.forces[0][3], 1e3 * patch.ellipse.a);
-
-  const double depths[2] = {1e-3, 3e-3};
-  wrc_stress_peaks levels[2];
-  wrc_stresses stresses = wrc_stresses_default();
-  DO(wrc_contact_stresses(contact, WRC_BODY_RAIL, depths, 2, levels, &stresses));
-  printf("        von Mises %.0f MPa at most, %.0f MPa 3 mm below\n",
-         1e-6 * stresses.largest.von_mises.stress, 1e-6 * levels[1].von_mises.stress);
+  DO(wrc_contact_region(contact, 0, &patch));
+  printf("stages: y %.2f mm, %.0f MPa, Fx %.0f N, dFx / d longitudinal %.3g N, patch 0 a %.2f mm\n",
+         1e3 * point.y_rail, 1e-6 * normal.peak_pressure, forces.fx, by.forces[0][0], 1e3 * patch.ellipse.a);
 
   /* strips of one's own in place of the normal stage */
   const double y[3] = {-1e-3, 0.0, 1e-3}, width[3] = {1e-3, 1e-3, 1e-3}, half[3] = {4e-3, 5e-3, 4e-3};
   const double peak[3] = {0.8e9, 1e9, 0.8e9};
-  wrc_planar_strips strips = wrc_planar_strips_default();
-  strips.count = 3;
-  strips.y = y, strips.width = width, strips.half_length = half, strips.peak = peak;
+  wrc_planar_strips strips = {.count = 3, .y = y, .width = width, .half_length = half, .peak = peak};
   DO(wrc_planar_regularise(contact, &strips, &normal));
   printf("        strips of one's own: N %.0f N\n", normal.normal_force);
 }
@@ -82,10 +64,10 @@ static void remembered(void) {
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   wrc_planar_input input = wrc_planar_input_default();
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = {.struct_size = sizeof output};
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 1e-3;
-  DO(wrc_model_create(&config, NULL, &model, NULL, 0));
+  DO(wrc_model_create(&config, NULL, &model, NULL, 0)); /* NULL: no sentence wanted */
   DO(wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0));
   for (int step = 0; step < 3; ++step) {
     DO(wrc_planar_roll(contact, 1e-3)); /* a millimetre further each */
@@ -113,38 +95,48 @@ static void states(const wrc_model* model, wrc_contact* contact) {
 
 static void wheel_on_rail(wrc_contact* contact) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
-  wrc_region region = wrc_region_default();
-  wrc_ellipse ellipse;
-  wrc_damage damage;
-  wrc_temperature temperature = wrc_temperature_default();
-  static wrc_wrench_derivatives slopes;
-  static double pressure[512];
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  wrc_region region = {.struct_size = sizeof region};
+  static wrc_wrench_derivatives by = {.struct_size = sizeof by};
+  static double peak[512];
+  uint64_t counts[2];
   input.wheel.z = 0.3e-3;
   input.wheel.velocity[0] = 20.0;
   input.wheel.pitch_rate = -20.0 / 0.46;
-  DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes));
+  DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &by));
   DO(wrc_contact_region(contact, 0, &region));
-  DO(wrc_contact_region_ellipse(contact, 0, &ellipse));
-  DO(wrc_contact_region_damage(contact, 0, &damage));
-  DO(wrc_contact_region_temperature(contact, 0, NULL, &temperature));
-  DO(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_PEAK, pressure, 512));
-  printf(
-      "wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, T-gamma %.1f N, first strip %.0f MPa\n",
-      wrench.force[2], slopes.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * ellipse.b, damage.t_gamma,
-      1e-6 * pressure[0]);
-  const double alone = wrench.force[2];
+  DO(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_PEAK, peak, 512, counts));
+  printf("wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, first of %d strips %.0f MPa\n",
+         wrench.force[2], by.wrench[2][WRC_BY_Z], 1e6 * region.area, 1e3 * region.ellipse.b, (int)counts[1],
+         1e-6 * peak[0]);
+
+  /* what the region does to the bodies */
+  wrc_damage damage;
+  wrc_wear wear;
+  wrc_temperature temperature = {.struct_size = sizeof temperature};
+  wrc_stresses stresses = {.struct_size = sizeof stresses};
+  wrc_stress_peaks levels[2];
+  const double depths[2] = {1e-3, 3e-3};
+  DO(wrc_contact_damage(contact, 0, &damage));
+  DO(wrc_contact_wear(contact, 0, NULL, &wear)); /* NULL: the published laws */
+  DO(wrc_contact_temperature(contact, 0, NULL, &temperature));
+  DO(wrc_contact_stresses(contact, 0, WRC_BODY_RAIL, depths, 2, levels, &stresses));
+  printf("        T-gamma %.1f N, worn %.3g mm^2/km, %.0f K warmer\n", damage.t_gamma,
+         1e9 * wear.worn_area_rate, temperature.rise);
+  printf("        von Mises %.0f MPa at most, %.0f MPa 3 mm below\n",
+         1e-6 * stresses.largest.von_mises.stress, 1e-6 * levels[1].von_mises.stress);
+
+  const double force = wrench.force[2];
   DO(wrc_contact_wrench_batch(&contact, 1, &input, 0, &wrench, sizeof wrench, NULL));
-  const int alike = wrench.force[2] == alone;
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
   options.cell_x = options.cell_s = 8e-4; /* coarse: quick */
-  input.wheel.z = 0.2e-3;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 80e3;
   input.wheel.z = 0.0;
-  DO(wrc_exact_wrench(contact, &input, &options, &wrench));
-  printf("        batch and one call alike: %s; exactly, 80 kN lie %.3f mm deep\n", alike ? "yes" : "no",
-         1e3 * wrench.z);
+  wrc_wrench exact = {.struct_size = sizeof exact};
+  DO(wrc_exact_wrench(contact, &input, &options, &exact));
+  printf("        batch alike: %s; exactly, 80 kN lie %.3f mm deep\n",
+         wrench.force[2] == force ? "yes" : "no", 1e3 * exact.z);
 }
 
 /* What wear and fatigue add up to along the line, bin by bin over a profile's arc length. After
@@ -156,15 +148,15 @@ static void line(const wrc_model* model, wrc_contact* contact) {
   wrc_damage_bins wheel = wrc_damage_bins_default();
   wheel.count = bins;
   wheel.first = -0.04;
-  wheel.bin = of_wheel;
+  wheel.bins = of_wheel;
+  wheel.bin_size = sizeof of_wheel[0];
   wrc_damage_bins train = wheel;
-  train.bin = of_train;
-  wrc_accumulation what = wrc_accumulation_default();
+  train.bins = of_train;
+  wrc_accumulation what = {.struct_size = sizeof what, .duration = 0.01};
   wrc_damage_totals totals;
-  what.duration = 0.01;
   DO(wrc_contact_accumulate(contact, &what, &wheel, NULL, &totals));
   DO(wrc_damage_merge(&train, &wheel)); /* another wheel's, another machine's */
-  DO(wrc_damage_values(&train, 0, values));
+  DO(wrc_damage_values(&train, WRC_DAMAGE_WORK, values));
   int most = 0;
   for (int i = 0; i < bins; ++i)
     if (values[i] > values[most]) most = i;
@@ -181,7 +173,7 @@ static void exact_bodies(void) {
   enum { n = 12 };
   static double pressure[n * n], traction[n * n];
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = {.struct_size = sizeof solution};
   problem.grid.nx = problem.grid.ny = n;
   problem.grid.dx = problem.grid.dy = 1e-3;
   problem.grid.x0 = problem.grid.y0 = -0.5e-3 * (n - 1);
@@ -195,12 +187,13 @@ static void exact_bodies(void) {
   solution.traction_x = traction;
   char text[300];
   wrc_exact_transient* bodies = NULL;
-  DO(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, text, sizeof text));
+  DO(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material, &bodies, text,
+                                sizeof text));
   for (int step = 0; step < 3; ++step)
     DO(wrc_exact_transient_step(bodies, &problem, &solution, text, sizeof text)); /* a cell further each */
   wrc_exact_transient_destroy(bodies);
   wrc_exact_loads loads = wrc_exact_loads_default();
-  wrc_stresses stresses = wrc_stresses_default();
+  wrc_stresses stresses = {.struct_size = sizeof stresses};
   const double point[3] = {0.0, 0.0, 3e-3};
   double stress[6];
   loads.grid = problem.grid;
@@ -212,12 +205,13 @@ static void exact_bodies(void) {
          1e-6 * stress[2], 1e-6 * stresses.largest.von_mises.stress);
   const double power[4] = {5e8, 5e8, 5e8, 5e8}; /* W/m^2 along a strip */
   double rise[4];
-  DO(wrc_flash_temperature(4, 1e-3, power, 20.0, NULL, NULL, rise));
+  DO(wrc_flash_temperature(4, 1e-3, power, 20.0, NULL, NULL, rise)); /* NULL: steel */
   printf("        %.0f K at the end of a strip\n", rise[3]);
 }
 
 int main(void) {
-  if (wrc_abi_version() != WRC_ABI_VERSION || wrc_version() >> 16 != WRC_VERSION_MAJOR) {
+  if (wrc_abi_version() != WRC_ABI_VERSION || wrc_version() >> 16 != WRC_VERSION_MAJOR ||
+      wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION) == NULL) {
     fprintf(stderr, "another interface: %s\n", wrc_build_info());
     return EXIT_FAILURE;
   }
@@ -228,6 +222,8 @@ int main(void) {
   uint64_t bytes, alignment;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
+  char why[300];
+  DO(wrc_config_check(&config, why, sizeof why)); /* what a dialog asks before there is a model */
   DO(wrc_model_size(&config, &bytes, &alignment));
   DO(wrc_model_init(&config, aligned(0, bytes, alignment), bytes, &model, NULL, 0));
   DO(wrc_contact_size(model, &bytes, &alignment));
@@ -235,8 +231,7 @@ int main(void) {
   asked = contact;
   wrc_view y, z;
   DO(wrc_model_profile(model, WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, NULL));
-  printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0],
-         1e3 * y.data[y.stride[0] * (y.count[0] - 1)]);
+  printf("rail:   from %.1f to %.1f mm of the track's middle\n", 1e3 * y.data[0], 1e3 * y.data[y.count - 1]);
   stages(contact);
   remembered();
   states(model, contact);

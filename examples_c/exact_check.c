@@ -24,15 +24,16 @@ int main(void) {
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
-    fprintf(stderr, "the model cannot be made\n");
+  char text[300];
+  if (wrc_model_create(&config, NULL, &model, text, sizeof text) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, text, sizeof text) < 0) {
+    fprintf(stderr, "%s\n", text);
     return EXIT_FAILURE;
   }
 
   /* The step: 80 kN, a wheelset that pulls, drifts and spins a little, 40 m/s. */
   wrc_planar_input input = wrc_planar_input_default();
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = {.struct_size = sizeof output};
   input.pose.lateral = 2e-3;
   input.load.normal_force = 80e3;
   input.creepage.longitudinal = 0.8e-3;
@@ -41,14 +42,15 @@ int main(void) {
   input.creepage.speed = 40.0;
   int32_t status = wrc_planar_step(contact, &input, &output);
 
-  /* The same contact exactly, on 64 x 64 cells: its own pressure, creepages and friction. */
-  wrc_exact_check_result exact = wrc_exact_check_result_default();
+  /* The same contact exactly, on its own pressure, with its creepages and friction. */
+  wrc_exact_check_options options = wrc_exact_check_options_default(); /* 64 x 64 */
+  options.progress = show_progress;
+  wrc_exact_check_result exact = {.struct_size = sizeof exact};
   if (status >= 0) {
-    status = wrc_exact_check(contact, 64, 64, show_progress, NULL, &exact);
+    status = wrc_exact_check(contact, &options, &exact);
     fprintf(stderr, "\n");
   }
   if (status < 0) {
-    char text[256];
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   } else {

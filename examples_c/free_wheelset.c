@@ -1,13 +1,12 @@
 /* free_wheelset.c - a wheelset on its own runs along a straight track, off centre at first.
  *
- *   free_wheelset [METRES [cold]]     16 m; prints its lateral motion and the length of its waves; cold: every call
- *                                     starts anew, as in the FMU wrc_wheelset, and has its results
+ *   free_wheelset [METRES]     16 m; prints its lateral motion and the length of its waves. The FMU wrc_wheelset has
+ *                              its results
  *
  * What a multibody code does with wrc: in every evaluation, one call per wheel with the wheelset's pose and
  * velocities, and the two wrenches added up about the middle of the axle. Forward speed is held; lateral,
  * vertical, roll, yaw and pitch motion are integrated (semi-implicit Euler).
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -19,10 +18,10 @@ static const double radius = 0.46, step = 2e-4;                        /* m, s *
 
 enum { right = WRC_SIDE_RIGHT, left = WRC_SIDE_LEFT };
 
-static int failed(const char* what, const wrc_contact* contact, int32_t status) {
-  char text[256] = "";
-  if (contact != NULL) wrc_contact_last_error(contact, text, sizeof text);
-  fprintf(stderr, "%s: %s %s\n", what, wrc_status_name(status), text);
+static int failed(const wrc_contact* contact, int32_t status) {
+  char text[300] = "";
+  wrc_contact_last_error(contact, text, sizeof text);
+  fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);
   return EXIT_FAILURE;
 }
 
@@ -36,14 +35,18 @@ int main(int argc, char** argv) {
   config.wheelset.wheel_radius = radius;
   wrc_model* model = NULL;
   wrc_contact* contact[2] = {NULL, NULL};
-  int32_t status = wrc_model_create(&config, NULL, &model, NULL, 0);
+  char why[300];
+  int32_t status = wrc_model_create(&config, NULL, &model, why, sizeof why);
   for (int side = 0; side < 2 && status >= 0; ++side)
-    status = wrc_contact_create(model, side, NULL, &contact[side], NULL, 0);
-  if (status < 0) return failed("model", NULL, status);
+    status = wrc_contact_create(model, side, NULL, &contact[side], why, sizeof why);
+  if (status < 0) {
+    fprintf(stderr, "%s\n", why);
+    return EXIT_FAILURE;
+  }
 
   wrc_wheel_input input = wrc_wheel_input_default();
   wrc_wheel_state* wheel = &input.wheel;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
 
   /* The height at which the centred wheelset stands. */
   wheel->velocity[0] = speed;
@@ -51,7 +54,7 @@ int main(int argc, char** argv) {
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * load;
   status = wrc_contact_wrench(contact[right], &input, &wrench);
-  if (status < 0) return failed("standing", contact[right], status);
+  if (status < 0) return failed(contact[right], status);
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
   input.damping = 0.3;
@@ -75,7 +78,7 @@ int main(int argc, char** argv) {
     double force[3] = {0.0, 0.0, load}, moment[3] = {0.0, 0.0, 0.0};
     for (int side = 0; side < 2; ++side) {
       status = wrc_contact_wrench(contact[side], &input, &wrench);
-      if (status < 0) return failed("step", contact[side], status);
+      if (status < 0) return failed(contact[side], status);
       for (int i = 0; i < 3; ++i) {
         force[i] += wrench.force[i];
         moment[i] += wrench.moment[i];

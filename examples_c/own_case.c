@@ -72,7 +72,7 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
 typedef struct options {
   const char *wheel, *rail, *csv;
   double scale, load;
-  double smoothing, inclination, radius, gauge, flange_back, lateral, yaw, friction, speed, shear_modulus,
+  double smoothing, inclination, radius, gauge, tape_circles, lateral, yaw, friction, speed, shear_modulus,
       poisson;
   double creepage[3];
 } options;
@@ -89,7 +89,7 @@ static double number(const char* option, const char* text) {
 
 static options parse(int argc, char** argv) {
   options given = {"S1002",         "UIC60", NULL, 1e-3, 80e3, 0.0, 0.0,  0.46,
-                   1.435,           1.360,   0.0,  0.0,  0.35, 1.0, 80e9, 0.25,
+                   1.435,           1.5,     0.0,  0.0,  0.35, 1.0, 82e9, 0.28,
                    {1e-3, 0.0, 0.0}};
   const struct {
     const char* name;
@@ -99,7 +99,7 @@ static options parse(int argc, char** argv) {
                  {"--inclination", &given.inclination},
                  {"--radius", &given.radius},
                  {"--gauge", &given.gauge},
-                 {"--flange-back", &given.flange_back},
+                 {"--tape-circles", &given.tape_circles},
                  {"--lateral", &given.lateral},
                  {"--yaw", &given.yaw},
                  {"--friction", &given.friction},
@@ -148,7 +148,7 @@ static options parse(int argc, char** argv) {
 
 /* A built-in shape by name, or points from a file. */
 static wrc_profile profile_from(const char* source, const options* given, double* y, double* z) {
-  wrc_profile profile = wrc_profile_default();
+  wrc_profile profile = {.kind = WRC_PROFILE_NONE};
   if (strcmp(source, "S1002") == 0) {
     profile.kind = WRC_PROFILE_S1002;
   } else if (strcmp(source, "60E1") == 0) {
@@ -165,15 +165,30 @@ static wrc_profile profile_from(const char* source, const options* given, double
   return profile;
 }
 
-static void write_csv(const wrc_contact* contact, const char* path) {
+/* A field of the first patch, counts of cells and strips; to be freed. */
+static double* field_of(wrc_contact* contact, int32_t field, uint64_t counts[2]) {
+  if (wrc_contact_field(contact, 0, field, NULL, 0, counts) != WRC_OK) return NULL;
+  const size_t size = (size_t)(counts[0] * counts[1]);
+  double* values = malloc(size * sizeof *values);
+  if (values == NULL || wrc_contact_field(contact, 0, field, values, size, NULL) != WRC_OK) {
+    free(values);
+    return NULL;
+  }
+  return values;
+}
+
+static void write_csv(wrc_contact* contact, const char* path) {
   static const int32_t fields[] = {
       WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
       WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
   enum { FIELDS = 8 };
-  wrc_view views[FIELDS], y;
-  if (wrc_contact_field(contact, 0, WRC_FIELD_STRIP_Y, &y) != WRC_OK) return;
+  uint64_t counts[2] = {0, 0};
+  double* const y = field_of(contact, WRC_FIELD_STRIP_Y, counts);
+  double* values[FIELDS];
+  int all = y != NULL;
   for (int k = 0; k < FIELDS; ++k) {
-    if (wrc_contact_field(contact, 0, fields[k], &views[k]) != WRC_OK) return;
+    values[k] = field_of(contact, fields[k], counts);
+    all = all && values[k] != NULL;
   }
   FILE* file = fopen(path, "w");
   if (file == NULL) {
@@ -182,16 +197,16 @@ static void write_csv(const wrc_contact* contact, const char* path) {
   }
   fprintf(file,
           "y_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,fatigue_index\n");
-  for (uint64_t j = 0; j < views[0].count[1]; ++j) {
-    for (uint64_t i = 0; i < views[0].count[0]; ++i) {
-      fprintf(file, "%.9g", y.data[j * y.stride[0]]);
-      for (int k = 0; k < FIELDS; ++k) {
-        fprintf(file, ",%.9g", views[k].data[i * views[k].stride[0] + j * views[k].stride[1]]);
-      }
+  for (uint64_t j = 0; all && j < counts[1]; ++j) {
+    for (uint64_t i = 0; i < counts[0]; ++i) {
+      fprintf(file, "%.9g", y[j]);
+      for (int k = 0; k < FIELDS; ++k) fprintf(file, ",%.9g", values[k][j * counts[0] + i]);
       fprintf(file, "\n");
     }
   }
   fclose(file);
+  free(y);
+  for (int k = 0; k < FIELDS; ++k) free(values[k]);
   printf("fields written to %s\n", path);
 }
 
@@ -203,20 +218,16 @@ int main(int argc, char** argv) {
   config.rail = profile_from(given.rail, &given, points[2], points[3]);
   config.wheelset.wheel_radius = given.radius;
   config.track.gauge = given.gauge;
-  config.wheelset.flange_back_distance = given.flange_back;
+  config.wheelset.tape_circle_distance = given.tape_circles;
   config.track.rail_inclination = given.inclination;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = given.shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = given.poisson;
-  char text[256];
-  if (wrc_config_check(&config, text, sizeof text) < 0) {
-    fprintf(stderr, "%s\n", text);
-    return EXIT_FAILURE;
-  }
+  char text[300];
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
-  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 ||
-      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0) {
-    fprintf(stderr, "out of memory\n");
+  if (wrc_model_create(&config, NULL, &model, text, sizeof text) < 0 ||
+      wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, text, sizeof text) < 0) {
+    fprintf(stderr, "%s\n", text);
     return EXIT_FAILURE;
   }
 
@@ -229,7 +240,7 @@ int main(int argc, char** argv) {
   input.creepage.spin = given.creepage[2];
   input.creepage.speed = given.speed;
   input.friction.coefficient = given.friction;
-  wrc_planar_output output = wrc_planar_output_default();
+  wrc_planar_output output = {.struct_size = sizeof output};
   const int32_t status = wrc_planar_step(contact, &input, &output);
   if (status != WRC_OK) {
     wrc_contact_last_error(contact, text, sizeof text);

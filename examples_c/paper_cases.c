@@ -140,41 +140,41 @@ static FILE* open_csv(const char* directory, const char* part, const char* case_
   return file;
 }
 
-static wrc_view view_of(const wrc_contact* contact, int32_t field) {
-  wrc_view view;
-  const int32_t status = wrc_contact_field(contact, 0, field, &view);
-  if (status != WRC_OK) fail(contact, "wrc_contact_field", status);
-  return view;
-}
+enum { MOST_STRIPS = 60, MOST_STRIP_CELLS = 60 * 32 }; /* config.planar: strips, and times cells */
 
-static double at(const wrc_view* view, uint64_t i, uint64_t j) {
-  return view->data[i * view->stride[0] + j * view->stride[1]];
+/* A field of the last step, element (cell i, strip j) at j * counts[0] + i. */
+static void read_field(wrc_contact* contact, int32_t field, double* values, uint64_t room,
+                       uint64_t counts[2]) {
+  const int32_t status = wrc_contact_field(contact, 0, field, values, room, counts);
+  if (status != WRC_OK) fail(contact, "wrc_contact_field", status);
 }
 
 /* The fields of the last step: one line per cell, and one per strip. */
-static void write_fields(const wrc_contact* contact, const char* directory, const char* part,
-                         const char* case_name, const char* variant_name) {
+static void write_fields(wrc_contact* contact, const char* directory, const char* part, const char* case_name,
+                         const char* variant_name) {
   static const int32_t cell_fields[] = {
       WRC_FIELD_X,      WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X,    WRC_FIELD_TRACTION_Y,
       WRC_FIELD_SLIP_X, WRC_FIELD_SLIP_Y,   WRC_FIELD_POWER_DENSITY, WRC_FIELD_FATIGUE_INDEX};
   enum { CELL_FIELDS = 8 };
-  wrc_view views[CELL_FIELDS];
-  for (int k = 0; k < CELL_FIELDS; ++k) views[k] = view_of(contact, cell_fields[k]);
-  const wrc_view y = view_of(contact, WRC_FIELD_STRIP_Y);
-  const wrc_view width = view_of(contact, WRC_FIELD_STRIP_WIDTH);
-  const wrc_view half = view_of(contact, WRC_FIELD_STRIP_HALF_LENGTH);
-  const wrc_view centre = view_of(contact, WRC_FIELD_STRIP_CENTRE);
-  const wrc_view peak = view_of(contact, WRC_FIELD_STRIP_PEAK);
-  const wrc_view power = view_of(contact, WRC_FIELD_STRIP_POWER);
+  static const int32_t strip_fields[] = {WRC_FIELD_STRIP_Y,           WRC_FIELD_STRIP_WIDTH,
+                                         WRC_FIELD_STRIP_HALF_LENGTH, WRC_FIELD_STRIP_CENTRE,
+                                         WRC_FIELD_STRIP_PEAK,        WRC_FIELD_STRIP_POWER};
+  enum { Y, WIDTH, HALF_LENGTH, CENTRE, PEAK, POWER, STRIP_FIELDS };
+  static double of_cells[CELL_FIELDS][MOST_STRIP_CELLS], of_strips[STRIP_FIELDS][MOST_STRIPS];
+  uint64_t counts[2], strip_counts[2];
+  for (int k = 0; k < CELL_FIELDS; ++k)
+    read_field(contact, cell_fields[k], of_cells[k], MOST_STRIP_CELLS, counts);
+  for (int k = 0; k < STRIP_FIELDS; ++k)
+    read_field(contact, strip_fields[k], of_strips[k], MOST_STRIPS, strip_counts);
 
   FILE* cells = open_csv(directory, part, case_name, variant_name, "cells");
   fprintf(cells,
           "strip,y_m,width_m,x_m,pressure_Pa,traction_x_Pa,traction_y_Pa,slip_x,slip_y,power_W_per_m2,"
           "fatigue_index\n");
-  for (uint64_t j = 0; j < views[0].count[1]; ++j) {
-    for (uint64_t i = 0; i < views[0].count[0]; ++i) {
-      fprintf(cells, "%d,%.9g,%.9g", (int)j, at(&y, j, 0), at(&width, j, 0));
-      for (int k = 0; k < CELL_FIELDS; ++k) fprintf(cells, ",%.9g", at(&views[k], i, j));
+  for (uint64_t j = 0; j < counts[1]; ++j) {
+    for (uint64_t i = 0; i < counts[0]; ++i) {
+      fprintf(cells, "%d,%.9g,%.9g", (int)j, of_strips[Y][j], of_strips[WIDTH][j]);
+      for (int k = 0; k < CELL_FIELDS; ++k) fprintf(cells, ",%.9g", of_cells[k][j * counts[0] + i]);
       fprintf(cells, "\n");
     }
   }
@@ -182,10 +182,10 @@ static void write_fields(const wrc_contact* contact, const char* directory, cons
 
   FILE* strips = open_csv(directory, part, case_name, variant_name, "strips");
   fprintf(strips, "y_m,width_m,x_trail_m,x_lead_m,peak_pressure_Pa,power_W_per_m\n");
-  for (uint64_t j = 0; j < y.count[0]; ++j) {
-    fprintf(strips, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", at(&y, j, 0), at(&width, j, 0),
-            at(&centre, j, 0) - at(&half, j, 0), at(&centre, j, 0) + at(&half, j, 0), at(&peak, j, 0),
-            at(&power, j, 0));
+  for (uint64_t j = 0; j < strip_counts[1]; ++j) {
+    const double centre = of_strips[CENTRE][j], half = of_strips[HALF_LENGTH][j];
+    fprintf(strips, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", of_strips[Y][j], of_strips[WIDTH][j], centre - half,
+            centre + half, of_strips[PEAK][j], of_strips[POWER][j]);
   }
   fclose(strips);
 }
@@ -258,16 +258,21 @@ static void use(wrc_config* config, const char* method) {
 }
 
 static void make(const wrc_config* config, wrc_model** model, wrc_contact** contact) {
-  char text[256];
-  if (wrc_config_check(config, text, sizeof text) < 0) {
-    fprintf(stderr, "configuration: %s\n", text);
+  char text[300];
+  if (wrc_model_create(config, NULL, model, text, sizeof text) < 0 ||
+      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, contact, text, sizeof text) < 0) {
+    fprintf(stderr, "%s\n", text);
     exit(EXIT_FAILURE);
   }
-  if (wrc_model_create(config, NULL, model, NULL, 0) < 0 ||
-      wrc_contact_create(*model, WRC_SIDE_RIGHT, NULL, contact, NULL, 0) < 0) {
-    fprintf(stderr, "out of memory\n");
-    exit(EXIT_FAILURE);
-  }
+}
+
+/* The paper's steel: G = 80 GPa, nu = 0.25, k = 250 MPa. */
+static wrc_material steel(void) {
+  wrc_material material = wrc_material_default();
+  material.shear_modulus = 80e9;
+  material.poisson = 0.25;
+  material.shear_yield = 250e6;
+  return material;
 }
 
 /* ------------------------------------------------------------------------------------------------- the exact
@@ -311,7 +316,8 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
                               const wrc_planar_normal_solution* normal, const char* name, double yield,
                               const char* directory, const char* part, FILE* summary) {
   wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-  wrc_exact_rolling_solution solution = wrc_exact_rolling_solution_default();
+  wrc_exact_rolling_solution solution = {.struct_size = sizeof solution};
+  problem.wheel_material = problem.rail_material = steel();
   problem.collocation = WRC_COLLOCATION_REFERENCE;
   problem.grid = *grid;
   problem.pressure = exact_pressure;
@@ -326,14 +332,13 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
     fprintf(stderr, "exact rolling: %s\n", text);
     exit(EXIT_FAILURE);
   }
-  const wrc_planar_forces forces = {solution.fx,
-                             solution.fy,
-                             normal->normal_force,
-                             solution.mz,
-                             solution.power,
-                             solution.adhesion_fraction,
-                             WRC_AVAILABLE_TRACTIONS,
-                             0};
+  const wrc_planar_forces forces = {.fx = solution.fx,
+                                    .fy = solution.fy,
+                                    .fn = normal->normal_force,
+                                    .mz = solution.mz,
+                                    .power = solution.power,
+                                    .adhesion_fraction = solution.adhesion_fraction,
+                                    .available = WRC_AVAILABLE_TRACTIONS};
   print_result("", name, normal, &forces, rolling->power, NAN);
   printf("%-42s %-31s the same by the energy balance, the limit on fine grids: %.2f W\n", "", "",
          solution.power_by_balance);
@@ -350,7 +355,8 @@ static void run_exact_rolling(const wrc_grid* grid, const wrc_creepage* creepage
 }
 
 /* The exact normal problem for the gap in the contact: 0.3 mm cells, as the reference. */
-static wrc_planar_normal_solution solve_exact_normal(wrc_contact* contact, double normal_force, wrc_grid* grid) {
+static wrc_planar_normal_solution solve_exact_normal(wrc_contact* contact, double normal_force,
+                                                     wrc_grid* grid) {
   grid->nx = 50;
   grid->ny = 90;
   grid->dx = grid->dy = 0.3e-3;
@@ -359,7 +365,8 @@ static wrc_planar_normal_solution solve_exact_normal(wrc_contact* contact, doubl
   int32_t status = wrc_exact_gap(contact, grid, exact_gap);
   if (status < 0) fail(contact, "wrc_exact_gap", status);
   wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
-  wrc_exact_normal_solution solution = wrc_exact_normal_solution_default();
+  wrc_exact_normal_solution solution = {.struct_size = sizeof solution};
+  problem.wheel_material = problem.rail_material = steel();
   problem.normal_force = normal_force;
   problem.grid = *grid;
   problem.gap = exact_gap;
@@ -410,7 +417,7 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       wrc_contact* contact = NULL;
       make(&config, &model, &contact);
 
-      wrc_planar_output output = wrc_planar_output_default();
+      wrc_planar_output output = {.struct_size = sizeof output};
       const int32_t status = wrc_planar_step(contact, &input, &output);
       if (status < 0) fail(contact, variants[v].name, status);
 
@@ -419,16 +426,16 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
       write_fields(contact, directory, "profiles", rolling->file_name, variants[v].file_name);
       write_summary(summary, "profiles", rolling->file_name, variants[v].file_name, &output.damage);
       if (v == VARIANTS - 1) {
-        wrc_grid grid;
+        wrc_grid grid = {0};
         const wrc_planar_normal_solution exact = solve_exact_normal(contact, input.load.normal_force, &grid);
-        run_exact_rolling(&grid, &input.creepage, rolling, &exact, "wrc, exact", config.material.shear_yield,
-                          directory, "profiles", summary);
+        run_exact_rolling(&grid, &input.creepage, rolling, &exact, "wrc, exact",
+                          config.wheel_material.shear_yield, directory, "profiles", summary);
         /* The reference put the initial contact point where the paper's psi b has it, 3.1 mm from mid-width;
          * by the profiles it lies 2.9 mm from there. Creepages of the reference, moved to our origin: */
         wrc_creepage moved = input.creepage;
         moved.longitudinal += moved.spin * (exact.ellipse.psi * exact.ellipse.b + 3.1e-3);
         run_exact_rolling(&grid, &moved, rolling, &exact, "wrc, exact, origin of CONTACT",
-                          config.material.shear_yield, directory, "profiles", NULL);
+                          config.wheel_material.shear_yield, directory, "profiles", NULL);
       }
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
@@ -441,8 +448,7 @@ static void run_profile_cases(const wrc_config* base, const char* directory, FIL
 static void run_ellipse_cases(const wrc_config* base, const char* directory, FILE* summary) {
   static const double pi = 3.14159265358979323846;
   static const double peak_pressure = 300e6; /* not printed in the paper; reproduces its Case 2 */
-  wrc_ellipse ellipse = wrc_ellipse_default();
-  ellipse.a = 4.25e-3;
+  wrc_ellipse ellipse = {.a = 4.25e-3};
   ellipse.b = 6.375e-3; /* "ellipticity 1.5" means b = 1.5 a */
   ellipse.psi = 0.4;
   ellipse.normal_force = 2.0 / 3.0 * pi * ellipse.a * ellipse.b * peak_pressure;
@@ -473,7 +479,7 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       wrc_damage damage;
       int32_t status = wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces);
       if (status < 0) fail(contact, variants[v].name, status);
-      status = wrc_contact_damage(contact, &damage);
+      status = wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage);
       if (status < 0) fail(contact, variants[v].name, status);
 
       print_result(v == 0 ? rolling->name : "", model_name(&variants[v], strchr(variants[v].name, '+') + 1),
@@ -483,7 +489,7 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
       wrc_contact_destroy(contact);
       wrc_model_destroy(model);
     }
-    wrc_grid grid = {60, 60, ellipse.a / 30.0, ellipse.b / 30.0, 0.0, 0.0};
+    wrc_grid grid = {.nx = 60, .ny = 60, .dx = ellipse.a / 30.0, .dy = ellipse.b / 30.0};
     grid.x0 = -ellipse.a + 0.5 * grid.dx;
     grid.y0 = -ellipse.b * (1.0 - ellipse.psi) + 0.5 * grid.dy;
     for (uint32_t j = 0; j < grid.ny; ++j) {
@@ -494,8 +500,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
         exact_pressure[j * grid.nx + i] = peak_pressure * sqrt(fmax(0.0, 1.0 - xi * xi - eta * eta));
       }
     }
-    run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", base->material.shear_yield, directory,
-                      "ellipse", summary);
+    run_exact_rolling(&grid, &creepage, rolling, &exact, "wrc, exact", base->wheel_material.shear_yield,
+                      directory, "ellipse", summary);
     print_reference(rolling, " 4.25   6.38  0.400    85.1        -    300");
   }
   printf(
@@ -507,7 +513,8 @@ static void run_ellipse_cases(const wrc_config* base, const char* directory, FIL
 int main(int argc, char** argv) {
   const char* directory = argc > 1 ? argv[1] : ".";
   wrc_config config = wrc_config_default();
-  /* G = 80 GPa, nu = 0.25, R = 0.46 m, k = 250 MPa: the paper's values are the defaults. */
+  config.wheel_material = config.rail_material = steel();
+  config.wheelset.wheel_radius = 0.46;
 
   char path[512];
   snprintf(path, sizeof path, "%s/summary.csv", directory);

@@ -175,8 +175,8 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input;
       input_of(v, t, s, w, side, &input);
-      wrc_wrench wrench = wrc_wrench_default();
-      wrc_wrench_derivatives by;
+      wrc_wrench wrench = {.struct_size = sizeof wrench};
+      wrc_wrench_derivatives by = {.struct_size = sizeof by};
       const int32_t status = J ? wrc_contact_wrench_derivatives(v->contact[w][side], &input, &wrench, &by)
                                : wrc_contact_wrench(v->contact[w][side], &input, &wrench);
       if (status < 0) {
@@ -289,14 +289,15 @@ static wrc_model* models[2];
 static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config* special, int both) {
   memset(v, 0, sizeof *v);
   const wrc_config usual = pair_of_profiles();
+  char text[300] = "";
   models[1] = NULL;
-  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0], NULL, 0), "model");
-  if (special) must(wrc_model_create(special, NULL, &models[1], NULL, 0), "model");
+  must(wrc_model_create(plain ? plain : &usual, NULL, &models[0], text, sizeof text), text);
+  if (special) must(wrc_model_create(special, NULL, &models[1], text, sizeof text), text);
   for (int w = 0; w < 2; ++w)
     for (int side = 0; side < 2; ++side)
       must(wrc_contact_create(special && side == right && (both || w == 0) ? models[1] : models[0], side,
-                              NULL, &v->contact[w][side], NULL, 0),
-           "contact");
+                              NULL, &v->contact[w][side], text, sizeof text),
+           text);
   build(v);
 }
 static void close_contacts(Vehicle* v) {
@@ -313,7 +314,7 @@ static void stand(Vehicle* v, double* s) {
   input.damping = 0.0;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * axle_load;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   must(wrc_contact_wrench(v->contact[1][left], &input, &wrench), "standing");
   for (int w = 0; w < 2; ++w) {
     s[FREEDOMS * w + Z] = wrench.z;
@@ -390,8 +391,8 @@ static void slow_rates(Vehicle* v, double y, double yaw, double u[SLOW]) {
       input.wheel.y = y, input.wheel.z = u[3], input.wheel.roll = u[4], input.wheel.yaw = yaw;
       input.wheel.velocity[0] = 1.0, input.wheel.velocity[1] = u[0], input.wheel.velocity[2] = rates[0];
       input.wheel.roll_rate = rates[1], input.wheel.pitch_rate = u[2], input.wheel.yaw_rate = u[1];
-      wrc_wrench w = wrc_wrench_default();
-      wrc_wrench_derivatives by;
+      wrc_wrench w = {.struct_size = sizeof w};
+      wrc_wrench_derivatives by = {.struct_size = sizeof by};
       must(wrc_contact_wrench_derivatives(v->contact[0][side], &input, &w, &by), "slow rolling");
       const double all[6] = {w.force[0], w.force[1], w.force[2], w.moment[0], w.moment[1], w.moment[2]};
       for (int i = 0; i < SLOW; ++i) {
@@ -449,12 +450,12 @@ static void waves(FILE* file, const char* name, const wrc_config* config, const 
   char text[256] = "";
   Vehicle v;
   open_contacts(&v, config, NULL, 0);
-  wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
+  wrc_wheelset_geometry_problem where = {.struct_size = sizeof where};
   for (int i = 0; i < points; ++i) y[i] = 0.05e-3 * (i - points / 2);
   where.count = points;
   where.lateral = y;
   where.wheel_load = 0.5 * axle_load;
-  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
+  wrc_wheelset_geometry functions = {.struct_size = sizeof functions};
   functions.radius_difference = dr;
   functions.roll = roll;
   must(wrc_profile_wheelset_geometry(models[0], &where, &functions, text, sizeof text), text);
@@ -464,7 +465,7 @@ static void waves(FILE* file, const char* name, const wrc_config* config, const 
     build(&v);
     stand(&v, s);
     const double height = s[Z];
-    wrc_region region = wrc_region_default(); /* of the last wheel that stood, a left one */
+    wrc_region region = {.struct_size = sizeof region}; /* of the last wheel that stood, a left one */
     must(wrc_contact_region(v.contact[1][left], 0, &region), "region");
     s[Y] = amplitude[k];
     Told told = {.file = file, .run = name, .value = amplitude[k]};
@@ -483,11 +484,11 @@ static void waves(FILE* file, const char* name, const wrc_config* config, const 
     problem.count = points;
     problem.lateral = feet;
     problem.radius_difference = dr;
-    problem.amplitudes = 1;
-    problem.amplitude = &mean;
+    problem.amplitude_count = 1;
+    problem.amplitudes = &mean;
     problem.contact_distance = -2.0 * region.point[1];
     problem.radius = radius;
-    wrc_conicity result = wrc_conicity_default();
+    wrc_conicity result = {.struct_size = sizeof result};
     result.wavelength = &kinematic;
     must(wrc_equivalent_conicity(&problem, &result, text, sizeof text), text);
     const double slow = slow_wave(&v, amplitude[k], height);
@@ -719,14 +720,16 @@ static void turnout(FILE* file) {
   }
   for (int k = 0; k < 5; ++k, ++n) {
     static const double at[5] = {10.5, 11.5, 12.5, 13.5, 100.0}, deep[5] = {6e-3, 3e-3, 0.6e-3, 0.0, 0.0};
-    section[n].face = 1;
+    section[n].surface = 1;
     section[n].distance = at[k];
     section[n].z = deep[k];
     section[n].profile.kind = WRC_PROFILE_60E1;
   }
   wrc_config config = pair_of_profiles();
   config.rail_section_count = (uint32_t)n;
+  config.rail_section_size = sizeof section[0];
   config.rail_sections = section;
+  config.rail_section_size = sizeof *section;
   for (int k = 0; k < 2; ++k) {
     Vehicle v;
     double s[STATES];

@@ -19,10 +19,12 @@ static wrc_model* model_of(double gauge, double roller_curvature) {
   config.track.rail_inclination = 1.0 / 40.0;
   config.track.gauge = gauge;
   config.roller_curvature = roller_curvature;
-  char why[256];
+  char why[300];
   wrc_model* model = NULL;
-  if (wrc_config_check(&config, why, sizeof why) < 0) fprintf(stderr, "%s\n", why);
-  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0) exit(EXIT_FAILURE);
+  if (wrc_model_create(&config, NULL, &model, why, sizeof why) < 0) {
+    fprintf(stderr, "%s\n", why);
+    exit(EXIT_FAILURE);
+  }
   return model;
 }
 
@@ -30,7 +32,7 @@ static wrc_model* model_of(double gauge, double roller_curvature) {
 static wrc_wrench wrench_of(const wrc_model* model, int side, const wrc_wheel_input* input,
                             wrc_wrench_derivatives* by) {
   wrc_contact* contact = NULL;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   if (wrc_contact_create(model, side, NULL, &contact, NULL, 0) < 0) exit(EXIT_FAILURE);
   const int32_t status = wrc_contact_wrench_derivatives(contact, input, &wrench, by);
   if (status != WRC_OK) fprintf(stderr, "%s\n", wrc_status_name(status));
@@ -62,7 +64,7 @@ static void independent_wheels(void) {
     for (int turn = 0; turn < 6; ++turn) { /* Newton: no moment about y, of each wheel or of both together */
       double moment[2], slope[2];
       for (int side = 0; side < 2; ++side) {
-        wrc_wrench_derivatives by;
+        wrc_wrench_derivatives by = {.struct_size = sizeof by};
         wrench[side] = wrench_of(model, side == 0 ? WRC_SIDE_RIGHT : WRC_SIDE_LEFT, &input[side], &by);
         moment[side] = wrench[side].moment[1];
         slope[side] = by.wrench[4][WRC_BY_ANGULAR_VELOCITY_Y];

@@ -105,11 +105,11 @@ static int32_t forces(wheelset* set, const curve* c, double y, double rotation, 
   input.wheel.pitch_rate = -c->speed / radius * (1.0 + rotation);
   input.wheel.yaw_rate = c->speed * c->curvature;
   for (int side = 0; side < 2; ++side) {
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = {.struct_size = sizeof wrench};
     const double outer = side == 0 ? -1.0 : 1.0; /* a curve to the right loads the left wheel */
     input.vertical_load = wheel_load * (1.0 + outer * (c->curvature > 0.0 ? 1.2 : -1.2) * c->deficiency);
     const int32_t status = wrc_contact_wrench(set->contact[side], &input, &wrench);
-    if (status < 0 || status == WRC_FLAG_CLIMBING) return -1;
+    if (status < 0 || (wrench.flags & WRC_FLAG_BIT(WRC_FLAG_CLIMBING))) return -1;
     *lateral += wrench.force[1];
     *moment += wrench.moment[1];
   }
@@ -221,10 +221,11 @@ static int run_together(const wrc_model* model, wrc_damage_bins* bins, place* pl
   laws.archard_severe *= natural_lubrication;
   laws.archard_fast *= natural_lubrication;
   laws.archard_seizure *= natural_lubrication;
+  char text[300] = "";
   for (int side = 0; side < 2; ++side)
-    check(wrc_contact_create(model, side, NULL, &set.contact[side], NULL, 0), "contact", "");
+    check(wrc_contact_create(model, side, NULL, &set.contact[side], text, sizeof text), "contact", text);
   for (int i = first; i < end; ++i) {
-    wrc_accumulation step = wrc_accumulation_default();
+    wrc_accumulation step = {.struct_size = sizeof step};
     step.wear = &laws;
     step.duration = network[i].length / network[i].speed;
     if (!places[i].known || settle_again(&set, &network[i], &places[i]) < 0) {
@@ -269,10 +270,9 @@ static wrc_model* make_model(const state* now) {
     config.wheel.y = now->y;
     config.wheel.z = now->z;
   }
-  char text[256] = "";
-  check(wrc_config_check(&config, text, sizeof text), "configuration", text);
+  char text[300] = "";
   wrc_model* model = NULL;
-  check(wrc_model_create(&config, NULL, &model, NULL, 0), "model", "");
+  check(wrc_model_create(&config, NULL, &model, text, sizeof text), "model", text);
   return model;
 }
 
@@ -292,20 +292,20 @@ static void take_points(const wrc_model* model, state* now) {
 static double conicity(const wrc_model* model) {
   double y[81], dr[81], amplitude = 3e-3, found = 0.0;
   for (int i = 0; i < 81; ++i) y[i] = 0.1e-3 * (i - 40);
-  wrc_wheelset_geometry_problem where = wrc_wheelset_geometry_problem_default();
+  wrc_wheelset_geometry_problem where = {.struct_size = sizeof where};
   where.count = 81;
   where.lateral = y;
-  wrc_wheelset_geometry functions = wrc_wheelset_geometry_default();
+  wrc_wheelset_geometry functions = {.struct_size = sizeof functions};
   functions.radius_difference = dr;
   if (wrc_profile_wheelset_geometry(model, &where, &functions, NULL, 0) < 0) return 0.0;
   wrc_conicity_problem problem = wrc_conicity_problem_default();
   problem.count = 81;
   problem.lateral = y;
   problem.radius_difference = dr;
-  problem.amplitudes = 1;
-  problem.amplitude = &amplitude;
+  problem.amplitude_count = 1;
+  problem.amplitudes = &amplitude;
   problem.radius = radius;
-  wrc_conicity result = wrc_conicity_default();
+  wrc_conicity result = {.struct_size = sizeof result};
   result.conicity = &found;
   return wrc_equivalent_conicity(&problem, &result, NULL, 0) < 0 ? 0.0 : found;
 }
@@ -327,7 +327,7 @@ static void write_profile(const char* folder, const state* now) {
 }
 
 static void write_line(const char* folder, const state* now, const wrc_model* model, double depth, int lost) {
-  wrc_flange flange = {0.0, 0.0, 0.0};
+  wrc_flange flange = {0};
   char text[256] = "";
   check(wrc_flange_dimensions(now->points, now->y, now->z, 0.070, &flange, text, sizeof text), "flange",
         text);
@@ -399,7 +399,8 @@ int main(int argc, char** argv) {
     bins[k].count = BINS;
     bins[k].first = -0.080;
     bins[k].width = 0.5e-3;
-    bins[k].bin = (wrc_damage_bin*)(shared + k * bytes);
+    bins[k].bins = (wrc_damage_bin*)(shared + k * bytes);
+    bins[k].bin_size = sizeof(wrc_damage_bin);
   }
 
   while (now.distance < distance) {
@@ -427,14 +428,14 @@ int main(int argc, char** argv) {
     wear.count = now.points;
     wear.y = now.y;
     wear.z = now.z;
-    wear.bins = BINS;
+    wear.bin_count = BINS;
     wear.depth = depth;
     wear.first = -0.080;
     wear.width = 0.5e-3;
     wear.passages = (until - now.distance) / length;
     wear.largest_depth = 0.2e-3;
     double y[POINTS] = {0}, z[POINTS] = {0};
-    wrc_worn_profile worn = wrc_worn_profile_default();
+    wrc_worn_profile worn = {.struct_size = sizeof worn};
     worn.capacity = POINTS;
     worn.y = y;
     worn.z = z;

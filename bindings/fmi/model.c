@@ -203,11 +203,10 @@ void model_free(instance* of) {
   free(of);
 }
 
-/* What a call on a contact ended with, told to the host if it failed. A number out of range is an
- * integrator's attempt as often as a mistake: the step may be tried again. */
-static outcome answer(instance* of, const wrc_contact* contact, int32_t status) {
-  int32_t* kept = &INTEGER_OF_KIND(of, status);
-  if (*kept >= 0 && (status < 0 || status > *kept)) *kept = status;
+/* What a call on a contact ended with: flags are kept, a failure is told to the host. A number out of range
+ * is an integrator's attempt as often as a mistake: the step may be tried again. */
+static outcome answer(instance* of, const wrc_contact* contact, int32_t status, const wrc_wrench* wrench) {
+  INTEGER_OF_KIND(of, flags) |= (int32_t)wrench->flags;
   if (status >= 0) return FINE;
   char sentence[512] = "";
   wrc_contact_last_error(contact, sentence, sizeof sentence);
@@ -217,16 +216,16 @@ static outcome answer(instance* of, const wrc_contact* contact, int32_t status) 
 
 static double standing(instance* of, outcome* how) {
   wrc_wheel_input given = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   const double speed = of->now.real[SET_speed];
   given.wheel.velocity[0] = speed;
   given.wheel.pitch_rate = -speed / OF_KIND(of, wheel_radius);
   given.friction.coefficient = OF_KIND(of, friction);
-  given.start = WRC_START_COLD;
   given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   given.vertical_load = 0.5 * of->now.real[SET_load];
-  *how = answer(of, of->contact[WRC_SIDE_RIGHT],
-                wrc_contact_wrench(of->contact[WRC_SIDE_RIGHT], &given, &wrench));
+  wrc_contact* right = of->contact[WRC_SIDE_RIGHT];
+  const int32_t status = wrc_contact_wrench(right, &given, &wrench);
+  *how = answer(of, right, status, &wrench);
   return wrench.z;
 }
 
@@ -234,7 +233,7 @@ outcome model_start(instance* of) {
   drop_model(of);
   wrc_config config = wrc_config_default();
   config.wheelset.wheel_radius = OF_KIND(of, wheel_radius);
-  config.wheelset.flange_back_distance = OF_KIND(of, flange_back_distance);
+  config.wheelset.tape_circle_distance = OF_KIND(of, tape_circle_distance);
   config.track.gauge = OF_KIND(of, gauge);
   config.track.rail_inclination = OF_KIND(of, rail_inclination);
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = OF_KIND(of, shear_modulus);
@@ -245,24 +244,22 @@ outcome model_start(instance* of) {
                    "wheel.txt", &points[0], &points[1]) &&
       read_profile(of, &config.rail, INTEGER_OF_KIND(of, rail_profile), OF_KIND(of, rail_smoothing),
                    "rail.txt", &points[2], &points[3])) {
-    char sentence[512] = "no memory";
-    int32_t status = wrc_model_create(&config, NULL, &of->model, NULL, 0);
-    if (status < 0) wrc_config_check(&config, sentence, sizeof sentence);
+    char sentence[512] = "";
+    int32_t status = wrc_model_create(&config, NULL, &of->model, sentence, sizeof sentence);
     const int first = of->kind == WHEEL ? of->now.integer[WHEEL_side] : WRC_SIDE_RIGHT;
     const int last = of->kind == WHEEL ? first : WRC_SIDE_LEFT;
-    if (status >= 0 && (first < WRC_SIDE_RIGHT || first > WRC_SIDE_LEFT)) {
+    if (status >= 0 && (first < WRC_SIDE_RIGHT || first > WRC_SIDE_LEFT)) { /* there is no room for it */
       status = WRC_ERROR_UNSUPPORTED;
       snprintf(sentence, sizeof sentence, "side = %d: 0 is the right wheel, 1 the left one", first);
     }
     for (int side = first; side <= last && status >= 0; ++side)
-      status = wrc_contact_create(of->model, side, NULL, &of->contact[side], NULL, 0);
+      status = wrc_contact_create(of->model, side, NULL, &of->contact[side], sentence, sizeof sentence);
     how = status < 0 ? wrong(of, WRONG, sentence) : FINE;
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
   of->input = wrc_wheel_input_default();
-  of->input.start = WRC_START_COLD;
   of->now.solved = 0;
-  INTEGER_OF_KIND(of, status) = 0;
+  INTEGER_OF_KIND(of, flags) = 0;
   if (how == FINE && of->kind == WHEELSET) {
     double* now = of->now.real;
     now[SET_y] = now[SET_start_y];
@@ -322,7 +319,7 @@ static void take_wheel(instance* of, const wrc_wrench* wrench) {
 static outcome wheelset_forces(instance* of, double force[3], double moment[3]) {
   double* now = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
-  wrc_wrench wrench = wrc_wrench_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
   wheel->y = now[SET_y];
   wheel->z = now[SET_z];
   wheel->roll = now[SET_roll];
@@ -335,7 +332,7 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
   wheel->yaw_rate = now[SET_yaw_rate];
   of->input.friction.coefficient = now[SET_friction];
   of->input.damping = now[SET_damping];
-  of->now.integer[SET_status] = 0;
+  of->now.integer[SET_flags] = 0;
   now[SET_power] = 0.0;
   for (int side = 0; side < 2; ++side) {
     const double* rail = now + (side == WRC_SIDE_RIGHT ? SET_right_rail_y : SET_left_rail_y);
@@ -345,8 +342,8 @@ static outcome wheelset_forces(instance* of, double force[3], double moment[3]) 
     of->input.rail.z_velocity = rail[3];
     of->input.rail.y_slope = rail[4];
     of->input.rail.z_slope = rail[5];
-    const outcome how =
-        answer(of, of->contact[side], wrc_contact_wrench(of->contact[side], &of->input, &wrench));
+    const int32_t status = wrc_contact_wrench(of->contact[side], &of->input, &wrench);
+    const outcome how = answer(of, of->contact[side], status, &wrench);
     if (how != FINE) return how;
     for (int i = 0; i < 3; ++i) {
       force[i] += wrench.force[i];
@@ -369,10 +366,11 @@ static outcome solve(instance* of) {
   if (of->now.solved || !of->model) return FINE;
   outcome how;
   if (of->kind == WHEEL) {
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = {.struct_size = sizeof wrench};
     give_wheel(of);
-    of->now.integer[WHEEL_status] = 0;
-    how = answer(of, of_wheel(of), wrc_contact_wrench(of_wheel(of), &of->input, &wrench));
+    of->now.integer[WHEEL_flags] = 0;
+    const int32_t status = wrc_contact_wrench(of_wheel(of), &of->input, &wrench);
+    how = answer(of, of_wheel(of), status, &wrench);
     if (how == FINE) take_wheel(of, &wrench);
   } else {
     double force[3] = {0.0, 0.0, 0.0}, moment[3] = {0.0, 0.0, 0.0};
@@ -383,10 +381,10 @@ static outcome solve(instance* of) {
 }
 
 /* The column of an input's derivatives. */
-static uint32_t column_of(uint32_t input) {
-  return input == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
-         : input == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
-                                       : input;
+static uint32_t column_of(uint32_t number) {
+  return number == WHEEL_rail_y_slope   ? WRC_BY_RAIL_Y_SLOPE
+         : number == WHEEL_rail_z_slope ? WRC_BY_RAIL_Z_SLOPE
+                                        : number;
 }
 
 /* Rows of the wrench, columns of the inputs. */
@@ -400,11 +398,12 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
   for (size_t j = 0; j < known_count; ++j)
     if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, WRONG, "derivatives are by the inputs");
   if (!of->slopes_known) {
-    wrc_wrench wrench = wrc_wrench_default();
+    wrc_wrench wrench = {.struct_size = sizeof wrench};
     give_wheel(of);
-    of->now.integer[WHEEL_status] = 0;
-    const outcome how = answer(
-        of, of_wheel(of), wrc_contact_wrench_derivatives(of_wheel(of), &of->input, &wrench, &of->slopes));
+    of->now.integer[WHEEL_flags] = 0;
+    of->slopes.struct_size = sizeof of->slopes;
+    const int32_t status = wrc_contact_wrench_derivatives(of_wheel(of), &of->input, &wrench, &of->slopes);
+    const outcome how = answer(of, of_wheel(of), status, &wrench);
     if (how != FINE) return how;
     take_wheel(of, &wrench);
     of->slopes_known = 1;

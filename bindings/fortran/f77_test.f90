@@ -23,24 +23,26 @@ contains
     integer(c_int32_t), intent(in) :: prescribed
     type(wrc_wheel_input) :: input
     type(wrc_wrench) :: wrench
-    real(c_double) :: xin(28), xout(18)
+    real(c_double) :: xin(30), xout(18)
     call wrc_init(input)
-    call wrc_init(wrench)
     input%prescribed = prescribed
     input%wheel%reference = WRC_REFERENCE_WHEEL
-    input%wheel%angular_axes = WRC_AXES_TRACK
     input%wheel%y = 1.1d-3
     input%wheel%z = 0.31d-3
     input%wheel%roll = 0.4d-3
     input%wheel%yaw = 1.7d-3
     input%wheel%velocity = [20d0, -0.03d0, 0.011d0]
-    input%wheel%angular_velocity = [0.02d0, -43.5d0, 0.05d0]
+    input%wheel%roll_rate = 0.02d0
+    input%wheel%pitch_rate = -43.5d0
+    input%wheel%yaw_rate = 0.05d0
     input%rail%y = 0.3d-3
     input%rail%z = -0.02d-3
     input%rail%roll = 0.6d-3
     input%rail%y_velocity = 0.007d0
     input%rail%z_velocity = -0.004d0
     input%rail%roll_rate = 0.09d0
+    input%rail%y_slope = 0.8d-3
+    input%rail%z_slope = -0.3d-3
     input%friction%coefficient = 0.33d0
     input%frame%speed = 0.2d0
     input%frame%curvature = 3d-3
@@ -48,7 +50,7 @@ contains
     input%frame%twist = 1d-3
     xin = [1d0, 1.1d-3, 0.31d-3, 0.4d-3, 1.7d-3, 20d0, -0.03d0, 0.011d0, 0.02d0, -43.5d0, 0.05d0, 0.3d-3, &
       -0.02d-3, 0.6d-3, 0.007d0, -0.004d0, 0.09d0, 0.33d0, real(prescribed, c_double), 0d0, 0d0, 0d0, 0d0, 0d0, &
-      0.2d0, 3d-3, 2d-3, 1d-3]
+      0.2d0, 3d-3, 2d-3, 1d-3, 0.8d-3, -0.3d-3]
     if (prescribed == WRC_PRESCRIBE_HEIGHT) then
       input%damping = 0.15d0
       xin(21) = 0.15d0
@@ -71,7 +73,7 @@ contains
     character(*), parameter :: names(6) = &
       [character(22) :: 'input.wheel.reference', 'input.prescribed', 'input.vertical_load', 'input.distance', 'input.angle', &
        'input.roller_rate']
-    real(c_double) :: xin(28), xout(18)
+    real(c_double) :: xin(30), xout(18)
     character(256) :: text
     integer :: i
     do i = 1, size(place)
@@ -94,7 +96,6 @@ contains
     type(wrc_planar_output) :: output
     real(c_double) :: xout(12)
     call wrc_init(input)
-    call wrc_init(output)
     input%pose%lateral = 1.1d-3
     input%pose%roll = 0.4d-3
     input%pose%yaw = 1.7d-3

@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 extern const size_t layout_wrc_profile[];
 const size_t layout_wrc_profile[] = {sizeof(wrc_profile), offsetof(wrc_profile, kind), offsetof(wrc_profile, count), offsetof(wrc_profile, y), offsetof(wrc_profile, z), offsetof(wrc_profile, smoothing), offsetof(wrc_profile, reserved)};

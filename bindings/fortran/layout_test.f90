@@ -145,6 +145,7 @@ program layout_test
 contains
   subroutine test_wrc_profile()
     type(wrc_profile), target :: a
+    call wrc_init(a)
     call same('wrc_profile', 'size', c_sizeof(a), layout_wrc_profile(1))
     call same('wrc_profile', 'kind', &
       distance(c_loc(a), c_loc(a%kind)), layout_wrc_profile(2))
@@ -174,6 +175,7 @@ contains
   end subroutine
   subroutine test_wrc_heat_properties()
     type(wrc_heat_properties), target :: a
+    call wrc_init(a)
     call same('wrc_heat_properties', 'size', c_sizeof(a), layout_wrc_heat_properties(1))
     call same('wrc_heat_properties', 'conductivity', &
       distance(c_loc(a), c_loc(a%conductivity)), layout_wrc_heat_properties(2))
@@ -186,6 +188,7 @@ contains
   end subroutine
   subroutine test_wrc_config_wheelset()
     type(wrc_config_wheelset), target :: a
+    call wrc_init(a)
     call same('wrc_config_wheelset', 'size', c_sizeof(a), layout_wrc_config_wheelset(1))
     call same('wrc_config_wheelset', 'wheel_radius', &
       distance(c_loc(a), c_loc(a%wheel_radius)), layout_wrc_config_wheelset(2))
@@ -196,6 +199,7 @@ contains
   end subroutine
   subroutine test_wrc_config_track()
     type(wrc_config_track), target :: a
+    call wrc_init(a)
     call same('wrc_config_track', 'size', c_sizeof(a), layout_wrc_config_track(1))
     call same('wrc_config_track', 'placement', &
       distance(c_loc(a), c_loc(a%placement)), layout_wrc_config_track(2))
@@ -214,6 +218,7 @@ contains
   end subroutine
   subroutine test_wrc_rail_section()
     type(wrc_rail_section), target :: a
+    call wrc_init(a)
     call same('wrc_rail_section', 'size', c_sizeof(a), layout_wrc_rail_section(1))
     call same('wrc_rail_section', 'distance', &
       distance(c_loc(a), c_loc(a%distance)), layout_wrc_rail_section(2))
@@ -234,6 +239,7 @@ contains
   end subroutine
   subroutine test_wrc_config_roundness()
     type(wrc_config_roundness), target :: a
+    call wrc_init(a)
     call same('wrc_config_roundness', 'size', c_sizeof(a), layout_wrc_config_roundness(1))
     call same('wrc_config_roundness', 'angle_count', &
       distance(c_loc(a), c_loc(a%angle_count)), layout_wrc_config_roundness(2))
@@ -250,6 +256,7 @@ contains
   end subroutine
   subroutine test_wrc_config_check_rail()
     type(wrc_config_check_rail), target :: a
+    call wrc_init(a)
     call same('wrc_config_check_rail', 'size', c_sizeof(a), layout_wrc_config_check_rail(1))
     call same('wrc_config_check_rail', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_config_check_rail(2))
@@ -262,6 +269,7 @@ contains
   end subroutine
   subroutine test_wrc_config_normal()
     type(wrc_config_normal), target :: a
+    call wrc_init(a)
     call same('wrc_config_normal', 'size', c_sizeof(a), layout_wrc_config_normal(1))
     call same('wrc_config_normal', 'method', &
       distance(c_loc(a), c_loc(a%method)), layout_wrc_config_normal(2))
@@ -274,6 +282,7 @@ contains
   end subroutine
   subroutine test_wrc_config_tangential()
     type(wrc_config_tangential), target :: a
+    call wrc_init(a)
     call same('wrc_config_tangential', 'size', c_sizeof(a), layout_wrc_config_tangential(1))
     call same('wrc_config_tangential', 'method', &
       distance(c_loc(a), c_loc(a%method)), layout_wrc_config_tangential(2))
@@ -290,6 +299,7 @@ contains
   end subroutine
   subroutine test_wrc_config_surface()
     type(wrc_config_surface), target :: a
+    call wrc_init(a)
     call same('wrc_config_surface', 'size', c_sizeof(a), layout_wrc_config_surface(1))
     call same('wrc_config_surface', 'cells', &
       distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_surface(2))
@@ -300,6 +310,7 @@ contains
   end subroutine
   subroutine test_wrc_config_planar()
     type(wrc_config_planar), target :: a
+    call wrc_init(a)
     call same('wrc_config_planar', 'size', c_sizeof(a), layout_wrc_config_planar(1))
     call same('wrc_config_planar', 'strips', &
       distance(c_loc(a), c_loc(a%strips)), layout_wrc_config_planar(2))
@@ -324,7 +335,10 @@ contains
   end subroutine
   subroutine test_wrc_config()
     type(wrc_config), target :: a
+    call same('wrc_config', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_config', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_config', 'size', c_sizeof(a), layout_wrc_config(1))
     call same('wrc_config', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_config(2))
@@ -369,6 +383,7 @@ contains
   end subroutine
   subroutine test_wrc_allocator()
     type(wrc_allocator), target :: a
+    call wrc_init(a)
     call same('wrc_allocator', 'size', c_sizeof(a), layout_wrc_allocator(1))
     call same('wrc_allocator', 'user', &
       distance(c_loc(a), c_loc(a%user)), layout_wrc_allocator(2))
@@ -381,6 +396,7 @@ contains
   end subroutine
   subroutine test_wrc_view()
     type(wrc_view), target :: a
+    call wrc_init(a)
     call same('wrc_view', 'size', c_sizeof(a), layout_wrc_view(1))
     call same('wrc_view', 'data', &
       distance(c_loc(a), c_loc(a%data)), layout_wrc_view(2))
@@ -443,6 +459,7 @@ contains
   end subroutine
   subroutine test_wrc_wheel_state()
     type(wrc_wheel_state), target :: a
+    call wrc_init(a)
     call same('wrc_wheel_state', 'size', c_sizeof(a), layout_wrc_wheel_state(1))
     call same('wrc_wheel_state', 'reference', &
       distance(c_loc(a), c_loc(a%reference)), layout_wrc_wheel_state(2))
@@ -477,6 +494,7 @@ contains
   end subroutine
   subroutine test_wrc_rail_state()
     type(wrc_rail_state), target :: a
+    call wrc_init(a)
     call same('wrc_rail_state', 'size', c_sizeof(a), layout_wrc_rail_state(1))
     call same('wrc_rail_state', 'y', &
       distance(c_loc(a), c_loc(a%y)), layout_wrc_rail_state(2))
@@ -499,6 +517,7 @@ contains
   end subroutine
   subroutine test_wrc_frame_motion()
     type(wrc_frame_motion), target :: a
+    call wrc_init(a)
     call same('wrc_frame_motion', 'size', c_sizeof(a), layout_wrc_frame_motion(1))
     call same('wrc_frame_motion', 'speed', &
       distance(c_loc(a), c_loc(a%speed)), layout_wrc_frame_motion(2))
@@ -513,7 +532,10 @@ contains
   end subroutine
   subroutine test_wrc_wheel_input()
     type(wrc_wheel_input), target :: a
+    call same('wrc_wheel_input', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_wheel_input', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wheel_input', 'size', c_sizeof(a), layout_wrc_wheel_input(1))
     call same('wrc_wheel_input', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheel_input(2))
@@ -544,6 +566,10 @@ contains
   end subroutine
   subroutine test_wrc_wrench()
     type(wrc_wrench), target :: a
+    call same('wrc_wrench', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_wrench', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wrench', 'size', c_sizeof(a), layout_wrc_wrench(1))
     call same('wrc_wrench', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench(2))
@@ -578,6 +604,10 @@ contains
   end subroutine
   subroutine test_wrc_wrench_derivatives()
     type(wrc_wrench_derivatives), target :: a
+    call same('wrc_wrench_derivatives', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_wrench_derivatives', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wrench_derivatives', 'size', c_sizeof(a), layout_wrc_wrench_derivatives(1))
     call same('wrc_wrench_derivatives', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wrench_derivatives(2))
@@ -609,6 +639,7 @@ contains
   end subroutine
   subroutine test_wrc_ellipse()
     type(wrc_ellipse), target :: a
+    call wrc_init(a)
     call same('wrc_ellipse', 'size', c_sizeof(a), layout_wrc_ellipse(1))
     call same('wrc_ellipse', 'a', &
       distance(c_loc(a), c_loc(a%a)), layout_wrc_ellipse(2))
@@ -625,6 +656,10 @@ contains
   end subroutine
   subroutine test_wrc_region()
     type(wrc_region), target :: a
+    call same('wrc_region', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_region', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_region', 'size', c_sizeof(a), layout_wrc_region(1))
     call same('wrc_region', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_region(2))
@@ -689,6 +724,7 @@ contains
   end subroutine
   subroutine test_wrc_damage()
     type(wrc_damage), target :: a
+    call wrc_init(a)
     call same('wrc_damage', 'size', c_sizeof(a), layout_wrc_damage(1))
     call same('wrc_damage', 'power', &
       distance(c_loc(a), c_loc(a%power)), layout_wrc_damage(2))
@@ -717,6 +753,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_pose()
     type(wrc_planar_pose), target :: a
+    call wrc_init(a)
     call same('wrc_planar_pose', 'size', c_sizeof(a), layout_wrc_planar_pose(1))
     call same('wrc_planar_pose', 'lateral', &
       distance(c_loc(a), c_loc(a%lateral)), layout_wrc_planar_pose(2))
@@ -729,6 +766,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_motion()
     type(wrc_planar_motion), target :: a
+    call wrc_init(a)
     call same('wrc_planar_motion', 'size', c_sizeof(a), layout_wrc_planar_motion(1))
     call same('wrc_planar_motion', 'speed', &
       distance(c_loc(a), c_loc(a%speed)), layout_wrc_planar_motion(2))
@@ -747,6 +785,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_point()
     type(wrc_planar_point), target :: a
+    call wrc_init(a)
     call same('wrc_planar_point', 'size', c_sizeof(a), layout_wrc_planar_point(1))
     call same('wrc_planar_point', 'x', &
       distance(c_loc(a), c_loc(a%x)), layout_wrc_planar_point(2))
@@ -769,6 +808,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_gap()
     type(wrc_planar_gap), target :: a
+    call wrc_init(a)
     call same('wrc_planar_gap', 'size', c_sizeof(a), layout_wrc_planar_gap(1))
     call same('wrc_planar_gap', 'row_count', &
       distance(c_loc(a), c_loc(a%row_count)), layout_wrc_planar_gap(2))
@@ -812,6 +852,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_strips()
     type(wrc_planar_strips), target :: a
+    call wrc_init(a)
     call same('wrc_planar_strips', 'size', c_sizeof(a), layout_wrc_planar_strips(1))
     call same('wrc_planar_strips', 'count', &
       distance(c_loc(a), c_loc(a%count)), layout_wrc_planar_strips(2))
@@ -832,6 +873,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_normal_solution()
     type(wrc_planar_normal_solution), target :: a
+    call wrc_init(a)
     call same('wrc_planar_normal_solution', 'size', c_sizeof(a), layout_wrc_planar_normal_solution(1))
     call same('wrc_planar_normal_solution', 'patch_count', &
       distance(c_loc(a), c_loc(a%patch_count)), layout_wrc_planar_normal_solution(2))
@@ -868,6 +910,7 @@ contains
   end subroutine
   subroutine test_wrc_planar_forces()
     type(wrc_planar_forces), target :: a
+    call wrc_init(a)
     call same('wrc_planar_forces', 'size', c_sizeof(a), layout_wrc_planar_forces(1))
     call same('wrc_planar_forces', 'fx', &
       distance(c_loc(a), c_loc(a%fx)), layout_wrc_planar_forces(2))
@@ -890,6 +933,10 @@ contains
   end subroutine
   subroutine test_wrc_planar_derivatives()
     type(wrc_planar_derivatives), target :: a
+    call same('wrc_planar_derivatives', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_planar_derivatives', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_planar_derivatives', 'size', c_sizeof(a), layout_wrc_planar_derivatives(1))
     call same('wrc_planar_derivatives', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_derivatives(2))
@@ -900,7 +947,10 @@ contains
   end subroutine
   subroutine test_wrc_planar_input()
     type(wrc_planar_input), target :: a
+    call same('wrc_planar_input', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_planar_input', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_planar_input', 'size', c_sizeof(a), layout_wrc_planar_input(1))
     call same('wrc_planar_input', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_input(2))
@@ -919,6 +969,10 @@ contains
   end subroutine
   subroutine test_wrc_planar_output()
     type(wrc_planar_output), target :: a
+    call same('wrc_planar_output', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_planar_output', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_planar_output', 'size', c_sizeof(a), layout_wrc_planar_output(1))
     call same('wrc_planar_output', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_planar_output(2))
@@ -935,7 +989,10 @@ contains
   end subroutine
   subroutine test_wrc_wear_laws()
     type(wrc_wear_laws), target :: a
+    call same('wrc_wear_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_wear_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wear_laws', 'size', c_sizeof(a), layout_wrc_wear_laws(1))
     call same('wrc_wear_laws', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wear_laws(2))
@@ -988,6 +1045,7 @@ contains
   end subroutine
   subroutine test_wrc_wear()
     type(wrc_wear), target :: a
+    call wrc_init(a)
     call same('wrc_wear', 'size', c_sizeof(a), layout_wrc_wear(1))
     call same('wrc_wear', 'worn_area_rate', &
       distance(c_loc(a), c_loc(a%worn_area_rate)), layout_wrc_wear(2))
@@ -1002,6 +1060,7 @@ contains
   end subroutine
   subroutine test_wrc_coefficients()
     type(wrc_coefficients), target :: a
+    call wrc_init(a)
     call same('wrc_coefficients', 'size', c_sizeof(a), layout_wrc_coefficients(1))
     call same('wrc_coefficients', 'c11', &
       distance(c_loc(a), c_loc(a%c11)), layout_wrc_coefficients(2))
@@ -1022,6 +1081,7 @@ contains
   end subroutine
   subroutine test_wrc_stress_peak()
     type(wrc_stress_peak), target :: a
+    call wrc_init(a)
     call same('wrc_stress_peak', 'size', c_sizeof(a), layout_wrc_stress_peak(1))
     call same('wrc_stress_peak', 'stress', &
       distance(c_loc(a), c_loc(a%stress)), layout_wrc_stress_peak(2))
@@ -1036,6 +1096,7 @@ contains
   end subroutine
   subroutine test_wrc_stress_peaks()
     type(wrc_stress_peaks), target :: a
+    call wrc_init(a)
     call same('wrc_stress_peaks', 'size', c_sizeof(a), layout_wrc_stress_peaks(1))
     call same('wrc_stress_peaks', 'von_mises', &
       distance(c_loc(a), c_loc(a%von_mises)), layout_wrc_stress_peaks(2))
@@ -1048,6 +1109,10 @@ contains
   end subroutine
   subroutine test_wrc_stresses()
     type(wrc_stresses), target :: a
+    call same('wrc_stresses', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_stresses', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_stresses', 'size', c_sizeof(a), layout_wrc_stresses(1))
     call same('wrc_stresses', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_stresses(2))
@@ -1062,6 +1127,10 @@ contains
   end subroutine
   subroutine test_wrc_temperature()
     type(wrc_temperature), target :: a
+    call same('wrc_temperature', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_temperature', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_temperature', 'size', c_sizeof(a), layout_wrc_temperature(1))
     call same('wrc_temperature', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_temperature(2))
@@ -1086,6 +1155,7 @@ contains
   end subroutine
   subroutine test_wrc_damage_bin()
     type(wrc_damage_bin), target :: a
+    call wrc_init(a)
     call same('wrc_damage_bin', 'size', c_sizeof(a), layout_wrc_damage_bin(1))
     call same('wrc_damage_bin', 'sum', &
       distance(c_loc(a), c_loc(a%sum)), layout_wrc_damage_bin(2))
@@ -1100,7 +1170,10 @@ contains
   end subroutine
   subroutine test_wrc_damage_bins()
     type(wrc_damage_bins), target :: a
+    call same('wrc_damage_bins', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_damage_bins', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_damage_bins', 'size', c_sizeof(a), layout_wrc_damage_bins(1))
     call same('wrc_damage_bins', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_damage_bins(2))
@@ -1123,7 +1196,10 @@ contains
   end subroutine
   subroutine test_wrc_fatigue_laws()
     type(wrc_fatigue_laws), target :: a
+    call same('wrc_fatigue_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_fatigue_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_fatigue_laws', 'size', c_sizeof(a), layout_wrc_fatigue_laws(1))
     call same('wrc_fatigue_laws', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_fatigue_laws(2))
@@ -1140,6 +1216,10 @@ contains
   end subroutine
   subroutine test_wrc_accumulation()
     type(wrc_accumulation), target :: a
+    call same('wrc_accumulation', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_accumulation', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_accumulation', 'size', c_sizeof(a), layout_wrc_accumulation(1))
     call same('wrc_accumulation', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_accumulation(2))
@@ -1156,6 +1236,7 @@ contains
   end subroutine
   subroutine test_wrc_damage_totals()
     type(wrc_damage_totals), target :: a
+    call wrc_init(a)
     call same('wrc_damage_totals', 'size', c_sizeof(a), layout_wrc_damage_totals(1))
     call same('wrc_damage_totals', 'sum', &
       distance(c_loc(a), c_loc(a%sum)), layout_wrc_damage_totals(2))
@@ -1168,6 +1249,7 @@ contains
   end subroutine
   subroutine test_wrc_grid()
     type(wrc_grid), target :: a
+    call wrc_init(a)
     call same('wrc_grid', 'size', c_sizeof(a), layout_wrc_grid(1))
     call same('wrc_grid', 'nx', &
       distance(c_loc(a), c_loc(a%nx)), layout_wrc_grid(2))
@@ -1186,7 +1268,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_normal_problem()
     type(wrc_exact_normal_problem), target :: a
+    call same('wrc_exact_normal_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_exact_normal_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_normal_problem', 'size', c_sizeof(a), layout_wrc_exact_normal_problem(1))
     call same('wrc_exact_normal_problem', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_normal_problem(2))
@@ -1217,6 +1302,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_normal_solution()
     type(wrc_exact_normal_solution), target :: a
+    call same('wrc_exact_normal_solution', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_exact_normal_solution', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_normal_solution', 'size', c_sizeof(a), layout_wrc_exact_normal_solution(1))
     call same('wrc_exact_normal_solution', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_normal_solution(2))
@@ -1241,7 +1330,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_rolling_problem()
     type(wrc_exact_rolling_problem), target :: a
+    call same('wrc_exact_rolling_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_exact_rolling_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_rolling_problem', 'size', c_sizeof(a), layout_wrc_exact_rolling_problem(1))
     call same('wrc_exact_rolling_problem', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_rolling_problem(2))
@@ -1274,6 +1366,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_rolling_solution()
     type(wrc_exact_rolling_solution), target :: a
+    call same('wrc_exact_rolling_solution', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_exact_rolling_solution', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_rolling_solution', 'size', c_sizeof(a), layout_wrc_exact_rolling_solution(1))
     call same('wrc_exact_rolling_solution', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_rolling_solution(2))
@@ -1308,7 +1404,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_loads()
     type(wrc_exact_loads), target :: a
+    call same('wrc_exact_loads', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_exact_loads', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_loads', 'size', c_sizeof(a), layout_wrc_exact_loads(1))
     call same('wrc_exact_loads', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_loads(2))
@@ -1327,7 +1426,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_wrench_options()
     type(wrc_exact_wrench_options), target :: a
+    call same('wrc_exact_wrench_options', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_exact_wrench_options', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_wrench_options', 'size', c_sizeof(a), layout_wrc_exact_wrench_options(1))
     call same('wrc_exact_wrench_options', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_wrench_options(2))
@@ -1348,7 +1450,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_check_options()
     type(wrc_exact_check_options), target :: a
+    call same('wrc_exact_check_options', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_exact_check_options', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_check_options', 'size', c_sizeof(a), layout_wrc_exact_check_options(1))
     call same('wrc_exact_check_options', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_check_options(2))
@@ -1365,6 +1470,10 @@ contains
   end subroutine
   subroutine test_wrc_exact_check_result()
     type(wrc_exact_check_result), target :: a
+    call same('wrc_exact_check_result', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_exact_check_result', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_exact_check_result', 'size', c_sizeof(a), layout_wrc_exact_check_result(1))
     call same('wrc_exact_check_result', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_exact_check_result(2))
@@ -1387,6 +1496,10 @@ contains
   end subroutine
   subroutine test_wrc_wheelset_geometry_problem()
     type(wrc_wheelset_geometry_problem), target :: a
+    call same('wrc_wheelset_geometry_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_wheelset_geometry_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wheelset_geometry_problem', 'size', c_sizeof(a), layout_wrc_wheelset_geometry_problem(1))
     call same('wrc_wheelset_geometry_problem', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheelset_geometry_problem(2))
@@ -1399,6 +1512,10 @@ contains
   end subroutine
   subroutine test_wrc_wheelset_geometry()
     type(wrc_wheelset_geometry), target :: a
+    call same('wrc_wheelset_geometry', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_wheelset_geometry', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_wheelset_geometry', 'size', c_sizeof(a), layout_wrc_wheelset_geometry(1))
     call same('wrc_wheelset_geometry', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_wheelset_geometry(2))
@@ -1429,7 +1546,10 @@ contains
   end subroutine
   subroutine test_wrc_conicity_problem()
     type(wrc_conicity_problem), target :: a
+    call same('wrc_conicity_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_conicity_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_conicity_problem', 'size', c_sizeof(a), layout_wrc_conicity_problem(1))
     call same('wrc_conicity_problem', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_conicity_problem(2))
@@ -1452,6 +1572,10 @@ contains
   end subroutine
   subroutine test_wrc_conicity()
     type(wrc_conicity), target :: a
+    call same('wrc_conicity', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_conicity', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_conicity', 'size', c_sizeof(a), layout_wrc_conicity(1))
     call same('wrc_conicity', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_conicity(2))
@@ -1466,7 +1590,10 @@ contains
   end subroutine
   subroutine test_wrc_profile_wear()
     type(wrc_profile_wear), target :: a
+    call same('wrc_profile_wear', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
     call wrc_init(a)
+    call same('wrc_profile_wear', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_profile_wear', 'size', c_sizeof(a), layout_wrc_profile_wear(1))
     call same('wrc_profile_wear', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_profile_wear(2))
@@ -1497,6 +1624,10 @@ contains
   end subroutine
   subroutine test_wrc_worn_profile()
     type(wrc_worn_profile), target :: a
+    call same('wrc_worn_profile', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_worn_profile', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
     call same('wrc_worn_profile', 'size', c_sizeof(a), layout_wrc_worn_profile(1))
     call same('wrc_worn_profile', 'struct_size', &
       distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_worn_profile(2))
@@ -1519,6 +1650,7 @@ contains
   end subroutine
   subroutine test_wrc_flange()
     type(wrc_flange), target :: a
+    call wrc_init(a)
     call same('wrc_flange', 'size', c_sizeof(a), layout_wrc_flange(1))
     call same('wrc_flange', 'height', &
       distance(c_loc(a), c_loc(a%height)), layout_wrc_flange(2))

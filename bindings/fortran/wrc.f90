@@ -1,16 +1,24 @@
 ! wrc: wheel/rail contact, Fortran 2008 interface to the C library (include_c/wrc/wrc.h has the documentation).
 !
-! Types have the names and members of the C structs. Every type must have its init called before use:
-!     type(wrc_planar_load) :: load
-!     call wrc_init(load)              ! sets struct_size and the defaults
-!     call wrc_init(load, status)      ! WRC_ERROR_STRUCT_SIZE: the library is older than this module
+! Types have the names and members of the C structs. A variable of any type is zero, its struct_size set; wrc_init gives the
+! defaults of any type, also to one that was used before:
+!     type(wrc_wheel_input) :: input
+!     type(wrc_wrench) :: wrench
+!     call wrc_init(input)
 ! Nothing here prints or stops.
-! Handles are type(c_ptr). Members of C enums are integer parameters of the same name. What may be NULL in C and is only
-! read is a type(c_ptr) too: c_null_ptr, or c_loc of the struct. wrc_interface.inc has them all.
-module wrc
+! Handles are type(c_ptr). Members of C enums are integer parameters of the same name; they count from 0 where arrays count
+! from 1, and C's rows are Fortran's last index: by%wrench(WRC_BY_Z + 1, 3) is the vertical force by z.
+! A rotation matrix R(3, 3) of Fortran goes into wheel%rotation column by column: WRC_ORIENTATION_COLUMNS.
+!
+! What may be NULL in C and is only read is a type(c_ptr): c_null_ptr, or c_loc of the struct. Module wrc_optional has the same
+! names with optional arguments in its place; a program uses one of the two. The .inc files have them all.
+
+! What modules wrc and wrc_optional have in common: parameters, types, functions that need all their arguments.
+module wrc_common
   use, intrinsic :: iso_c_binding
   implicit none
   public
+  private :: from_c
 
   include 'wrc_status.inc'
 
@@ -25,8 +33,31 @@ contains
     type(wrc_config), intent(in) :: config
     character(*), intent(out) :: text
     integer(c_int32_t) :: status
-    character(kind=c_char) :: buffer(256)
+    character(kind=c_char) :: buffer(512)
     status = wrc_config_check_c(config, buffer, size(buffer, kind=c_int64_t))
+    call from_c(buffer, text)
+  end function
+
+  ! Makes a model; `text` says why not. wrc_model_create_c takes an allocator, too.
+  function wrc_model_create(config, model, text) result(status)
+    type(wrc_config), intent(in) :: config
+    type(c_ptr), intent(out) :: model
+    character(*), intent(out) :: text
+    integer(c_int32_t) :: status
+    character(kind=c_char) :: buffer(512)
+    status = wrc_model_create_c(config, c_null_ptr, model, buffer, size(buffer, kind=c_int64_t))
+    call from_c(buffer, text)
+  end function
+
+  ! Makes a contact; `text` says why not. wrc_contact_create_c takes an allocator, too.
+  function wrc_contact_create(model, side, contact, text) result(status)
+    type(c_ptr), intent(in) :: model
+    integer(c_int32_t), intent(in) :: side
+    type(c_ptr), intent(out) :: contact
+    character(*), intent(out) :: text
+    integer(c_int32_t) :: status
+    character(kind=c_char) :: buffer(512)
+    status = wrc_contact_create_c(model, side, c_null_ptr, contact, buffer, size(buffer, kind=c_int64_t))
     call from_c(buffer, text)
   end function
 
@@ -34,7 +65,7 @@ contains
   subroutine wrc_contact_last_error(contact, text)
     type(c_ptr), intent(in) :: contact
     character(*), intent(out) :: text
-    character(kind=c_char) :: buffer(256)
+    character(kind=c_char) :: buffer(512)
     integer(c_int32_t) :: status
     status = wrc_contact_last_error_c(contact, buffer, size(buffer, kind=c_int64_t))
     call from_c(buffer, text)
@@ -51,5 +82,13 @@ contains
       text(i:i) = buffer(i)
     end do
   end subroutine
+
+end module wrc_common
+
+module wrc
+  use wrc_common
+  implicit none
+
+  include 'wrc_pointers.inc'
 
 end module wrc

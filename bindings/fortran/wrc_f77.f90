@@ -5,7 +5,7 @@
 !                                                      IRAIL is 1; SMOOTH as wrc_profile.smoothing [m]; a sentence in
 !                                                      TEXT where ISTAT < 0
 !     CALL WRCCON(MODEL, ISIDE, CONTAC, ISTAT)         a contact of side 0 (right) or 1 (left)
-!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench: 28 numbers in, 18 out
+!     CALL WRCWHL(CONTAC, XIN, XOUT, ISTAT)            wrc_contact_wrench: 30 numbers in, 18 out
 !     CALL WRCSTP(CONTAC, XIN, XOUT, ISTAT)            wrc_planar_step: 8 numbers in, 12 out
 !     CALL WRCTXT(CONTAC, TEXT)                        the sentence behind the last status
 !     CALL WRCDEL(CONTAC)                              releases a contact
@@ -16,15 +16,16 @@
 !                   2, 3    y, z of that point [m]
 !                   4, 5    roll, yaw [rad]
 !                   6 - 8   velocity x, y, z [m/s]
-!                   9 - 11  angular velocity x, y, z, track axes [rad/s]
+!                   9 - 11  roll rate, pitch rate about the axle (-v/r0 rolling forwards), yaw rate [rad/s]
 !                   12 - 14 rail: y, z [m], roll [rad]
-!                   15 - 17 rail: their rates [m/s, rad/s]
+!                   15 - 17 rail: their rates [m/s, rad/s]; of a bent rail at rest 0
 !                   18      coefficient of friction, 0: none
 !                   19, 20  1: the vertical load [N] is given and z is found; 0: z is given
 !                   21      damping [s/m]
 !                   22, 23  distance along the track [m], angle about the axle [rad]
 !                   24      angular velocity of a roller [rad/s]
 !                   25 - 28 frame: speed [m/s], curvature, vertical curvature, twist [1/m]
+!                   29, 30  rail: slopes dy/dx, dz/dx
 ! XOUT of WRCWHL    1 - 3   force on the wheel x, y, z [N]
 !                   4 - 6   moment on the wheel x, y, z [N m]
 !                   7 - 9   force on the rail x, y, z [N]
@@ -62,15 +63,12 @@ subroutine wrcpts(iwheel, nw, yw, zw, irail, nr, yr, zr, smooth, cant, model, te
   type(wrc_config) :: config
   type(c_ptr) :: made
   real(c_double), allocatable, target :: wheel(:,:), rail(:,:)
-  integer(c_int32_t) :: same
   call wrc_init(config)
   call describe(config%wheel, iwheel, nw, yw, zw, wheel)
   call describe(config%rail, irail, nr, yr, zr, rail)
   config%track%rail_inclination = cant
-  istat = wrc_model_create(config, c_null_ptr, made)
+  istat = wrc_model_create(config, made, text)
   model = transfer(made, model)
-  text = ''
-  if (istat < 0) same = wrc_config_check(config, text)
 contains
   ! A profile of this kind; points, columns y and z, are of the kind WRC_PROFILE_POINTS alone.
   subroutine describe(profile, kind, count, y, z, points)
@@ -97,8 +95,9 @@ subroutine wrccon(model, iside, contac, istat)
   integer, intent(in) :: iside
   integer(c_int64_t), intent(out) :: contac
   integer, intent(out) :: istat
+  character(1) :: text
   type(c_ptr) :: made
-  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, c_null_ptr, made)
+  istat = wrc_contact_create(transfer(model, c_null_ptr), iside, made, text)
   contac = transfer(made, contac)
 end subroutine
 
@@ -106,21 +105,21 @@ subroutine wrcwhl(contac, xin, xout, istat)
   use wrc
   implicit none
   integer(c_int64_t), intent(in) :: contac
-  real(c_double), intent(in) :: xin(28)
+  real(c_double), intent(in) :: xin(30)
   real(c_double), intent(out) :: xout(18)
   integer, intent(out) :: istat
   type(wrc_wheel_input) :: input
   type(wrc_wrench) :: wrench
   call wrc_init(input)
-  call wrc_init(wrench)
   input%wheel%reference = enumerator(xin(1))
   input%wheel%y = xin(2)
   input%wheel%z = xin(3)
   input%wheel%roll = xin(4)
   input%wheel%yaw = xin(5)
   input%wheel%velocity = xin(6:8)
-  input%wheel%angular_axes = WRC_AXES_TRACK
-  input%wheel%angular_velocity = xin(9:11)
+  input%wheel%roll_rate = xin(9)
+  input%wheel%pitch_rate = xin(10)
+  input%wheel%yaw_rate = xin(11)
   input%rail%y = xin(12)
   input%rail%z = xin(13)
   input%rail%roll = xin(14)
@@ -138,6 +137,8 @@ subroutine wrcwhl(contac, xin, xout, istat)
   input%frame%curvature = xin(26)
   input%frame%vertical_curvature = xin(27)
   input%frame%twist = xin(28)
+  input%rail%y_slope = xin(29)
+  input%rail%z_slope = xin(30)
   istat = wrc_contact_wrench(transfer(contac, c_null_ptr), input, wrench)
   xout = [wrench%force, wrench%moment, wrench%rail_force, wrench%rail_moment, wrench%z, wrench%normal_force, &
     wrench%area, wrench%peak_pressure, wrench%power, real(wrench%region_count, c_double)]
@@ -160,7 +161,6 @@ subroutine wrcstp(contac, xin, xout, istat)
   type(wrc_planar_input) :: input
   type(wrc_planar_output) :: output
   call wrc_init(input)
-  call wrc_init(output)
   input%pose%lateral = xin(1)
   input%pose%roll = xin(2)
   input%pose%yaw = xin(3)

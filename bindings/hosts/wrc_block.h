@@ -2,7 +2,7 @@
  * and Modelica folders have in common. Inputs: y, z, roll, yaw, velocity x y z, rates of roll, pitch (about
  * the axle, -v / r rolling forwards) and yaw; rail y, z, roll, velocities y z of its material, its rate of
  * roll, its slopes dy/dx, dz/dx along the track. Outputs: force x y z, moment x y z on the wheel about the
- * middle of the wheelset, track axes. Every call starts anew: the same inputs have the same outputs. */
+ * middle of the wheelset, track axes. Every call starts cold: the same inputs have the same outputs. */
 #ifndef WRC_BLOCK_H
 #define WRC_BLOCK_H
 
@@ -17,6 +17,7 @@ typedef struct wrc_block {
   wrc_model* model;
   wrc_contact* contact;
   wrc_wheel_input input;
+  wrc_wrench wrench;
   wrc_wrench_derivatives slopes;
   char sentence[400]; /* why the last call failed */
 } wrc_block;
@@ -38,12 +39,11 @@ static wrc_block* wrc_block_open(int side, int wheel, int rail, double inclinati
   config.rail.kind = rail;
   config.track.rail_inclination = inclination;
   block->input = wrc_wheel_input_default();
-  block->input.start = WRC_START_COLD;
   block->input.friction.coefficient = friction;
-  if (wrc_model_create(&config, NULL, &block->model) < 0)
-    wrc_config_check(&config, block->sentence, sizeof block->sentence);
-  else if (wrc_contact_create(block->model, side, NULL, &block->contact) < 0)
-    strcpy(block->sentence, "side: 0 is the right wheel, 1 the left one");
+  block->wrench.struct_size = sizeof block->wrench;
+  block->slopes.struct_size = sizeof block->slopes;
+  if (wrc_model_create(&config, NULL, &block->model, block->sentence, sizeof block->sentence) >= 0)
+    wrc_contact_create(block->model, side, NULL, &block->contact, block->sentence, sizeof block->sentence);
   return block;
 }
 
@@ -60,14 +60,13 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
 
 /* Returns the status: < 0 failed, with a sentence. slopes: 6 rows of 18, or NULL. */
 static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
-  wrc_wrench wrench = wrc_wrench_default();
   int status, i;
   wrc_block_give(block, in);
-  status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &wrench, &block->slopes)
-                  : wrc_contact_wrench(block->contact, &block->input, &wrench);
+  status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &block->wrench, &block->slopes)
+                  : wrc_contact_wrench(block->contact, &block->input, &block->wrench);
   if (status < 0) wrc_contact_last_error(block->contact, block->sentence, sizeof block->sentence);
-  memcpy(out, wrench.force, sizeof wrench.force);
-  memcpy(out + 3, wrench.moment, sizeof wrench.moment);
+  memcpy(out, block->wrench.force, sizeof block->wrench.force);
+  memcpy(out + 3, block->wrench.moment, sizeof block->wrench.moment);
   for (i = 0; slopes && i < WRC_BLOCK_OUTPUTS * WRC_BLOCK_INPUTS; ++i) {
     const int row = i / WRC_BLOCK_INPUTS, column = i % WRC_BLOCK_INPUTS;
     slopes[i] = block->slopes.wrench[row][column < 16 ? column : WRC_BY_RAIL_Y_SLOPE + column - 16];

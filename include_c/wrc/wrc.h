@@ -93,7 +93,8 @@
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
- * Link wrc.dll by its import library, or load it at run time (examples_c/load_at_run_time.c). Memory handed to an init comes from
+ * Link wrc-0.9.dll by its import library, or load it at run time (examples_c/load_at_run_time.c). Its name has the version, as the
+ * SONAME: products with other versions live in one process. Memory handed to an init comes from
  * _aligned_malloc or the like, with the alignment asked for: malloc gives 16 bytes. Names of files are in the process's code page.
  *
  * Valid as C99 to C23 and C++98 to C++23. "Paper" is Liu and Bruni, Proc. IMechE Part F 238(4) (2024) 427-436.

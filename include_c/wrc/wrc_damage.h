@@ -279,7 +279,7 @@ WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t index, int32_
  * counts as 0
  * @param speed rolling speed, 1e-6..200 m/s
  * @param wheel how the wheel takes up heat; NULL: the defaults
- * @param rail the same of the rail
+ * @param rail the same of the rail; NULL: the defaults
  * @param[out] rise count of them [K]; may be power_density
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
 WRC_API int32_t wrc_flash_temperature(uint32_t count, double cell, const double* power_density, double speed,

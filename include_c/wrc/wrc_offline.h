@@ -221,7 +221,7 @@ WRC_API int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_ex
 
 /** Tractions of steady rolling under a given pressure. Kalker 1990; Newton's method with a moving adhesion area, GMRES
  * and FFT products. Parameters and statuses as wrc_exact_normal. @param problem what to solve
- * @param[in,out] solution results @param[out] text sentence @param size bytes of text
+ * @param[in,out] solution results @param[out] text sentence; NULL: not wanted @param size bytes of text
  * @return as wrc_exact_normal(), but for _PATCH_AT_EDGE; without a cell under pressure WRC_FLAG_NO_CONTACT.
  * @rt init @thread free */
 WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
@@ -254,7 +254,7 @@ WRC_API int32_t wrc_exact_stress(const wrc_exact_loads* loads, const double* poi
  * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted
  * @param[out] stresses the largest of all; NULL: not wanted
  * @param progress NULL: none @param user handed to progress
- * @param[out] text as wrc_exact_stress() @param size bytes of text
+ * @param[out] text as wrc_exact_stress(); NULL: not wanted @param size bytes of text
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (no loads); WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _MEMORY,
  * _CANCELLED. @rt init @thread free */
 WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* depths, uint32_t count,
@@ -273,7 +273,7 @@ typedef struct wrc_exact_transient wrc_exact_transient;
 /** Makes two bodies that have not rolled yet, without tractions.
  * @param grid cells of every step
  * @param wheel elastic, of the wheel; NULL: the defaults
- * @param rail the same of the rail
+ * @param rail the same of the rail; NULL: the defaults
  * @param[out] transient the caller's, for wrc_exact_transient_destroy(); NULL on failure
  * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _MEMORY. @rt init @thread free */

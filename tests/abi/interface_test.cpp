@@ -776,10 +776,18 @@ TEST(FunctionTable, ServesThisInterfaceVersionOnly) {
 }
 
 TEST(Statuses, HaveNamesAndTexts) {
-  for (int32_t status = WRC_STATUS_LAST; status <= WRC_FLAG_CLIMBING; ++status) {
-    EXPECT_EQ(std::string(wrc_status_name(status)).rfind("WRC_", 0), 0U) << status;
-    EXPECT_GT(std::strlen(wrc_status_text(status)), 3U);
-  }
+  int32_t least = 0, most = 0;
+#define WRC_TEST(name, value, text)           \
+  EXPECT_EQ(name, value);                     \
+  EXPECT_STREQ(wrc_status_name(name), #name); \
+  EXPECT_STREQ(wrc_status_text(name), text);  \
+  EXPECT_GT(std::strlen(text), 3U) << #name;  \
+  least = std::min<int32_t>(least, name);     \
+  most = std::max<int32_t>(most, name);
+  WRC_STATUS_LIST(WRC_TEST)
+#undef WRC_TEST
+  EXPECT_STREQ(wrc_status_name(least - 1), "unknown status");
+  EXPECT_STREQ(wrc_status_name(most + 1), "unknown status");
   EXPECT_STREQ(wrc_status_name(-4711), "unknown status");
 }
 

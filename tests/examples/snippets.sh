@@ -29,7 +29,7 @@ for piece in "$folder"/*.piece; do
 done
 # the example at the top of the C++ header
 sed -n '/^ \* @code$/,/^ \* @endcode$/{/code$/d;s/^ \* \{0,3\}//p}' "$source/bindings/cpp/wrc/wrc.hpp" >"$folder/top"
-{ echo '#include "wrc/wrc.hpp"'; echo 'int main() {'; cat "$folder/top"; echo 'return output.flag.value() + static_cast<int>(pressure.rows());'; echo '}'; } >"$folder/top.cpp"
+{ echo '#include "wrc/wrc.hpp"'; echo 'void use(double area, double pressure); int main() {'; cat "$folder/top"; echo 'return wrench.flag.value();'; echo '}'; } >"$folder/top.cpp"
 c++ -std=c++17 -Wall -Wextra -Werror -fsyntax-only -I"$source/include_c" -I"$source/bindings/cpp" "$folder/top.cpp"
 [ "$count" -ge 6 ] || { echo "$count pieces found: the search does not see what it should"; exit 1; }
 echo "$count pieces of C and one of C++ compile"

@@ -61,7 +61,6 @@ static void pose(int i, double in[inputs]) {
 
 static wrc_wheel_input as_struct(const double in[inputs]) {
   wrc_wheel_input input = wrc_wheel_input_default();
-  input.start = WRC_START_COLD; /* as the FMU */
   input.wheel.y = in[0], input.wheel.z = in[1], input.wheel.roll = in[2], input.wheel.yaw = in[3];
   memcpy(input.wheel.velocity, in + 4, 3 * sizeof *in);
   input.wheel.roll_rate = in[7], input.wheel.pitch_rate = in[8], input.wheel.yaw_rate = in[9];
@@ -136,8 +135,8 @@ int main(int count, char** words) {
   for (uint32_t i = 0; i < inputs; ++i) in_number[i] = i;
   for (uint32_t i = 0; i < outputs; ++i) out_number[i] = inputs + i;
   int differ = 0, touching = 0;
-  wrc_wrench wrench = wrc_wrench_default();
-  static wrc_wrench_derivatives slopes;
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  static wrc_wrench_derivatives slopes = {.struct_size = sizeof slopes};
   for (int i = 0; i < poses; ++i) {
     double in[inputs], out2[outputs], out3[outputs], column[outputs];
     pose(i, in);

@@ -23,11 +23,11 @@ int main(void) {
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model;
   wrc_contact* contact;
-  if (wrc_model_create(&config, NULL, &model) < 0 || wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact) < 0) return 1;
+  if (wrc_model_create(&config, NULL, &model, NULL, 0) < 0 || wrc_contact_create(model, WRC_SIDE_RIGHT, NULL, &contact, NULL, 0) < 0)
+    return 1;
   wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wrench wrench = wrc_wrench_default();
-  static wrc_wrench_derivatives slopes;
-  input.start = WRC_START_COLD;
+  wrc_wrench wrench = {sizeof wrench};
+  static wrc_wrench_derivatives slopes = {sizeof slopes};
   input.wheel.y = 1e-3, input.wheel.z = 3e-4, input.wheel.yaw = 1e-3, input.rail.z = 1e-5;
   input.wheel.velocity[0] = 20.0, input.wheel.pitch_rate = -20.0 / 0.46;
   if (wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes) != WRC_OK) return 2;

@@ -43,15 +43,14 @@ const Vector5 scale = (Vector5() << 1e-5, 1e-5, 1e-4, 1e-4, 1e-4).finished();  /
 class Wheelset {
  public:
   Wheelset() {
-    wrc_config config = test_config();
-    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
-    config.wheel_material.poisson = config.rail_material.poisson = 0.28;
+    wrc_config config = wrc_config_default();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0) throw std::runtime_error("no model");
+    char text[300];
+    if (wrc_model_create(&config, nullptr, &model_, text, sizeof text) < 0) throw std::runtime_error(text);
     for (int side = 0; side < 2; ++side)
-      if (wrc_contact_create(model_, side, nullptr, &contact_[side], nullptr, 0) < 0)
-        throw std::runtime_error("no contact");
+      if (wrc_contact_create(model_, side, nullptr, &contact_[side], text, sizeof text) < 0)
+        throw std::runtime_error(text);
   }
   ~Wheelset() {
     for (auto* contact : contact_) wrc_contact_destroy(contact);
@@ -111,7 +110,7 @@ class Wheelset {
     for (int side = 0; side < 2; ++side) {
       wrc_region region = sized<wrc_region>();
       if (wrc_contact_region(contact_[side], 0, &region) < 0) throw std::runtime_error("no region");
-      difference -= (side == 0 ? 1.0 : -1.0) * region.creepage[0];
+      difference -= (side == 0 ? 1.0 : -1.0) * region.creepage.longitudinal;
     }
     return radius * (difference - 2.0 * half_distance * rolling.yaw_rate());
   }

@@ -101,10 +101,11 @@ class WrcElement : public Element {
     config.wheel_material.poisson = config.rail_material.poisson = poisson;
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0) throw std::runtime_error("no model");
+    char text[300];
+    if (wrc_model_create(&config, nullptr, &model_, text, sizeof text) < 0) throw std::runtime_error(text);
     for (int side = 0; side < 2; ++side)
-      if (wrc_contact_create(model_, side, nullptr, &contact_[side], nullptr, 0) < 0)
-        throw std::runtime_error("no contact");
+      if (wrc_contact_create(model_, side, nullptr, &contact_[side], text, sizeof text) < 0)
+        throw std::runtime_error(text);
   }
   ~WrcElement() override {
     for (auto* contact : contact_) wrc_contact_destroy(contact);

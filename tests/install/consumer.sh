@@ -42,7 +42,7 @@ case $way in
     mv "$build/installed/first" "$prefix"
     (cd "$prefix" && find . -type f -o -type l | sort)
     test -f "$prefix/include/wrc/wrc.h" && test -f "$prefix/include/wrc/wrc_status.h"
-    test -L "$(library_directory)/libwrc.so" && test -L "$(library_directory)/libwrc.so.0.2"
+    test -L "$(library_directory)/libwrc.so" && test -L "$(library_directory)/libwrc.so.0.9"
     for file in LICENSE CHANGELOG.md README.md docs/third_party.md docs/embedding.md; do
       test -f "$prefix/share/doc/wrc/$file" || { echo "$file is missing"; exit 1; }
     done
@@ -99,7 +99,7 @@ case $way in
     ;;
   dlopen)
     cc -std=c99 -I"$prefix/include" "$source/examples_c/load_at_run_time.c" -ldl -o "$scratch/load_at_run_time"
-    "$scratch/load_at_run_time" "$(library_directory)/libwrc.so.0.2"
+    "$scratch/load_at_run_time" "$(library_directory)/libwrc.so.0.9"
     ;;
   fortran)
     # The module, its calls with optional arguments, the subroutines for Fortran 77: gfortran, and flang where it is.

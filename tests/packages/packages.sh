@@ -42,7 +42,7 @@ case $way in
     c++ -std=c++17 "$root/usr/share/doc/wrc-doc/examples/first_step.cpp" $(pkg-config --cflags --libs wrc) -o "$scratch/cpp"
     for program in c cpp; do LD_LIBRARY_PATH=$root/usr/lib runs "$scratch/$program"; done
     needed=$(readelf -d "$scratch/c" | sed -n 's/.*NEEDED.*\[\(libwrc.*\)\]/\1/p')
-    [ "$needed" = libwrc.so.0.2 ] || { echo "the program asks for $needed"; exit 1; }
+    [ "$needed" = libwrc.so.0.9 ] || { echo "the program asks for $needed"; exit 1; }
     if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
       (cd / && env -u WRC_LIBRARY PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$root/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
 import os, wrc
@@ -54,7 +54,7 @@ assert round(result.forces.fx) == -7464 and os.path.exists(wrc.force_table()), r
     # the runtime package alone carries the program
     "${as[@]}" --purge libwrc-dev wrc-doc wrc-data wrc-fmu python3-wrc >>"$scratch/said" 2>&1
     LD_LIBRARY_PATH=$root/usr/lib runs "$scratch/c"
-    "${as[@]}" --purge libwrc0.2 >>"$scratch/said" 2>&1
+    "${as[@]}" --purge libwrc0.9 >>"$scratch/said" 2>&1
     left=$(find "$root" -not -path '*/var*' -not -type d)
     [ -z "$left" ] || { echo "left behind: $left"; exit 1; }
     ;;

@@ -16,7 +16,7 @@ struct AlongTrackBodies {
       section[k] = {};
       section[k].profile.kind = WRC_PROFILE_60E1;
       section[k].distance = k < 5 ? k : 1.5 + (k - 5);
-      section[k].face = k < 5 ? 0 : 1;
+      section[k].surface = k < 5 ? 0 : 1;
       section[k].y = k < 5 ? y[k] : -0.09;
       section[k].z = k < 5 ? z[k] : 0.001;
     }
@@ -29,7 +29,8 @@ struct AlongTrackBodies {
   }
   void give(wrc_config& config) const {
     config.rail_section_count = 7;
+    config.rail_section_size = sizeof section[0];
     config.rail_sections = section;
-    config.roundness = {angles, 1, angle, nullptr, deviation};
+    config.roundness = {angles, 1, angle, nullptr, deviation, {}};
   }
 };

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# wrc.dll exports the functions of its .def file, which is made of the headers, and nothing else, it needs no DLL but
-# those of every Windows, and no vector move in it asks for more alignment than the stack has.
-#   dll_symbols.sh objdump wrc.dll wrc.def
+# The DLL exports the functions of its .def file, which is made of the headers, and nothing else, it bears its version in the
+# name that import libraries ask for, it needs no DLL but those of every Windows, and no vector move in it asks for more
+# alignment than the stack has.
+#   dll_symbols.sh objdump wrc-0.9.dll wrc.def
 set -euo pipefail
 export LC_ALL=C
 objdump=$1 library=$2 def=$3
@@ -12,6 +13,9 @@ if [ "$exported" != "$defined" ]; then
   diff <(echo "$exported") <(echo "$defined") || true
   exit 1
 fi
+named=$("$objdump" -p "$library" | awk '/^Name[ \t]/ {name = $NF} END {print name}')
+[ "$named" = "$(basename "$library")" ] && grep -qF "LIBRARY \"$named\"" "$def" ||
+  { echo "$library calls itself '$named'; $def: $(grep LIBRARY "$def")"; exit 1; }
 needed=$("$objdump" -p "$library" | awk '/DLL Name:/ {print $3}')
 for each in $needed; do
   case $each in

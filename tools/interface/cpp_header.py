@@ -1,7 +1,8 @@
 """The functions of the C++ header: members of contact_calls and model_calls, and free functions, over those of C."""
 import fortran
+import headers
 
-BY_HAND = ("wrc_get_api", "wrc_model_create", "wrc_contact_create", "wrc_model_init", "wrc_contact_init")
+BY_HAND = ("wrc_model_create", "wrc_contact_create", "wrc_model_init", "wrc_contact_init", "wrc_model_profile", "wrc_contact_field")
 NUMBERS = {"int32_t": "std::int32_t", "uint32_t": "std::uint32_t", "uint64_t": "std::uint64_t", "double": "double"}
 
 
@@ -10,9 +11,9 @@ def written(interface, mark):
     of = {"wrc_contact": [], "wrc_model": [], "": []}
     for function in interface.functions.values():
         if wanted(function):
-            of[owner(function)] += declared(function, interface)
+            of[owner(function)] += declared(function)
     lines = [f"/// {mark}", "/// wrc.hpp, which includes this file, says what it is.", "#pragma once", "", "// clang-format off",
-             "namespace wrc {", ""] + of[""] + ["", "namespace detail {", ""]
+             "namespace wrc {", ""] + own_defaults(interface) + of[""] + ["", "namespace detail {", ""]
     for name, handle in (("model_calls", "const wrc_model* handle_"), ("contact_calls", "wrc_contact* handle_")):
         lines += [f"/** Functions of a {name.split('_')[0]}. */", f"class {name} {{", " public:"]
         lines += [f"  {line}" if not line.startswith("#") else line for line in of["wrc_" + name.split("_")[0]]]
@@ -21,7 +22,7 @@ def written(interface, mark):
 
 
 def wanted(function):
-    """All that return a status, but for defaults and handles."""
+    """All that return a status, but for defaults and what wrc.hpp itself has."""
     return (function.exported and function.returned.base == "int32_t" and function.name not in BY_HAND
             and not function.name.endswith("_init"))
 
@@ -33,11 +34,19 @@ def owner(function):
     return type.base if type.base in ("wrc_contact", "wrc_model") and type.pointers == 1 else ""
 
 
-class Parameter:
-    """One parameter in C++, and what stands for it in the call of C."""
+def own_defaults(interface):
+    """defaults<Struct>() of the structs whose defaults are not all zero."""
+    lines = []
+    for struct in fortran.initialised(interface):
+        lines += ["template <>", f"inline {struct.name} defaults() noexcept {{ return {struct.name}_default(); }}"]
+    return lines + [""]
 
-    def __init__(self, text, passed, out=None, in_out=False):
-        self.text, self.passed, self.out, self.in_out = text, passed, out, in_out
+
+class Parameter:
+    """One parameter in C++, what stands for it in the call of C, and whether nullptr means something."""
+
+    def __init__(self, text, passed, out=None, in_out=False, optional=False):
+        self.text, self.passed, self.out, self.in_out, self.optional = text, passed, out, in_out, optional
 
 
 def parameters(function):
@@ -73,7 +82,7 @@ def parameters(function):
         elif type.base.startswith("wrc_") and type.pointers == 1 and type.const and not fortran.optional(function, name):
             found.append(Parameter(f"const {type.base}& {name}", f"&{name}"))
         else:
-            found.append(Parameter(f"{plain(type)} {name}", name))
+            found.append(Parameter(f"{plain(type)} {name}", name, optional=type.pointers > 0 and fortran.optional(function, name)))
         i += 1
     return found
 
@@ -90,7 +99,7 @@ def plain(type):
     return ("const " if type.const else "") + NUMBERS.get(type.base, type.base) + "*" * type.pointers
 
 
-def declared(function, interface):
+def declared(function):
     """The lines of one function."""
     of, name = owner(function), function.name[4:]
     if of and function.name.startswith(of + "_"):
@@ -105,25 +114,24 @@ def declared(function, interface):
                     f"{'true' if 'span<const' in each.text else 'false'})) return WRC_ERROR_BUFFER; " for each in sized)
     if sized:
         guard += "if (statuses.size() != 0 && statuses.size() < contacts.size()) return WRC_ERROR_BUFFER; "
-    lines = [f"/** {function.name}() */",
+    changes = "; may change in a minor version" if function.header in headers.EXPERIMENTAL else ""
+    lines = [f"/** {function.name}(){changes} */",
              f"{inline}status {name}({every}){const} noexcept {{ {guard}return {function.name}({passed}); }}"]
     outs = [each for each in given if each.out]
     if len(outs) != 1 or outs[0].in_out or given[-1] is not outs[0]:
         return lines
-    return lines + answers(function, interface, of, name, given, const, inline)
+    return lines + answers(of, name, given, const, inline)
 
 
-def answers(function, interface, of, name, given, const, inline):
+def answers(of, name, given, const, inline):
     """The two forms that return what is found: expected, and throwing."""
     out = given[-1].out
-    inputs = ", ".join(each.text for each in given[:-1])
+    last = max((i for i, each in enumerate(given[:-1]) if not each.optional), default=-1)
+    inputs = ", ".join(each.text + (" = nullptr" if i > last else "") for i, each in enumerate(given[:-1]))
     arguments = "".join(each.text.split()[-1] + ", " for each in given[:-1])
     this = "this->" if of else ""
-    if out == "wrc_view":
-        kind, tried = "::wrc::field", "attempt<::wrc::field>(::wrc::field(), "
-    elif out.startswith("wrc_"):
-        start = f"{out}_default()" if out + "_init" in interface.functions else f"{out}()"
-        kind, tried = f"answer<{out}>", f"attempt_struct<{out}>({start}, "
+    if out.startswith("wrc_"):
+        kind, tried = f"answer<{out}>", f"attempt_struct<{out}>("
     else:
         kind, tried = out, f"attempt<{out}>({out}(), "
     call = f"[&]({out}& found_) {{ return {this}{name}({arguments}found_); }}"

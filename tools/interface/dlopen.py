@@ -18,7 +18,9 @@ def written(interface, order, mark):
         made[f"include_c/{headers.TABLES[table]}"] = header(table, functions, members, mark)
         made[f"src/abi/generated/{table[4:]}_functions.inc"] = f"// {mark}\n// clang-format off\n" + "".join(f"wrc_{name},\n" for name in members)
     exports = "".join(f"  {name}\n" for name, each in interface.functions.items() if each.exported)
-    made["src/abi/generated/wrc.def"] = f"; {mark}\nLIBRARY wrc\nEXPORTS\n{exports}"
+    numbers = dict(interface.numbers)
+    dll = f"wrc-{numbers['WRC_VERSION_MAJOR']}.{numbers['WRC_VERSION_MINOR']}.dll"
+    made["src/abi/generated/wrc.def"] = f'; {mark}\nLIBRARY "{dll}"\nEXPORTS\n{exports}'
     return made
 
 

@@ -2,16 +2,17 @@
 NUMBERS = {"uint32_t": "integer(c_int32_t)", "int32_t": "integer(c_int32_t)", "uint64_t": "integer(c_int64_t)",
            "double": "real(c_double)"}
 HANDLES = ("wrc_model", "wrc_contact", "wrc_exact_transient")
-# These get the suffix _c: wrc.f90 has the first two with Fortran strings, and the third is a parameter's name, too,
-# to a language that knows no case.
-SUFFIXED = ("wrc_config_check", "wrc_contact_last_error", "wrc_abi_version")
+# These get the suffix _c: wrc.f90 has them with Fortran strings, and the last is a parameter's name, too, to a language
+# that knows no case.
+SUFFIXED = ("wrc_config_check", "wrc_model_create", "wrc_contact_create", "wrc_contact_last_error", "wrc_abi_version")
 ARRAYS = ("gap", "statuses")  # arguments of that name are arrays of numbers, and see is_array()
 
 
 def written(interface, mark):
     """{file name in bindings/fortran: text}"""
     return {"wrc_status.inc": statuses(interface, mark), "wrc_interface.inc": module(interface, mark),
-            "wrc_optional.inc": with_optional(interface, mark), "wrc_initialisers.inc": initialisers(interface, mark), "layout_test.f90": layout_fortran(interface, mark),
+            "wrc_pointers.inc": with_null(interface, dummy, mark), "wrc_optional.inc": with_null(interface, optional_dummy, mark),
+            "wrc_initialisers.inc": initialisers(interface, mark), "layout_test.f90": layout_fortran(interface, mark),
             "layout_test.c": layout_c(interface, mark)}
 
 
@@ -29,6 +30,16 @@ def component(type):
     if type.base == "function":
         return "type(c_funptr)", extent
     return NUMBERS.get(type.base) or f"type({type.base})", extent
+
+
+def at_first(struct, member):
+    """What a member is before anything is assigned, as of {sizeof s} in C: its struct's size, or nothing."""
+    if member.name == "struct_size":
+        return f" = {struct.size}"
+    kind = component(member.type)[0]
+    if kind in ("type(c_ptr)", "type(c_funptr)"):
+        return f" = c_null_{kind[7:-1]}"
+    return " = 0" if member.type.base in NUMBERS else ""  # a struct's own members have theirs
 
 
 def parameter_text(comment, name):
@@ -76,6 +87,38 @@ def dummy(function, name, type):
     return f"type({type.base}), intent(inout) :: {name}"
 
 
+def optional_dummy(function, name, type):
+    """The same, optional where C may be given NULL for it."""
+    declared = dummy(function, name, type)
+    if not may_be_absent(function, name, type):
+        return declared
+    if declared.startswith("type(c_ptr), value"):
+        declared = f"type({type.base}), intent(in) :: {name}"
+    return declared.replace(" ::", ", optional ::")
+
+
+def may_be_absent(function, name, type):
+    """What a Fortran argument may stand for that C may be given NULL for."""
+    return optional(function, name) and (type.base.startswith("wrc_") or type.base in NUMBERS or type.base == "char")
+
+
+def takes_null(function):
+    """Is it declared twice, in module wrc and in module wrc_optional?"""
+    return function.name not in SUFFIXED and any(may_be_absent(function, name, type) for name, type in function.arguments)
+
+
+def procedure(function, name, of):
+    """The interface body of a function under this name; of: dummy() or optional_dummy()."""
+    names = ", ".join(each for each, _ in function.arguments)
+    bound = f"bind(C, name='{function.name}')"
+    returned = function.returned
+    nothing = returned.base == "void" and not returned.pointers
+    lines = [f"  subroutine {name}({names}) {bound}"] if nothing else [f"  function {name}({names}) &", f"      {bound} result(answer)"]
+    lines.append("    import")
+    lines += [f"    {of(function, each, type)}" for each, type in function.arguments]
+    return lines + (["  end subroutine"] if nothing else [f"    {component(returned)[0]} :: answer", "  end function"])
+
+
 def statuses(interface, mark):
     lines = ["! " + mark]
     for name, value, meaning in interface.statuses:
@@ -92,61 +135,39 @@ def module(interface, mark):
         lines += ["", f"type, bind(C) :: {struct.name}"]
         for member in struct.members:
             kind, extent = component(member.type)
-            lines.append(f"  {kind} :: {member.name}{extent}")
+            lines.append(f"  {kind} :: {member.name}{extent}{at_first(struct, member)}")
         lines.append("end type")
     lines += ["", "interface"]
     for function in interface.functions.values():
-        if not function.exported:
-            continue
-        fortran = function.name + "_c" if function.name in SUFFIXED else function.name
-        names = ", ".join(name for name, _ in function.arguments)
-        bound = f"bind(C, name='{function.name}')"
-        returned = function.returned
-        if returned.base == "void" and not returned.pointers:
-            lines.append(f"  subroutine {fortran}({names}) {bound}")
-        else:
-            lines += [f"  function {fortran}({names}) &", f"      {bound} result(answer)"]
-        lines.append("    import")
-        lines += [f"    {dummy(function, name, type)}" for name, type in function.arguments]
-        if returned.base == "void" and not returned.pointers:
-            lines.append("  end subroutine")
-        else:
-            lines += [f"    {component(returned)[0]} :: answer", "  end function"]
+        if function.exported and not takes_null(function):
+            lines += procedure(function, function.name + "_c" if function.name in SUFFIXED else function.name, dummy)
     lines.append("end interface")
-    lines += ["", "! Sets struct_size and the defaults of any wrc type. status: WRC_OK, or WRC_ERROR_STRUCT_SIZE if the library is older",
-              "! than this module and knows the type by a smaller size; calls with it are refused then.", "interface wrc_init"]
-    lines += [f"  module procedure init_{struct.name[4:]}" for struct in initialised(interface)]
+    lines += ["", "! The library's defaults, of any type. status: that of the init function in C, where there is one.", "interface wrc_init"]
+    lines += [f"  module procedure init_{struct.name[4:]}" for struct in interface.structs.values()]
     lines.append("end interface")
     return "\n".join(lines) + "\n"
 
 
-def with_optional(interface, mark):
-    """The functions once more under their names without wrc_, with what C may be given NULL for as optional arguments."""
+def with_null(interface, of, mark):
+    """The functions that C may be given NULL for an argument of, by pointers (dummy) or optional arguments (optional_dummy)."""
     lines = ["! " + mark, "", "interface"]
     for function in interface.functions.values():
-        if not function.exported or function.returned.base != "int32_t" or function.name.endswith("_init"):
-            continue
-        names = ", ".join(name for name, _ in function.arguments)
-        lines += [f"  function {function.name[4:]}({names}) &", f"      bind(C, name='{function.name}') result(answer)", "    import"]
-        for name, type in function.arguments:
-            declared = dummy(function, name, type)
-            if optional(function, name) and (type.base.startswith("wrc_") or type.base in NUMBERS or type.base == "char"):
-                if declared.startswith("type(c_ptr), value"):
-                    declared = f"type({type.base}), intent(in) :: {name}"
-                declared = declared.replace(" ::", ", optional ::")
-            lines.append(f"    {declared}")
-        lines += ["    integer(c_int32_t) :: answer", "  end function"]
+        if function.exported and takes_null(function):
+            lines += procedure(function, function.name, of)
     return "\n".join(lines + ["end interface"]) + "\n"
 
 
 def initialisers(interface, mark):
     lines = ["! " + mark, ""]
-    for struct in initialised(interface):
+    with_defaults = initialised(interface)
+    for struct in interface.structs.values():
         lines += [f"subroutine init_{struct.name[4:]}(this, status)", f"  type({struct.name}), intent(out) :: this",
-                  "  integer(c_int32_t), intent(out), optional :: status", "  integer(c_int32_t) :: answer"]
-        if struct.members[0].name == "struct_size":
-            lines.append("  this%struct_size = int(c_sizeof(this), c_int32_t)")
-        lines += [f"  answer = {struct.name}_init(this)", "  if (present(status)) status = answer", "end subroutine"]
+                  "  integer(c_int32_t), intent(out), optional :: status"]
+        if struct in with_defaults:
+            lines += ["  integer(c_int32_t) :: answer", f"  answer = {struct.name}_init(this)",
+                      "  if (present(status)) status = answer", "end subroutine"]
+        else:
+            lines += [f"  this = {struct.name}()", "  if (present(status)) status = WRC_OK", "end subroutine"]
     return "\n".join(lines) + "\n"
 
 
@@ -159,11 +180,14 @@ def layout_fortran(interface, mark):
               "  integer :: failures = 0"]
     lines += [f"  call test_{struct.name}()" for struct in interface.structs.values()]
     lines += [f"  print '(i0,a)', {len(interface.structs)}, ' types compared'", "  if (failures > 0) stop 1", "contains"]
-    has_init = {struct.name for struct in initialised(interface)}
     for struct in interface.structs.values():
         lines += [f"  subroutine test_{struct.name}()", f"    type({struct.name}), target :: a"]
-        if struct.name in has_init:
-            lines.append("    call wrc_init(a)")
+        if struct.members[0].name == "struct_size":
+            lines.append(f"    call same('{struct.name}', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))")
+            lines.append("    a%struct_size = 0  ! of a variable that was used before")
+        lines += ["    call wrc_init(a)"]
+        if struct.members[0].name == "struct_size":
+            lines.append(f"    call same('{struct.name}', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))")
         lines.append(f"    call same('{struct.name}', 'size', c_sizeof(a), layout_{struct.name}(1))")
         for i, member in enumerate(struct.members):
             lines += [f"    call same('{struct.name}', '{member.name}', &",
@@ -180,7 +204,7 @@ def layout_fortran(interface, mark):
 
 
 def layout_c(interface, mark):
-    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', ""]
+    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', ""]
     for struct in interface.structs.values():
         offsets = "".join(f", offsetof({struct.name}, {member.name})" for member in struct.members)
         lines += [f"extern const size_t layout_{struct.name}[];",

@@ -3,12 +3,21 @@ a model or plain numbers whose arguments say what they are."""
 import re
 
 import fortran
+import grammar
 
 NUMBERS = {"int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "uint64_t": "c.c_uint64", "int64_t": "c.c_int64",
            "double": "c.c_double"}
 HANDLES = ("wrc_contact", "wrc_model", "wrc_exact_transient")
-# Written by hand in contact.py, where a Python caller wants something else than the C arguments.
-BY_HAND = ("wrc_contact_field", "wrc_model_profile", "wrc_config_use")
+# Written by hand, where a Python caller wants something else than the C arguments.
+BY_HAND = {"wrc_contact_field": "Contact.field", "wrc_contact_stresses": "Contact.stresses", "wrc_contact_accumulate": "Contact.accumulate",
+           "wrc_contact_wrench_batch": "Batch.wrench", "wrc_contact_save": "Contact.save", "wrc_contact_restore": "Contact.restore",
+           "wrc_contact_last_error": "Contact.message", "wrc_model_profile": "Model.profile", "wrc_model_arc_places": "Model.arc_places",
+           "wrc_profile_wheelset_geometry": "Model.wheelset_geometry", "wrc_equivalent_conicity": "conicity", "wrc_config_use": "use",
+           "wrc_damage_values": "Bins.values", "wrc_damage_merge": "Bins.merge", "wrc_profile_remove_wear": "remove_wear",
+           "wrc_flange_dimensions": "flange_dimensions", "wrc_flash_temperature": "flash_temperature",
+           "wrc_whole_life_damage": "whole_life_damage", "wrc_exact_gap": "Contact.exact_gap", "wrc_exact_normal": "exact.normal",
+           "wrc_exact_rolling": "exact.rolling", "wrc_exact_transient_step": "exact.Transient.step", "wrc_exact_stress": "exact.stresses",
+           "wrc_exact_largest_stresses": "exact.largest_stresses"}
 # double* that is one number; any other may be an array, and such calls are left to the raw functions.
 ONE_NUMBER = ("load_factor",)
 CALLBACKS = ("wrc_progress",)  # with a Python type of their own, s.Progress
@@ -46,6 +55,10 @@ class _Writer:
         self.flags = {name for name in interface.enumerations if name in bits}
         self.said = self.names()
 
+    def hidden(self, told):
+        """Is a member what the package itself sets: sizes of structs, and room for later versions, which stays 0?"""
+        return told.role in ("struct_size", "reserved") or told.member.name.startswith("reserved") or told.member.comment.startswith("sizeof(")
+
     def names(self):
         """C name: what Python calls it, for texts."""
         said = {name: class_name(name) for name in self.interface.structs}
@@ -53,6 +66,7 @@ class _Writer:
         for each in self.interface.enumerations.values():
             said |= {c_name: f"{class_name(each.name)}.{name}" for c_name, name in enumerator_names(each).items()}
         said |= {name: f"Status.{name[len('WRC_'):]}" for name, _, _ in self.interface.statuses}
+        said |= BY_HAND | {name: name[len("WRC_"):] for name, _ in self.interface.numbers}
         for name, function in self.interface.functions.items():
             if function.exported and self.call(function):
                 owner, method, _ = self.call(function)
@@ -74,6 +88,11 @@ class _Writer:
         lines += ["", "", "class Status(s.Choice):", '    """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""', ""]
         lines += [f"    {name[len('WRC_'):]} = {value}" for name, value, _ in self.interface.statuses]
         lines += ["", "", "STATUS_TEXTS = {"] + [f"    {value}: {text!r}," for _, value, text in self.interface.statuses] + ["}"]
+        flags = [(name[len("WRC_FLAG_"):], value, text) for name, value, text in self.interface.statuses if value > 0]
+        lines += ["", "", "class Flags(enum.IntFlag):"] + self.docstring(
+            ["The flags of a result, a bit for each that was met: wrc.Flags.NO_CONTACT in wrench.flags.", ""]
+            + [f"{name}: {text}" for name, _, text in flags], "    ") + [""]
+        lines += [f"    {name} = 1 << {value}" for name, value, _ in flags]
         for each in self.interface.enumerations.values():
             lines += self.enumeration(each)
         for each in self.interface.structs.values():
@@ -82,7 +101,8 @@ class _Writer:
         lines += self.calls()
         public = ([class_name(name) for name in self.interface.enumerations] + [class_name(name) for name in self.interface.structs])
         lines += ["", "", "STRUCTS = {"] + [f"    {name!r}: {class_name(name)}," for name in self.interface.structs] + ["}"]
-        return "\n".join(lines + ["__all__ = ["] + [f"    {name!r}," for name in ["Status"] + public + self.functions] + ["]"]) + "\n"
+        public += [name[len("WRC_"):] for name, _ in self.interface.numbers if "VERSION" not in name]
+        return "\n".join(lines + ["__all__ = ["] + [f"    {name!r}," for name in ["Status", "Flags"] + public + self.functions] + ["]"]) + "\n"
 
     # ------------------------------------------------------------------------------------------- enumerations, structs
 
@@ -96,7 +116,7 @@ class _Writer:
     def struct(self, struct):
         name = class_name(struct.name)
         told = self.described[struct.name]
-        shown = [each for each in told if each.role not in ("struct_size", "reserved")]
+        shown = [each for each in told if not self.hidden(each)]
         lines = ["", "", f"class {name}(s.Struct):"]
         lines += self.docstring([self.text(struct.comment), "", "Members:"] + ["  " + self.member(each) for each in shown], "    ")
         lines += ["", f"    _c_name_ = {struct.name!r}", "    __slots__ = ()"]
@@ -104,14 +124,27 @@ class _Writer:
         for each in told:
             field, kind, annotation, descriptor = self.field(each, told)
             fields.append(f"({field!r}, {kind})")
+            if each not in shown:
+                continue
             if descriptor:
                 plain.append(f"    {each.member.name}: {annotation} = {descriptor}  # type: ignore[assignment]")
             else:
                 plain.append(f"    {each.member.name}: {annotation}")
         units = {each.member.name: each.unit for each in shown if each.unit not in ("", "-")}
-        lines += plain + [f"    _units_ = {units!r}", f"    _hidden_ = {tuple(e.member.name for e in told if e not in shown)!r}"]
+        lines += plain + [f"    {name} = {values!r}" for name, values in (("_units_", units), ("_defaults_", self.defaults(told))) if values]
         lines += ["    _fields_ = ["] + [f"        {each}," for each in fields] + ["    ]"]
         return lines + [f"assert c.sizeof({name}) == {struct.size}"]
+
+    def defaults(self, told):
+        """{field: number} of the defaults that are not 0."""
+        found = {}
+        for each in told:
+            enumerator = self.interface.enumerator(each.default)
+            value = enumerator[1].value if enumerator else float(each.default) if re.fullmatch(grammar.NUMBER, each.default) else 0
+            if value:
+                name = self.field(each, told)[0]
+                found[name] = float(value) if each.member.type.base == "double" else int(value)
+        return found
 
     def member(self, told):
         """One line of a struct's docstring."""
@@ -126,22 +159,34 @@ class _Writer:
         """(name in _fields_, ctypes type, annotation, descriptor or None) of one member."""
         member = told.member
         name, kind = member.name, member.type
+        if self.hidden(told):
+            typed = class_name(kind.base) if kind.base in self.interface.structs else NUMBERS[kind.base]
+            for extent in reversed(kind.extents):
+                typed = f"{typed} * {extent}"
+            return "_" + name, typed, "", None
         if kind.base == "function":
             known = kind.spelling in CALLBACKS
             return name, "s.Progress" if known else "c.c_void_p", "Any", None
         if kind.pointers:
             if kind.base == "double":
-                group = tuple(each.member.name for each in beside if told.counted_by and each.counted_by == told.counted_by)
-                fixed = re.match(r"(\d+) numbers", member.comment)
-                count = f"count={told.counted_by!r}, group={group!r}" if told.counted_by else f"fixed={fixed.group(1)}" if fixed else ""
-                if not count and any(each.member.name == "row_stride" for each in beside):
-                    count = "matrix=True"
-                return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}, {count})".replace(", )", ")")
-            if kind.base in self.interface.structs and kind.pointers == 1 and told.counted_by:
-                return ("_" + name, f"c.POINTER({class_name(kind.base)})", f"Sequence[{class_name(kind.base)}]",
-                        f"s.References({name!r}, {told.counted_by!r})")
+                product = re.match(r"(\w+) \* (\w+) of them", member.comment)
+                stride = next((each.member.name for each in beside if each.member.name == "row_stride"), None)
+                if told.counted_by:
+                    arguments = f", {told.counted_by!r}"
+                elif product:
+                    arguments = f", {', '.join(map(repr, product.groups()))}"
+                elif stride:
+                    arguments = f", 'row_count', 'column_count', stride={stride!r}"
+                else:
+                    arguments = ""
+                return "_" + name, "c.POINTER(c.c_double)", "Optional[np.ndarray]", f"s.Pointer({name!r}{arguments})"
             if kind.base in self.interface.structs and kind.pointers == 1:
-                return "_" + name, f"c.POINTER({class_name(kind.base)})", f"Optional[{class_name(kind.base)}]", f"s.Reference({name!r})"
+                typed = class_name(kind.base)
+                size = next((each.member.name for each in beside if each.member.comment.startswith(f"sizeof({kind.base})")), "")
+                if told.counted_by:
+                    return ("_" + name, f"c.POINTER({typed})", f"Sequence[{typed}]",
+                            f"s.References({name!r}, {told.counted_by!r}, size={size!r})".replace(", size='')", ")"))
+                return "_" + name, f"c.POINTER({typed})", f"Optional[{typed}]", f"s.Reference({name!r}, size={size!r})".replace(", size='')", ")")
             if kind.base == "char":
                 return "_" + name, "c.c_char_p", "Optional[str]", f"s.Text({name!r})"
             return name, "c.c_void_p", "Any", None
@@ -158,6 +203,8 @@ class _Writer:
         if told.enumeration and told.enumeration not in self.flags:
             choice = class_name(told.enumeration)
             return "_" + name, typed, choice, f"s.Chosen({name!r}, {choice})"
+        if member.comment.startswith("bit 1 << flag"):
+            return "_" + name, typed, "Flags", f"s.Chosen({name!r}, Flags)"
         bits = re.match(r"bits of enum (\w+)", member.comment)
         if bits and bits.group(1) in self.flags:
             choice = class_name(bits.group(1))
@@ -221,7 +268,7 @@ class _Writer:
                 roles.append((each, kind, "one number"))
             else:
                 return None
-        if not any(role in ("out", "one number") for _, _, role in roles):
+        if not owner and not any(role in ("out", "one number") for _, _, role in roles):
             return None
         prefix = f"wrc_{owner.lower()}_" if owner else "wrc_"
         return owner, name[len(prefix):] if name.startswith(prefix) else name[len("wrc_"):], roles
@@ -286,7 +333,7 @@ class _Writer:
         if watched:
             optional.append("progress: s.ProgressArgument = None")
         arguments = (["self"] if owner else []) + required + optional + (["*"] + keywords if keywords else [])
-        returned = kinds[0] if len(kinds) == 1 else f"Tuple[{', '.join(kinds)}]"
+        returned = f"Tuple[{', '.join(kinds)}]" if len(kinds) > 1 else kinds[0] if kinds else "None"
         lines = [f"{indent}def {name}({', '.join(arguments)}) -> {returned}:"]
         lines += self.docstring(self.told(function, roles, len(outs)), indent + "    ")
         body = before[:]
@@ -323,7 +370,8 @@ class _Writer:
         if given:
             body[prepared:] = ["try:", *[f"    {each}" for each in body[prepared:]], "except c.ArgumentError as _why:",
                                f"    raise _l.misfit(_why, {given}) from None"]
-        body.append(f"return {', '.join(answers)}")
+        if answers:
+            body.append(f"return {', '.join(answers)}")
         return lines + [f"{indent}    {each}" for each in body]
 
     def told(self, function, roles, outs):

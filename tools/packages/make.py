@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Packages of a built library, the same bytes from the same build whoever makes them, wherever.
 
-    tools/packages/make.py BUILD OUT      Debian packages libwrc0.2, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
+    tools/packages/make.py BUILD OUT      Debian packages libwrc0.9, libwrc-dev, wrc-data, wrc-fmu, python3-wrc, wrc-doc,
                                           and a .tar.gz
     tools/packages/make.py BUILD OUT --windows  the .zip of a mingw build
                        --mingw BUILD      of the Debian packages and the .tar.gz: the FMUs are for Windows, too, by this build
@@ -111,7 +111,7 @@ def tidy(folder, when):
 def tree(build, folder, windows, when):
     """The installed tree, its library without names that only a linker of static libraries wants."""
     run("cmake", "--install", build, "--prefix", folder)
-    for library in (folder / "bin/wrc.dll", folder / f"lib/libwrc.so.{VERSION}"):
+    for library in (folder / f"bin/wrc-{SERIES}.dll", folder / f"lib/libwrc.so.{VERSION}"):
         if library.exists():
             run("x86_64-w64-mingw32-strip" if windows else "strip", "--strip-unneeded", library,
                 env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})  # of which a DLL bears a stamp

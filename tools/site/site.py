@@ -28,7 +28,7 @@ TABS = [
                  ("Other programs", "in_bindings_hosts.md"), ("Simbody", "in_bindings_hosts_simbody.md"), ("Simulink", "in_bindings_hosts_simulink.md"),
                  ("Modelica", "in_bindings_hosts_modelica.md"), ("User forces", "user_forces.md"), ("A wheelset in hosts", "hosts.md")]),
     ("Gallery", "gallery.md"),
-    ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.1 to 0.2", "interface_0_2.md"),
+    ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.2 to 0.9", "interface_0_9.md"),
               ("Packages", "in_tools_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
               ("Architecture", "architecture.md"), ("Code of others", "third_party.md")]),
 ]

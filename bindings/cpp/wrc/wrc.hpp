@@ -1,11 +1,12 @@
 /** @file wrc.hpp
- * The C interface in C++17 and newer, header only: wrc.h has the documentation of what everything is and
- * does.
+ * The C interface in C++17 and newer, header only: the C headers have the documentation of what everything is
+ * and does.
  *
  * Structs and enumerations are those of C. What is added:
  *  - handles that own: wrc::model, wrc::contact, wrc::transient, move only. A contact_ref is the same
  *    contact, not owned: for memory of your own (contact_ref::init), and to pass one on. A model must outlive
  *    its contacts, as in C.
+ *  - wrc::defaults<Struct>(): any struct with its size set and its defaults, results too.
  *  - statuses and sentences as values or as exceptions. Every function `name` of C (without wrc_contact_ and
  *    so on) comes as
  *
@@ -16,26 +17,33 @@
  *        answer  contact.name(inputs...)            throws wrc::error with the library's sentence where it fails
  *        expected<answer, status>  contact.try_name(inputs...)    noexcept, std::expected where there is one
  *
- *    An answer is the C struct with the status it came with: answer.flag. Without exceptions (-fno-exceptions) the
+ *    An answer is the C struct with the status it came with, the gravest flag: answer.flag. All flags are bits of
+ *    the struct's `flags`: wrc::met(answer.flags, WRC_FLAG_CLIMBING). Without exceptions (-fno-exceptions) the
  *    functions that throw are not there, and wrc::model and wrc::contact are made by make().
- *  - spans for arrays (std::span where there is one), wrc::field for what wrc_contact_field() shows.
+ *  - spans for arrays (std::span where there is one), wrc::field for what wrc_contact_field() copies.
  *
  * @code
- *   wrc_config config = wrc_config_default();
+ *   wrc_config config = wrc::defaults<wrc_config>();
  *   config.wheel.kind = WRC_PROFILE_S1002;
  *   config.rail.kind = WRC_PROFILE_60E1;
  *   config.track.rail_inclination = 1.0 / 40.0;
- *   wrc::model model(config);
+ *   const wrc::model model(config);
  *   wrc::contact contact(model, WRC_SIDE_RIGHT);
- *   wrc_planar_input input = wrc_planar_input_default();
- *   input.load.normal_force = 80e3;
- *   auto output = contact.step(input);
- *   wrc::field pressure = contact.field(0, WRC_FIELD_PRESSURE);
+ *   auto input = wrc::defaults<wrc_wheel_input>();
+ *   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+ *   input.vertical_load = 80e3;
+ *   const auto wrench = contact.wrench(input);   // wrench.z: the height at which the wheelset stands
+ *   for (int i = 0; i < wrench.region_count; ++i) {
+ *     const auto region = contact.region(i);
+ *     const wrc::field pressure = contact.field(i, WRC_FIELD_PRESSURE);
+ *     use(region.area, pressure(0, 0));
+ *   }
  * @endcode
  *
- * Nothing here allocates but the library itself, in model's and contact's constructors and make(); an error
- * carries its sentence in an array of its own. A handle that was moved from is empty: its functions return
- * WRC_ERROR_NULL. wrc_calls.hpp, which has the functions, is made from the C headers by
+ * Nothing here allocates but wrc::field and the library itself, in model's and contact's constructors and
+ * make(); an error carries its sentence in an array of its own. A handle that was moved from is empty: its
+ * functions return WRC_ERROR_NULL. What wrc_damage.h, wrc_offline.h and wrc_profiles.h declare may change in
+ * a minor version, here too. wrc_calls.hpp, which has the functions, is made from the C headers by
  * tools/interface/describe.py.
  */
 #ifndef WRC_HPP
@@ -48,6 +56,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 #if __has_include(<version>)
 #include <version>
 #endif
@@ -59,6 +68,7 @@
 #endif
 
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define WRC_EXCEPTIONS 1
@@ -87,11 +97,30 @@ class [[nodiscard]] status {
   std::int32_t value_ = WRC_OK;
 };
 
-/** What a function gives, with the status it gave it with: WRC_OK or a flag. */
+/** Was this flag met? `flags` of any result. */
+constexpr bool met(std::uint32_t flags, std::int32_t flag) noexcept { return ((flags >> flag) & 1u) != 0; }
+
+/** What a function gives, with the status it gave it with: WRC_OK or the gravest flag. */
 template <class Struct>
 struct answer : Struct {
   status flag;
 };
+
+namespace detail {
+template <class Struct, class = void>
+struct has_size : std::false_type {};
+template <class Struct>
+struct has_size<Struct, std::void_t<decltype(std::declval<Struct&>().struct_size)>> : std::true_type {};
+}  // namespace detail
+
+/** Any struct of the interface with its size set, where it has one, and its defaults: what the library has,
+ * else zero. */
+template <class Struct>
+Struct defaults() noexcept {
+  Struct made{};
+  if constexpr (detail::has_size<Struct>::value) made.struct_size = static_cast<std::uint32_t>(sizeof made);
+  return made;
+}
 
 #ifdef __cpp_lib_span
 template <class T>
@@ -194,26 +223,41 @@ class error : public std::exception {
 };
 #endif
 
-/** An array of the library's memory: element (i, j) of rank 2, (i) of rank 1; wrc_view says how long it
- * stays. */
-class field : public wrc_view {
- public:
-  field() noexcept : wrc_view{} {}
-  explicit field(const wrc_view& view) noexcept : wrc_view(view) {}
+/** How many values a field has: cells of each strip, 1 of a field over strips or rows of a gap, and strips or
+ * rows. */
+struct field_shape {
+  std::size_t cells = 0, strips = 0;
+  constexpr std::size_t size() const noexcept { return cells * strips; }
+};
 
-  std::size_t rows() const noexcept { return static_cast<std::size_t>(count[0]); }
-  std::size_t columns() const noexcept { return static_cast<std::size_t>(count[1]); }
-  double operator()(std::size_t i, std::size_t j = 0) const noexcept {
-    return data[i * stride[0] + j * stride[1]];
+/** A field of a region, copied. */
+class field {
+ public:
+  field() = default;
+  field(std::vector<double> values, field_shape shape) noexcept : values_(std::move(values)), shape_(shape) {}
+
+  std::size_t cells() const noexcept { return shape_.cells; }
+  std::size_t strips() const noexcept { return shape_.strips; }
+  double operator()(std::size_t cell, std::size_t strip) const noexcept {
+    return values_[strip * shape_.cells + cell];
   }
-  /** Row i as one piece of memory, which it is of rank 2 today; empty where it is not. */
-  span<const double> row(std::size_t i) const noexcept {
-    return stride[1] == 1 ? span<const double>(data + i * stride[0], columns()) : span<const double>();
+  /** The cells of one strip, leading edge first. */
+  span<const double> strip(std::size_t i) const noexcept {
+    return span<const double>(values_.data() + i * shape_.cells, shape_.cells);
   }
-  /** A field of rank 1 as one piece of memory, which it is today; empty where it is not. */
-  span<const double> values() const noexcept {
-    return rank == 1 && stride[0] == 1 ? span<const double>(data, rows()) : span<const double>();
-  }
+  /** All of them, strip by strip; of a field over strips one for each. */
+  const std::vector<double>& values() const noexcept { return values_; }
+
+ private:
+  std::vector<double> values_;
+  field_shape shape_;
+};
+
+/** A profile as the model uses it, in the model's memory: nodes y, z and how far the smoothed curve is from a
+ * point that was given, m. */
+struct curve {
+  span<const double> y, z;
+  double deviation = 0.0;
 };
 
 /** What the functions in wrc_calls.hpp are made of. */
@@ -238,8 +282,8 @@ expected<T> attempt(T start, const Call& call) noexcept {
 }
 
 template <class T, class Call>
-expected<answer<T>> attempt_struct(const T& start, const Call& call) noexcept {
-  answer<T> made{start, {}};
+expected<answer<T>> attempt_struct(const Call& call) noexcept {
+  answer<T> made{defaults<T>(), {}};
   made.flag = call(made);
   if (made.flag.failed()) return failure(made.flag);
   return made;
@@ -283,10 +327,28 @@ class model_ref : public detail::model_calls {
   const wrc_model* get() const noexcept { return handle_; }
   explicit operator bool() const noexcept { return handle_ != nullptr; }
 
-  /** wrc_model_init(): in the caller's memory. */
-  static expected<model_ref> init(const wrc_config& config, span<std::byte> memory) noexcept {
+  /** wrc_model_profile() */
+  status profile(std::int32_t side, std::int32_t body, curve& shown) const noexcept {
+    wrc_view y = defaults<wrc_view>(), z = y;
+    const status how = wrc_model_profile(handle_, side, body, &y, &z, &shown.deviation);
+    shown.y = span<const double>(y.data, static_cast<std::size_t>(y.count));
+    shown.z = span<const double>(z.data, static_cast<std::size_t>(z.count));
+    return how;
+  }
+  expected<curve> try_profile(std::int32_t side, std::int32_t body) const noexcept {
+    return detail::attempt<curve>(curve(), [&](curve& shown) { return profile(side, body, shown); });
+  }
+#ifdef WRC_EXCEPTIONS
+  curve profile(std::int32_t side, std::int32_t body) const {
+    return detail::value_or_throw(try_profile(side, body));
+  }
+#endif
+
+  /** wrc_model_init(): in the caller's memory. `text` gets the sentence where it fails. */
+  static expected<model_ref> init(const wrc_config& config, span<std::byte> memory,
+                                  span<char> text = {}) noexcept {
     wrc_model* made = nullptr;
-    const status how = wrc_model_init(&config, memory.data(), memory.size(), &made, nullptr, 0);
+    const status how = wrc_model_init(&config, memory.data(), memory.size(), &made, text.data(), text.size());
     if (how.failed()) return failure(how);
     return model_ref(made);
   }
@@ -296,24 +358,22 @@ class model_ref : public detail::model_calls {
 class model : public model_ref {
  public:
   model() noexcept = default;
-  /** wrc_model_create(); `allocator` nullptr: malloc and free. */
-  static expected<model> make(const wrc_config& config, const wrc_allocator* allocator = nullptr) noexcept {
+  /** wrc_model_create(). `text` gets the sentence where it fails; `allocator` nullptr: malloc and free. */
+  static expected<model> make(const wrc_config& config, span<char> text = {},
+                              const wrc_allocator* allocator = nullptr) noexcept {
     model made;
-    const status how = wrc_model_create(&config, allocator, &made.owned_, nullptr, 0);
+    const status how = wrc_model_create(&config, allocator, &made.owned_, text.data(), text.size());
     made.handle_ = made.owned_;
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
-  /** The same; throws an error with the sentence of wrc_config_check(). */
+  /** The same; throws an error with the sentence. */
   explicit model(const wrc_config& config, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_model_create(&config, allocator, &owned_, nullptr, 0);
+    char sentence[512] = "";
+    const status how = wrc_model_create(&config, allocator, &owned_, sentence, sizeof sentence);
     handle_ = owned_;
-    if (how.failed()) {
-      char sentence[512] = "";
-      wrc_config_check(&config, sentence, sizeof sentence);
-      throw error(how, sentence);
-    }
+    if (how.failed()) throw error(how, sentence);
   }
 #endif
   model(model&& other) noexcept { swap(other); }
@@ -344,14 +404,38 @@ class contact_ref : public detail::contact_calls {
   wrc_contact* get() const noexcept { return handle_; }
   explicit operator bool() const noexcept { return handle_ != nullptr; }
 
-  /** wrc_contact_init(): in the caller's memory. */
-  static expected<contact_ref> init(model_ref model, std::int32_t side, span<std::byte> memory) noexcept {
+  /** wrc_contact_init(): in the caller's memory. `text` gets the sentence where it fails. */
+  static expected<contact_ref> init(model_ref model, std::int32_t side, span<std::byte> memory,
+                                    span<char> text = {}) noexcept {
     wrc_contact* made = nullptr;
-    const status how = wrc_contact_init(model.get(), side, memory.data(), memory.size(), &made, nullptr, 0);
+    const status how =
+        wrc_contact_init(model.get(), side, memory.data(), memory.size(), &made, text.data(), text.size());
     if (how.failed()) return failure(how);
     return contact_ref(made);
   }
+
+  /** wrc_contact_field() into memory of the caller: for real time. Empty `values`: only the shape is wanted.
+   */
+  status field(std::int32_t region, std::int32_t which, span<double> values, field_shape& shape) noexcept {
+    std::uint64_t counts[2] = {0, 0};
+    const status how = wrc_contact_field(handle_, region, which, values.data(), values.size(), counts);
+    shape = {static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1])};
+    return how;
+  }
+  /** The same, copied into a vector. */
+  expected<wrc::field> try_field(std::int32_t region, std::int32_t which) {
+    field_shape shape;
+    status how = field(region, which, {}, shape);
+    if (how.failed()) return failure(how);
+    std::vector<double> values(shape.size());
+    how = field(region, which, values, shape);
+    if (how.failed()) return failure(how);
+    return wrc::field(std::move(values), shape);
+  }
 #ifdef WRC_EXCEPTIONS
+  wrc::field field(std::int32_t region, std::int32_t which) {
+    return detail::value_or_throw(try_field(region, which), handle_);
+  }
   /** Throws where a status of this contact is one of failure, with the sentence behind it; else gives WRC_OK
    * or the flag. */
   std::int32_t check(status how) const {
@@ -365,19 +449,21 @@ class contact_ref : public detail::contact_calls {
 class contact : public contact_ref {
  public:
   contact() noexcept = default;
-  /** wrc_contact_create(); `allocator` nullptr: malloc and free. */
-  static expected<contact> make(model_ref model, std::int32_t side,
+  /** wrc_contact_create(). `text` gets the sentence where it fails; `allocator` nullptr: malloc and free. */
+  static expected<contact> make(model_ref model, std::int32_t side, span<char> text = {},
                                 const wrc_allocator* allocator = nullptr) noexcept {
     contact made;
-    const status how = wrc_contact_create(model.get(), side, allocator, &made.handle_, nullptr, 0);
+    const status how =
+        wrc_contact_create(model.get(), side, allocator, &made.handle_, text.data(), text.size());
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
-  /** The same; throws an error. */
+  /** The same; throws an error with the sentence. */
   contact(model_ref model, std::int32_t side, const wrc_allocator* allocator = nullptr) {
-    const status how = wrc_contact_create(model.get(), side, allocator, &handle_, nullptr, 0);
-    if (how.failed()) detail::raise(nullptr, how);
+    char sentence[512] = "";
+    const status how = wrc_contact_create(model.get(), side, allocator, &handle_, sentence, sizeof sentence);
+    if (how.failed()) throw error(how, sentence);
   }
 #endif
   contact(contact&& other) noexcept { std::swap(handle_, other.handle_); }
@@ -392,23 +478,25 @@ class contact : public contact_ref {
 };
 
 /** Two bodies that roll on cell by cell and remember their tractions (wrc_exact_transient_create()), owned.
- */
+ * May change in a minor version. */
 class transient {
  public:
   transient() noexcept = default;
-  /** `text` gets the sentence of what went wrong. */
-  static expected<transient> make(const wrc_grid& grid, const wrc_materials& materials,
-                                  span<char> text = {}) noexcept {
+  /** Materials nullptr: the defaults. `text` gets the sentence where it fails. */
+  static expected<transient> make(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                                  const wrc_material* rail = nullptr, span<char> text = {}) noexcept {
     transient made;
-    const status how = wrc_exact_transient_create(&grid, &materials, &made.handle_, text.data(), text.size());
+    const status how =
+        wrc_exact_transient_create(&grid, wheel, rail, &made.handle_, text.data(), text.size());
     if (how.failed()) return failure(how);
     return made;
   }
 #ifdef WRC_EXCEPTIONS
   /** The same; throws an error with the sentence. */
-  transient(const wrc_grid& grid, const wrc_materials& materials) {
+  explicit transient(const wrc_grid& grid, const wrc_material* wheel = nullptr,
+                     const wrc_material* rail = nullptr) {
     char sentence[512] = "";
-    const status how = wrc_exact_transient_create(&grid, &materials, &handle_, sentence, sizeof sentence);
+    const status how = wrc_exact_transient_create(&grid, wheel, rail, &handle_, sentence, sizeof sentence);
     if (how.failed()) throw error(how, sentence);
   }
 #endif

@@ -12,10 +12,11 @@ installed=$(date +%s.%N)
 cd "$folder"
 ./venv/bin/python - <<'PYTHON'
 import wrc
-contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
-result = contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3}))
-print(result.forces)
-wrc.plot.contact(contact, "contact.png")
+model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40})
+right = model.contact("RIGHT")
+standing = right.wrench(wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3)).z
+print(right.wrench(wrc.WheelInput(wheel={"z": standing, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46})))
+wrc.plot.regions(right, "contact.png")
 PYTHON
 end=$(date +%s.%N)
 python3 -c "print(f'pip install {$installed - $start:.1f} s, first contact and its picture {$end - $installed:.1f} s')"

@@ -70,7 +70,7 @@ def batch_overhead(loaded):
     batch = wrc.Batch([model.contact() for _ in range(CONTACTS)])
     inputs, out = wrc.WheelInput.array(CONTACTS), wrc.Wrench.array(CONTACTS)
     inputs["wheel"]["z"] = 2.5e-4
-    inputs["wheel"]["velocity"][:, 0], inputs["wheel"]["angular_velocity"][:, 1] = 40.0, -40.0 / 0.46
+    inputs["wheel"]["velocity"][:, 0], inputs["wheel"]["pitch_rate"] = 40.0, -40.0 / 0.46
     python, c = [], []
     for _ in range(ROUNDS):
         start = time.thread_time()

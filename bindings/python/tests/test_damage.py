@@ -6,7 +6,7 @@ import pytest
 
 import wrc
 
-WHEEL = {"y": 3e-3, "z": 4e-4, "velocity": (20, 0, 0), "angular_velocity": (0, -20 / 0.46, 0)}
+WHEEL = {"y": 3e-3, "z": 4e-4, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46}
 
 
 @pytest.fixture(scope="module")
@@ -24,6 +24,7 @@ def test_bins_hold_what_was_added_in_any_order(model):
     assert rail.values("WORK")[0].sum() == 0 and rail.values("WORK")[1].sum() == pytest.approx(work.sum())
     assert abs(wheel.arc[work[0].argmax()]) < 0.03  # on the tread
     again = pickle.loads(pickle.dumps(wheel))
+    assert wheel.struct.as_dict()["bins"]["sum"].shape == (16, 2)
     assert (again.merge(wheel).values("WORK") == 2 * work).all() and (wheel.values("WORK") == work).all()
     y, z = model.arc_places(wheel.arc)
     assert (np.diff(y) >= 0).all() and y.shape == z.shape == (160,)
@@ -55,7 +56,7 @@ def test_flash_temperature_of_even_heat():
 def test_wear_is_taken_off_and_the_flange_measured(model):
     arc = np.linspace(-0.078, 0.05, 600)
     y, z = model.arc_places(arc)
-    worn, new_y, new_z = wrc.take_off(y, z, np.full(40, 1e-6), first=-0.02, passages=100, smoothing=0.0)
+    worn, new_y, new_z = wrc.remove_wear(y, z, np.full(40, 1e-6), first=-0.02, passages=100, smoothing=0.0)
     assert worn.passages == 100 and worn.depth == pytest.approx(1e-4, rel=1e-3) and worn.area == pytest.approx(4e-6, rel=0.05)
     middle = np.abs(y) < 0.015
     assert np.interp(y[middle], new_y, new_z) - z[middle] == pytest.approx(-1e-4, rel=0.05)
@@ -71,7 +72,7 @@ def test_transient_rolling_begins_with_a_shift_and_ends_steady():
     pressure = 1e9 * np.sqrt(np.clip(1 - (x ** 2 + y ** 2) / 25e-6, 0, None))
     told = {"friction": 0.3, "creepage": {"longitudinal": 2e-3}}
     steady, _ = wrc.exact.rolling(grid, pressure, **told)
-    bodies = wrc.exact.Transient(grid)
+    bodies = wrc.exact.Transient(grid, rail_material=wrc.Material())
     forces = [bodies.step(pressure, **told)[0].fx for _ in range(40)]
     assert abs(forces[0]) < 0.5 * abs(steady.fx) and (np.diff(np.abs(forces[:8])) > 0).all()
     assert forces[-1] == pytest.approx(steady.fx, rel=0.01)
@@ -81,30 +82,30 @@ def test_transient_rolling_begins_with_a_shift_and_ends_steady():
 
 
 def test_a_contact_that_rolls():
-    contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", non_steady=1).contact()
-    data = wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})
+    contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", planar={"non_steady": 1}).contact()
+    data = wrc.PlanarInput(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})
     forces = []
     for _ in range(4):
-        contact.roll(2e-3)
-        forces.append(contact.step(data).forces.fx)
+        contact.planar_roll(2e-3)
+        forces.append(contact.planar_step(data).forces.fx)
     assert (np.diff(np.abs(forces)) > 0).all()
-    contact.roll(1.0)
-    assert abs(contact.step(data).forces.fx) > abs(forces[-1])
+    contact.planar_roll(1.0)
+    assert abs(contact.planar_step(data).forces.fx) > abs(forces[-1])
     with pytest.raises(wrc.Error):
-        wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact().roll(1.0)
+        wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact().planar_roll(1.0)
 
 
 def test_sections_rollers_and_check_rails_by_dicts(model):
     level = {"profile": {"kind": "PROFILE_60E1"}}
     sections = [{"distance": 0.0, **level}, {"distance": 1.0, "z": 1e-4, **level}, {"distance": 2.0, "z": 1e-4, **level}]
-    changing = wrc.Config(wheel="S1002", rail="PROFILE_60E1", rail_section=sections)
-    assert changing.rail_sections == 3 and [each.distance for each in changing.rail_section] == [0.0, 1.0, 2.0]
+    changing = wrc.Config(wheel="S1002", rail="PROFILE_60E1", rail_sections=sections)
+    assert changing.rail_section_count == 3 and [each.distance for each in changing.rail_sections] == [0.0, 1.0, 2.0]
     assert pickle.loads(pickle.dumps(changing)) == changing == changing.copy() and "3 of wrc.RailSection" in repr(changing)
     contact = wrc.Model(changing).contact()
     load = [-contact.wrench(wrc.WheelInput(wheel={"z": 3e-4}, distance=at)).force[2] for at in (0.01, 1.5)]
     assert load[0] > 1.3 * load[1] > 0  # the rail lies 0.1 mm lower there
     changing.rail_sections = None
-    assert changing.rail_sections == 0 and changing.rail_section == []
+    assert changing.rail_section_count == 0 and changing.rail_sections == []
     flat = model.contact().wrench(wrc.WheelInput(wheel={"z": 3e-4}))
     roller = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", roller_curvature=1.0).contact().wrench(wrc.WheelInput(wheel={"z": 3e-4}))
     assert 0 < -roller.force[2] < -flat.force[2]

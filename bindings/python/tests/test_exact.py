@@ -14,7 +14,8 @@ def hertz():
 def test_hertz(hertz):
     grid, gap = hertz
     solution, pressure = wrc.exact.normal(grid, gap, normal_force=20e3)
-    stiffness = 80e9 / (1 - 0.25)  # E* of equal bodies: G / (1 - nu)
+    steel = wrc.Material()
+    stiffness = steel.shear_modulus / (1 - steel.poisson)  # E* of equal bodies: G / (1 - nu)
     a = (3 * 20e3 * 0.25 / (4 * stiffness)) ** (1 / 3)
     assert solution.peak_pressure == pytest.approx(1.5 * 20e3 / (np.pi * a * a), rel=0.02)
     assert pressure.sum() * grid.dx * grid.dy == pytest.approx(20e3, rel=1e-6) and pressure.max() == solution.peak_pressure
@@ -43,12 +44,12 @@ def test_progress_stops_and_raises(hertz):
     with pytest.raises(KeyError, match="mine"):
         wrc.exact.normal(grid, gap, normal_force=20e3, progress=broken)
     contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
-    contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3}))
+    contact.planar_step(wrc.PlanarInput(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3}))
     with pytest.raises(wrc.Cancelled):
-        contact.exact_check(16, 16, progress=lambda fraction: True)
+        contact.exact_check(wrc.ExactCheckOptions(nx=16, ny=16), progress=lambda fraction: True)
     with pytest.raises(KeyError):
-        contact.exact_check(16, 16, progress=broken)
-    assert abs(contact.exact_check(16, 16).force_error) < 0.05  # of a coarse grid
+        contact.exact_check(wrc.ExactCheckOptions(nx=16, ny=16), progress=broken)
+    assert abs(contact.exact_check(wrc.ExactCheckOptions(nx=16, ny=16)).force_error) < 0.05  # of a coarse grid
 
 
 def test_the_bar(hertz, capfd):
@@ -68,6 +69,16 @@ def test_what_does_not_fit_is_refused(hertz):
         wrc.exact.normal(grid, gap, normal_forces=1e3)
 
 
+def test_materials_of_both_bodies(hertz):
+    grid, gap = hertz
+    soft = wrc.Material(shear_modulus=41e9)
+    one, _ = wrc.exact.normal(grid, gap, normal_force=20e3, wheel_material=soft)
+    other, _ = wrc.exact.normal(grid, gap, normal_force=20e3, rail_material={"shear_modulus": 41e9})
+    steel, _ = wrc.exact.normal(grid, gap, normal_force=20e3)
+    # Hertz: p0 as E*^(2/3), of which both bodies have their share: 1 / E* by 3 / 2
+    assert one.peak_pressure == other.peak_pressure == pytest.approx(steel.peak_pressure * (2 / 3) ** (2 / 3), rel=0.01)
+
+
 def test_a_wrench_exactly():
     contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
     data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3, friction={"coefficient": 0})
@@ -75,7 +86,7 @@ def test_a_wrench_exactly():
     assert exact.force[2] == pytest.approx(-80e3, rel=1e-4) and exact.peak_pressure == pytest.approx(contact.wrench(data).peak_pressure, rel=0.1)
     with pytest.raises(wrc.Cancelled):
         contact.exact_wrench(data, progress=lambda fraction: True)
-    contact.geometry(wrc.Pose())
+    contact.planar_geometry(wrc.PlanarPose())
     gap = contact.exact_gap(wrc.exact.grid(16, 16, 1e-3))
     assert gap.shape == (16, 16) and 0 <= gap.min() < 1e-6
 
@@ -85,7 +96,7 @@ def test_stresses(hertz):
     solution, pressure = wrc.exact.normal(grid, gap, normal_force=20e3)
     centre = wrc.exact.stresses(grid, [[grid.dx / 2, grid.dy / 2, 1e-6]], pressure, body="RAIL")[0]
     assert centre[2] == pytest.approx(-solution.peak_pressure, rel=0.02)
-    assert centre[0] == pytest.approx((0.5 + 0.25) * centre[2], rel=0.05)  # Hertz: (1 + 2 nu) / 2 of the pressure
+    assert centre[0] == pytest.approx((0.5 + wrc.ExactLoads().poisson) * centre[2], rel=0.05)  # Hertz: (1 + 2 nu) / 2 of the pressure
     found = wrc.exact.largest_stresses(grid, pressure, progress=lambda fraction: None)
     assert found.below.shear.stress == pytest.approx(0.32 * solution.peak_pressure, rel=0.03)
     with pytest.raises(ValueError, match=r"shape \(n, 3\)"):
@@ -94,7 +105,9 @@ def test_stresses(hertz):
 
 def test_stresses_under_a_step():
     contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
-    normal = contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})).normal
-    found, levels = contact.stresses([1e-3, 3e-3])
+    normal = contact.planar_step(wrc.PlanarInput(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})).normal
+    found, levels = contact.stresses(0, [1e-3, 3e-3])
     assert 0.2 < found.largest.shear.stress / normal.peak_pressure < 0.5 and len(levels) == 2
+    whole, _ = contact.stresses(wrc.ALL_REGIONS, [1e-3, 3e-3])
+    assert whole == found  # of one patch
     assert levels[1].shear.depth == 3e-3 and levels[1].shear.stress <= found.largest.shear.stress

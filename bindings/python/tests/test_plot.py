@@ -14,7 +14,7 @@ def contact():
 
 
 def test_contact(contact, tmp_path):
-    contact.step(wrc.Input(**DATA))
+    contact.planar_step(wrc.PlanarInput(**DATA))
     figure = wrc.plot.contact(contact, tmp_path / "contact.png")
     assert (tmp_path / "contact.png").stat().st_size > 20000
     titles = [each.get_title() for each in figure.axes[:4]]
@@ -22,10 +22,10 @@ def test_contact(contact, tmp_path):
 
 
 def test_nothing_to_draw_is_said(contact):
-    contact.step(wrc.Input(load={"prescribed": "APPROACH", "approach": -1e-3}))
+    contact.planar_step(wrc.PlanarInput(load={"prescribed": "APPROACH", "approach": -1e-3}))
     with pytest.raises(ValueError, match="nothing to draw: .*do not touch"):
         wrc.plot.contact(contact)
-    with pytest.raises(ValueError, match="call step"):
+    with pytest.raises(ValueError, match="call wrench"):
         wrc.plot.contact(wrc.Model(wheel="S1002", rail="60E1").contact())
 
 
@@ -35,16 +35,16 @@ def test_profiles_and_curves(contact, tmp_path):
     assert wrc.plot.profile(own, own.mirrored()).axes[0].lines[0].get_xydata()[0, 0] == pytest.approx(1e3 * (y[0] - 0.75))
     figure = wrc.plot.wheel_on_rail(contact, wrc.WheelInput(wheel={"y": 6.5e-3, "z": 8e-4}), tmp_path / "wheel.png")
     assert "kN" in figure.axes[0].get_title()
-    contact.wrench(wrc.WheelInput(wheel={"y": 5e-3, "z": 8e-4, "velocity": (40, 0, 0), "angular_velocity": (0, -40 / 0.46, 0)}))
+    contact.wrench(wrc.WheelInput(wheel={"y": 5e-3, "z": 8e-4, "velocity": (40, 0, 0), "pitch_rate": -40 / 0.46}))
     assert wrc.plot.regions(contact, tmp_path / "regions.png").axes[0].get_title() == "pressure [MPa]"
-    with pytest.raises(ValueError, match="call wrench"):
-        wrc.plot.regions(contact.model.contact())
+    rows = wrc.plot.regions(contact).axes[0].lines
+    assert len(rows) == contact.wrench(wrc.WheelInput(wheel={"y": 5e-3, "z": 8e-4})).region_count
     rough = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK", preset="FASTSIM-SDEC").contact()
-    figure = wrc.plot.creep_curves({"strip FASTSIM": contact, "FASTSIM-SDEC": rough}, wrc.Input(**DATA), path=tmp_path / "curves.png")
+    figure = wrc.plot.creep_curves({"strip FASTSIM": contact, "FASTSIM-SDEC": rough}, wrc.PlanarInput(**DATA), path=tmp_path / "curves.png")
     first, second = (each.get_ydata() for each in figure.axes[0].lines[:2])
     assert 0.9 < first[-1] <= 1.0001 and abs(first - second).max() < 0.2
     with pytest.raises(ValueError, match="none of longitudinal"):
-        wrc.plot.creep_curve(contact, "sideways", [0.0], wrc.Input(**DATA))
+        wrc.plot.creep_curve(contact, "sideways", [0.0], wrc.PlanarInput(**DATA))
     wrc.plot.model(contact.model, tmp_path / "model.png")
 
 

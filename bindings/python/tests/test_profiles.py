@@ -142,8 +142,8 @@ def test_read_profiles_make_the_model_of_the_built_in_ones(tmp_path, shapes):
     wheel, rail = shapes
     wheel = wrc.read_profile(write(tmp_path, "w.txt", rows(wheel)), "wheel")
     rail = wrc.read_profile(write(tmp_path, "r.txt", rows(rail)), "rail")
-    data = wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})
-    own = wrc.Model(wheel=wheel, rail=rail).contact().step(data)
-    built_in = wrc.Model(wheel="S1002", rail="60E1").contact().step(data)
+    data = wrc.PlanarInput(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3})
+    own = wrc.Model(wheel=wheel, rail=rail).contact().planar_step(data)
+    built_in = wrc.Model(wheel="S1002", rail="60E1").contact().planar_step(data)
     assert own.forces.fx == pytest.approx(built_in.forces.fx, rel=0.03)
     assert "w.txt" in repr(wheel) and wheel.as_struct().count == len(wheel.y)

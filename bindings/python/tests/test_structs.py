@@ -8,7 +8,7 @@ import re
 import numpy as np
 import pytest
 import wrc
-from wrc import _interface
+from wrc import _interface, _renamed
 
 
 def test_comes_from_the_installed_wheel():
@@ -17,11 +17,22 @@ def test_comes_from_the_installed_wheel():
     assert pathlib.Path(wrc.__file__).with_name("py.typed").exists()
 
 
-def test_defaults_are_the_librarys():
+def test_defaults_are_the_headers_and_the_librarys():
     config = wrc.Config()
-    assert config.material.shear_modulus == 80e9 and config.normal.method is wrc.NormalMethod.STRIP_HALFSPACE
-    assert wrc.Input().friction.coefficient == 0.3
-    assert wrc.Forces().fx == 0.0
+    assert config.wheel_material.shear_modulus == 82e9 and config.normal.method is wrc.NormalMethod.STRIP_HALFSPACE
+    assert wrc.PlanarInput().friction.coefficient == 0.3
+    assert wrc.ConfigTrack(rail_inclination=0.025).gauge == 1.435 and wrc.HeatProperties().conductivity == 50  # without a C function
+    initialised = 0
+    for name, kind in _interface.STRUCTS.items():
+        function = getattr(wrc.raw, name + "_init", None)
+        if function is not None:
+            one = kind.from_buffer(bytearray(len(bytes(kind()))))
+            if hasattr(kind, "_struct_size"):
+                one._struct_size = kind()._struct_size
+            assert function(one) == 0 and bytes(one) == bytes(kind()), name
+            initialised += 1
+    assert initialised >= 15
+    assert wrc.PlanarForces().fx == 0.0
 
 
 @pytest.mark.parametrize("name", sorted(_interface.STRUCTS))
@@ -33,24 +44,29 @@ def test_every_struct_is_told_shown_copied_and_an_array(name):
     assert one.copy() == one
     array = kind.array(3)
     assert array.shape == (3,) and bytes(array[1].tobytes()) == bytes(one)
+    columns = kind.table(array)
+    for shown in (kind.__doc__, repr(one), str(one.as_dict()), " ".join(dir(one)), " ".join(columns)):
+        assert not re.search(r"\breserved|struct_size|_size\b", shown)
+    assert all(column.shape == (3,) for column in columns.values())
+    assert all(each in dir(one) for each in kind.members())
     if name not in ("wrc_allocator",):
         assert pickle.loads(pickle.dumps(one)) == one
 
 
 def test_docstrings_have_units_ranges_and_python_names():
-    assert "lateral [m]: shift of the wheelset to the right (-0.1 .. 0.1; default 0)" in wrc.Pose.__doc__
-    assert not re.search(r"\bwrc_contact_step\b", wrc.Contact.step.__doc__)
-    assert "Contact.geometry" in wrc.Contact.creepages.__doc__
+    assert "lateral [m]: shift of the wheelset to the right (-0.1 .. 0.1; default 0)" in wrc.PlanarPose.__doc__
+    assert not re.search(r"\bwrc_planar_step\b", wrc.Contact.planar_step.__doc__)
+    assert "Contact.planar_geometry" in wrc.Contact.planar_creepages.__doc__
 
 
 def test_unknown_members_are_refused():
-    load = wrc.Load()
+    load = wrc.PlanarLoad()
     with pytest.raises(AttributeError):
         load.normal_forse = 1.0
     with pytest.raises(AttributeError, match="did you mean normal_force"):
-        wrc.Load(normal_forse=1.0)
-    with pytest.raises(TypeError, match="wrc.Load or a dict"):
-        wrc.Input(load=80e3)
+        wrc.PlanarLoad(normal_forse=1.0)
+    with pytest.raises(TypeError, match="wrc.PlanarLoad or a dict"):
+        wrc.PlanarInput(load=80e3)
 
 
 def test_choices_by_member_number_and_name():
@@ -65,7 +81,7 @@ def test_choices_by_member_number_and_name():
     with pytest.raises(ValueError, match=r"read by wrc.read_profile\('worn.whl', body='wheel'\)"):
         config.set(wheel="worn.whl")
     assert wrc.Profile(y=[0.0, 1.0], z=[0.0, 0.0]).kind is wrc.ProfileKind.POINTS
-    assert str(wrc.Side.LEFT) == "LEFT" and wrc.Forces(available=1).available == wrc.Available.TRACTIONS
+    assert str(wrc.Side.LEFT) == "LEFT" and wrc.PlanarForces(available=1).available == wrc.Available.TRACTIONS
 
 
 def test_arrays_are_views():
@@ -75,7 +91,17 @@ def test_arrays_are_views():
     assert wheel.velocity[0] == 40.0
     wheel.angular_velocity = (0, -87, 0)
     assert wheel.angular_velocity.tolist() == [0, -87, 0]
-    assert wrc.WrenchSensitivities().wrench.shape == (6, len(wrc.WrenchInput))
+    assert wrc.WrenchDerivatives().wrench.shape == (6, 32) and wrc.WRENCH_INPUTS == len(wrc.WrenchInput)
+
+
+def test_flags_are_a_set():
+    wrench = wrc.Wrench(flags=1 << wrc.Status.FLAG_NO_CONTACT | 1 << wrc.Status.FLAG_CLIMBING)
+    assert wrench.flags == wrc.Flags.NO_CONTACT | wrc.Flags.CLIMBING and wrc.Flags.BEYOND_GAP not in wrench.flags
+    assert "flags           NO_CONTACT | CLIMBING" in repr(wrench) and "flags           none" in repr(wrc.Wrench())
+    assert {each.name for each in wrc.Flags} == {each.name[5:] for each in wrc.Status if each > 0}
+    assert all(each == 1 << wrc.Status.of("FLAG_" + each.name) for each in wrc.Flags)
+    array = wrc.Wrench.array(2, like=wrench)
+    assert (array["flags"] & wrc.Flags.CLIMBING).all() and wrc.Wrench.table(array)["flags"].tolist() == 2 * [int(wrench.flags)]
 
 
 def overwrite(size):
@@ -103,23 +129,69 @@ def test_pointers_keep_their_arrays_and_count_them():
         other.wheel.count = 10 ** 6
     other.wheel.set(y=None, z=None)
     assert other.wheel.count == 0 and other.wheel.y is None
-    with pytest.raises(ValueError, match="9 numbers, not 4"):
-        wrc.WheelState(rotation=np.eye(2))
     for each in (lambda: [1.5], lambda: np.array([1.5]), lambda: np.array([[1.5, 2.5]]).T[:1, 0]):
-        strips = wrc.Strips(y=each())
+        strips = wrc.PlanarStrips(y=each())
         overwrite(1)
         assert strips.y.tolist() == [1.5]
     frozen = np.zeros(9)
     frozen.flags.writeable = False
-    assert wrc.WheelState(rotation=frozen).rotation.tolist() == 9 * [0]
-    assert wrc.WheelState(rotation=np.eye(3)).rotation.tolist() == np.eye(3).ravel().tolist()
+    assert wrc.PlanarStrips(y=frozen).y.tolist() == 9 * [0]
+
+
+def test_numbers_within_a_struct_have_their_count():
+    with pytest.raises(ValueError, match="WheelState.rotation has 9 numbers, not 4"):
+        wrc.WheelState(rotation=np.eye(2))
+    assert wrc.WheelState(rotation=np.arange(9.0).reshape(3, 3).T).rotation.tolist() == [0, 3, 6, 1, 4, 7, 2, 5, 8]  # row by row
+    with pytest.raises(ValueError, match="WheelState.velocity has 3 numbers, not 1"):
+        wrc.WheelState().velocity = 40.0
+
+
+def test_sizes_of_elements_are_set():
+    config = wrc.Config(rail_sections=[{"distance": 1.0, "marks": [0.0, 0.1]}])
+    assert config._rail_section_size == len(bytes(wrc.RailSection())) and config.rail_sections[0].mark_count == 2
+    config.rail_sections = []
+    assert config == wrc.Config() and bytes(config) == bytes(wrc.Config())
+    assert wrc.Bins(3, 0.0).struct._bin_size == len(bytes(wrc.DamageBin()))
+
+
+def test_copies_of_arrays_stay_whole():
+    """What numpy copies is accepted by the library: sizes and zeros where they must be."""
+    inputs = wrc.WheelInput.array(6)
+    inputs["wheel"]["z"] = np.arange(6)
+    for copied in (inputs[[4, 2]], inputs[inputs["wheel"]["z"] > 3], np.concatenate([inputs, inputs])[2:4], np.repeat(inputs, 2)[4:6]):
+        assert copied.dtype == inputs.dtype
+        assert bytes(wrc.WheelInput.of(copied, 0)) == bytes(wrc.WheelInput(wheel={"z": copied["wheel"]["z"][0]}))
+
+
+def test_a_table_of_an_array():
+    inputs = wrc.PlanarInput.array(2, like=wrc.PlanarInput(load={"normal_force": 80e3}))
+    table = wrc.PlanarInput.table(inputs)
+    assert table["load.normal_force"].tolist() == [80e3, 80e3] and not any("zone_y" in name for name in table)
+    assert wrc.Wrench.table(wrc.Wrench.array(2))["force[2]"].shape == (2,)
+
+
+def test_names_of_before_are_told():
+    assert len(_renamed.NAMES) > 80
+    for each, now in _renamed.NAMES.items():
+        owner, _, name = each.rpartition(".")
+        kind = getattr(wrc, owner) if owner else wrc
+        if name.isupper():
+            assert name not in kind.__members__ and now.split(",")[0] in {*kind.__members__, "gone"}, each
+            continue
+        if owner in ("Contact", "Model", "Batch"):
+            assert now.startswith("gone") or hasattr(kind, now.split("(")[0].split(".")[0]), each
+            continue
+        if owner:
+            assert name not in kind.members() and f"{owner} has no {name}: since 0.9 it is {now}" == getattr(kind, name).text
+            continue
+        assert name not in wrc.__all__ and (now.startswith("gone") or hasattr(wrc, now[4:].split(",")[0].split(" ")[0])), each
 
 
 def test_arrays_of_structs_share_memory():
-    inputs = wrc.Input.array(4, like=wrc.Input(load={"normal_force": 80e3}, friction={"zone_y": [0.0, 1e-3], "zone_coefficient": [0.1, 0.3]}))
+    inputs = wrc.PlanarInput.array(4, like=wrc.PlanarInput(load={"normal_force": 80e3}, friction={"zone_y": [0.0, 1e-3], "zone_coefficients": [0.1, 0.3]}))
     inputs["pose"]["lateral"] = [0, 1e-3, 2e-3, 3e-3]
     overwrite(2)
-    second = wrc.Input.of(inputs, 2)
+    second = wrc.PlanarInput.of(inputs, 2)
     assert second.pose.lateral == 2e-3 and second.load.normal_force == 80e3
     assert second.friction.zone_coefficients.tolist() == [0.1, 0.3]
     second.pose.lateral = 5e-3

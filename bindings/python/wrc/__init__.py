@@ -1,27 +1,33 @@
 """Wheel/rail contact for simulation: the library wrc for Python.
 
     import wrc
-    contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
-    result = contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3}))
-    print(result.forces)
-    wrc.plot.contact(contact, "contact.png")
+    model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40})
+    right, left = model.contact("RIGHT"), model.contact("LEFT")
+    standing = right.wrench(wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3)).z
+    data = wrc.WheelInput(wheel={"y": 1e-3, "z": standing, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46})
+    for wheel in (right, left):
+        print(wheel.wrench(data))
+    wrc.plot.regions(right, "contact.png")
 
 SI units throughout. Frames and signs: x forward, y to the right, z down; forces act on the wheel (help(wrc.Contact), wrc.h).
-Model and Contact are the two things that own memory; all others are structs of the C interface: wrc.Input, wrc.Output, ...
-Every member of a struct is told with its unit, range and default in the struct's docstring: help(wrc.Load).
+Model and Contact are the two things that own memory; all others are structs of the C interface: wrc.WheelInput, wrc.Wrench, ...
+Every member of a struct has its unit, range and default in the struct's docstring: help(wrc.WheelState).
 """
-from . import _interface, _library
-from ._interface import *  # noqa: F401,F403
-from ._interface import ABI_VERSION, _wrc_build_info, _wrc_version
-from ._library import Cancelled, Error
-from .contact import Batch, Contact, Model, conicity, force_table, sweep, use
-from .damage import Bins, flange_dimensions, flash_temperature, take_off, whole_life_damage
-from . import damage, exact, plot, profiles, raw
-from .profiles import ProfileError, ProfileFile, read_profile
+from typing import Any as _Any
 
-_library.check_version(ABI_VERSION)
+from . import _interface, _library, _renamed
+from ._interface import *  # noqa: F401,F403
+from ._interface import ABI_VERSION, EXPERIMENTAL_VERSION, _wrc_build_info, _wrc_version
+from ._library import Cancelled, Error
+from .contact import Batch, Contact, Model, force_table, sweep, use
+from .damage import Bins, flash_temperature, whole_life_damage
+from . import damage, exact, plot, profiles, raw
+from .profiles import ProfileError, ProfileFile, conicity, flange_dimensions, read_profile, remove_wear
+
+_library.check_version(ABI_VERSION, EXPERIMENTAL_VERSION)
 _version = _wrc_version()
 __version__ = f"{_version >> 16}.{_version >> 8 & 255}.{_version & 255}"
+_renamed.mark(globals())
 
 
 def build_info() -> str:
@@ -29,6 +35,11 @@ def build_info() -> str:
     return str(_wrc_build_info().decode())
 
 
+def __getattr__(name: str) -> _Any:
+    now = _renamed.since("", name)
+    raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
+
+
 __all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "conicity", "damage",
-           "exact", "flange_dimensions", "flash_temperature", "force_table", "plot", "profiles", "raw", "read_profile", "sweep", "take_off", "use",
+           "exact", "flange_dimensions", "flash_temperature", "force_table", "plot", "profiles", "raw", "read_profile", "remove_wear", "sweep", "use",
            "whole_life_damage"]

@@ -91,6 +91,43 @@ STATUS_TEXTS = {
 }
 
 
+class Flags(enum.IntFlag):
+    """The flags of a result, a bit for each that was met: wrc.Flags.NO_CONTACT in wrench.flags.
+
+    NO_CONTACT: the bodies do not touch: all forces are zero
+    ITERATION_CAP: an iteration reached its cap: the last iterate is returned
+    PATCH_AT_EDGE: the patch reaches the edge of the given gap or profile
+    MORE_PATCHES: more contact patches exist than the configuration has room for
+    TABLE_RANGE: the patch is more slender than the coefficient tables: their end is used
+    CREEPAGES_LIMITED: nearly at rest, or sliding far faster than rolling: creepages are limited
+    LOAD_JUMPS: no approach of this normal method carries the load: its force jumps past it there
+    BEYOND_GAP: beyond what the gap or the profiles carry: continued with the last stiffness
+    CLIMBING: friction on a steep face lets no height carry the load, or several
+    BEYOND_SECTIONS: the rail has no section that far along the track: the nearest is used
+    DISSIMILAR_MATERIALS: different materials: Kalker's K, which couples pressure and traction, is left out
+    SUM_OVERFLOW: a sum of bins passed its range: what they hold is worthless
+    FORCE_JUMPS: a planar normal method on a patch of several lowest points: forces jump where the lowest
+        changes
+    ROTATION_TRANSPOSED: the angular velocity lies along the axle of the transposed rotation: was its
+        transpose given?
+    """
+
+    NO_CONTACT = 1 << 1
+    ITERATION_CAP = 1 << 2
+    PATCH_AT_EDGE = 1 << 3
+    MORE_PATCHES = 1 << 4
+    TABLE_RANGE = 1 << 5
+    CREEPAGES_LIMITED = 1 << 6
+    LOAD_JUMPS = 1 << 7
+    BEYOND_GAP = 1 << 8
+    CLIMBING = 1 << 9
+    BEYOND_SECTIONS = 1 << 10
+    DISSIMILAR_MATERIALS = 1 << 11
+    SUM_OVERFLOW = 1 << 12
+    FORCE_JUMPS = 1 << 13
+    ROTATION_TRANSPOSED = 1 << 14
+
+
 class NormalMethod(s.Choice):
     """Method of the normal problem.
 
@@ -575,12 +612,10 @@ class Profile(s.Struct):
     __slots__ = ()
     kind: ProfileKind = s.Chosen('kind', ProfileKind)  # type: ignore[assignment]
     count: int = s.Count('count')  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'z'))  # type: ignore[assignment]
-    z: Optional[np.ndarray] = s.Pointer('z', count='count', group=('y', 'z'))  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'count')  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z', 'count')  # type: ignore[assignment]
     smoothing: float
-    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'z': 'm', 'smoothing': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_kind', c.c_int32),
         ('_count', c.c_uint32),
@@ -610,9 +645,8 @@ class Material(s.Struct):
     shear_modulus: float
     poisson: float
     shear_yield: float
-    reserved: np.ndarray = s.Array('reserved', 24, (5,), c.c_double)  # type: ignore[assignment]
     _units_ = {'shear_modulus': 'Pa', 'shear_yield': 'Pa'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'shear_modulus': 82000000000.0, 'poisson': 0.28, 'shear_yield': 250000000.0}
     _fields_ = [
         ('shear_modulus', c.c_double),
         ('poisson', c.c_double),
@@ -636,9 +670,8 @@ class HeatProperties(s.Struct):
     conductivity: float
     density: float
     specific_heat: float
-    reserved: np.ndarray = s.Array('reserved', 24, (5,), c.c_double)  # type: ignore[assignment]
     _units_ = {'conductivity': 'W/(m K)', 'density': 'kg/m^3', 'specific_heat': 'J/(kg K)'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'conductivity': 50.0, 'density': 7850.0, 'specific_heat': 450.0}
     _fields_ = [
         ('conductivity', c.c_double),
         ('density', c.c_double),
@@ -661,9 +694,8 @@ class ConfigWheelset(s.Struct):
     __slots__ = ()
     wheel_radius: float
     tape_circle_distance: float
-    reserved: np.ndarray = s.Array('reserved', 16, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'wheel_radius': 'm', 'tape_circle_distance': 'm'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'wheel_radius': 0.46, 'tape_circle_distance': 1.5}
     _fields_ = [
         ('wheel_radius', c.c_double),
         ('tape_circle_distance', c.c_double),
@@ -688,17 +720,15 @@ class ConfigTrack(s.Struct):
     _c_name_ = 'wrc_config_track'
     __slots__ = ()
     placement: ProfilePlacement = s.Chosen('placement', ProfilePlacement)  # type: ignore[assignment]
-    reserved0: int
     gauge: float
     gauge_depth: float
     rail_inclination: float
     rail_origin: float
-    reserved: np.ndarray = s.Array('reserved', 40, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'gauge': 'm', 'gauge_depth': 'm', 'rail_origin': 'm'}
-    _hidden_ = ('reserved0', 'reserved')
+    _defaults_ = {'gauge': 1.435, 'gauge_depth': 0.014}
     _fields_ = [
         ('_placement', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('gauge', c.c_double),
         ('gauge_depth', c.c_double),
         ('rail_inclination', c.c_double),
@@ -735,11 +765,9 @@ class RailSection(s.Struct):
     z: float
     surface: int
     mark_count: int = s.Count('mark_count')  # type: ignore[assignment]
-    marks: Optional[np.ndarray] = s.Pointer('marks', count='mark_count', group=('marks',))  # type: ignore[assignment]
+    marks: Optional[np.ndarray] = s.Pointer('marks', 'mark_count')  # type: ignore[assignment]
     profile: Profile
-    reserved: np.ndarray = s.Array('reserved', 120, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'distance': 'm', 'y': 'm', 'z': 'm', 'marks': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('distance', c.c_double),
         ('y', c.c_double),
@@ -773,12 +801,10 @@ class ConfigRoundness(s.Struct):
     __slots__ = ()
     angle_count: int = s.Count('angle_count')  # type: ignore[assignment]
     row_count: int = s.Count('row_count')  # type: ignore[assignment]
-    angles: Optional[np.ndarray] = s.Pointer('angles', count='angle_count', group=('angles',))  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='row_count', group=('y',))  # type: ignore[assignment]
-    deviations: Optional[np.ndarray] = s.Pointer('deviations')  # type: ignore[assignment]
-    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
+    angles: Optional[np.ndarray] = s.Pointer('angles', 'angle_count')  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'row_count')  # type: ignore[assignment]
+    deviations: Optional[np.ndarray] = s.Pointer('deviations', 'row_count', 'angle_count')  # type: ignore[assignment]
     _units_ = {'angles': 'rad', 'y': 'm', 'deviations': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_angle_count', c.c_uint32),
         ('_row_count', c.c_uint32),
@@ -807,9 +833,7 @@ class ConfigCheckRail(s.Struct):
     y: float
     z: float
     profile: Profile
-    reserved: np.ndarray = s.Array('reserved', 96, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'z': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('y', c.c_double),
         ('z', c.c_double),
@@ -835,9 +859,7 @@ class ConfigNormal(s.Struct):
     method: NormalMethod = s.Chosen('method', NormalMethod)  # type: ignore[assignment]
     max_iterations: int
     load_tolerance: float
-    reserved: np.ndarray = s.Array('reserved', 16, (6,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'_method': 6, 'max_iterations': 60, 'load_tolerance': 1e-10}
     _fields_ = [
         ('_method', c.c_int32),
         ('max_iterations', c.c_int32),
@@ -848,7 +870,7 @@ assert c.sizeof(ConfigNormal) == 64
 
 
 class ConfigTangential(s.Struct):
-    """The tangential problem. wrc_config_use() sets a published method by its name.
+    """The tangential problem. use() sets a published method by its name.
 
     Members:
       method: TangentialMethod (default TangentialMethod.STRIP_FASTSIM)
@@ -866,9 +888,7 @@ class ConfigTangential(s.Struct):
     bound: TractionBound = s.Chosen('bound', TractionBound)  # type: ignore[assignment]
     flexibility: Flexibility = s.Chosen('flexibility', Flexibility)  # type: ignore[assignment]
     force_table: Optional[str] = s.Text('force_table')  # type: ignore[assignment]
-    reserved: np.ndarray = s.Array('reserved', 24, (6,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'_method': 2}
     _fields_ = [
         ('_method', c.c_int32),
         ('_patch_model', c.c_int32),
@@ -890,13 +910,10 @@ class ConfigSurface(s.Struct):
     _c_name_ = 'wrc_config_surface'
     __slots__ = ()
     cells: int
-    reserved0: int
-    reserved: np.ndarray = s.Array('reserved', 8, (14,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved0', 'reserved')
+    _defaults_ = {'cells': 32}
     _fields_ = [
         ('cells', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_reserved', c.c_double * 14),
     ]
 assert c.sizeof(ConfigSurface) == 120
@@ -915,7 +932,7 @@ class ConfigPlanar(s.Struct):
       start: Start: of the sweeps of NormalMethod.STRIP_HALFSPACE. Warm, the same approach again moves the
           force by up to 0.1 % (default Start.COLD)
       regularisation: Regularisation (default Regularisation.WIDTH)
-      non_steady: 1: contacts remember tractions over the distances told to wrc_planar_roll(). Of
+      non_steady: 1: contacts remember tractions over the distances told to Contact.planar_roll(). Of
           TangentialMethod.STRIP_FASTSIM, forwards (0 .. 1; default 0)
       gap_limit [m]: gap up to which rows of a pose reach. Deeper approaches are continued,
           Status.FLAG_BEYOND_GAP (1e-5 .. 0.02; default 1e-3)
@@ -932,9 +949,8 @@ class ConfigPlanar(s.Struct):
     regularisation: Regularisation = s.Chosen('regularisation', Regularisation)  # type: ignore[assignment]
     non_steady: int
     gap_limit: float
-    reserved: np.ndarray = s.Array('reserved', 40, (8,), c.c_double)  # type: ignore[assignment]
     _units_ = {'gap_limit': 'm'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'strips': 60, 'cells': 32, 'gap_rows': 256, 'max_patches': 4, 'max_sweeps': 16, 'gap_limit': 0.001}
     _fields_ = [
         ('strips', c.c_int32),
         ('cells', c.c_int32),
@@ -974,14 +990,12 @@ class Config(s.Struct):
       check_rail: beside the rail; of Contact.wrench()
       rail_section_count: sections of a rail that changes along the track; of Contact.wrench() (0 .. 1000;
           default 0)
-      rail_section_size: sizeof(RailSection), with sections (0 or 168 .. 4096; default 0)
       rail_sections: rail_section_count of them. config.rail stays the rail of the stages, and its place is
           the sections' (required)
     """
 
     _c_name_ = 'wrc_config'
     __slots__ = ()
-    struct_size: int
     instruction_set: InstructionSet = s.Chosen('instruction_set', InstructionSet)  # type: ignore[assignment]
     wheel: Profile
     rail: Profile
@@ -999,12 +1013,10 @@ class Config(s.Struct):
     roller_curvature: float
     check_rail: ConfigCheckRail
     rail_section_count: int = s.Count('rail_section_count')  # type: ignore[assignment]
-    rail_section_size: int
-    rail_sections: Sequence[RailSection] = s.References('rail_sections', 'rail_section_count')  # type: ignore[assignment]
+    rail_sections: Sequence[RailSection] = s.References('rail_sections', 'rail_section_count', size='rail_section_size')  # type: ignore[assignment]
     _units_ = {'roller_curvature': '1/m'}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_instruction_set', c.c_int32),
         ('wheel', Profile),
         ('rail', Profile),
@@ -1022,7 +1034,7 @@ class Config(s.Struct):
         ('roller_curvature', c.c_double),
         ('check_rail', ConfigCheckRail),
         ('_rail_section_count', c.c_uint32),
-        ('rail_section_size', c.c_uint32),
+        ('_rail_section_size', c.c_uint32),
         ('_rail_sections', c.POINTER(RailSection)),
     ]
 assert c.sizeof(Config) == 1184
@@ -1042,9 +1054,6 @@ class Allocator(s.Struct):
     user: Any
     allocate: Any
     release: Any
-    reserved: np.ndarray = s.Array('reserved', 24, (2,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('user', c.c_void_p),
         ('allocate', c.c_void_p),
@@ -1066,9 +1075,6 @@ class View(s.Struct):
     __slots__ = ()
     data: Optional[np.ndarray] = s.Pointer('data')  # type: ignore[assignment]
     count: int
-    reserved: np.ndarray = s.Array('reserved', 16, (2,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_data', c.POINTER(c.c_double)),
         ('count', c.c_uint64),
@@ -1089,9 +1095,8 @@ class BulkTemperatures(s.Struct):
     __slots__ = ()
     wheel: float
     rail: float
-    reserved: np.ndarray = s.Array('reserved', 16, (2,), c.c_double)  # type: ignore[assignment]
     _units_ = {'wheel': 'degC', 'rail': 'degC'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'wheel': 20.0, 'rail': 20.0}
     _fields_ = [
         ('wheel', c.c_double),
         ('rail', c.c_double),
@@ -1145,13 +1150,12 @@ class Friction(s.Struct):
     slope_reduction: float
     slope_limit: float
     slope_fall: float
-    zone_y: Optional[np.ndarray] = s.Pointer('zone_y', count='zone_count', group=('zone_y', 'zone_coefficients'))  # type: ignore[assignment]
-    zone_coefficients: Optional[np.ndarray] = s.Pointer('zone_coefficients', count='zone_count', group=('zone_y', 'zone_coefficients'))  # type: ignore[assignment]
+    zone_y: Optional[np.ndarray] = s.Pointer('zone_y', 'zone_count')  # type: ignore[assignment]
+    zone_coefficients: Optional[np.ndarray] = s.Pointer('zone_coefficients', 'zone_count')  # type: ignore[assignment]
     zone_count: int = s.Count('zone_count')  # type: ignore[assignment]
     zone_frame: ZoneFrame = s.Chosen('zone_frame', ZoneFrame)  # type: ignore[assignment]
-    reserved: np.ndarray = s.Array('reserved', 144, (12,), c.c_double)  # type: ignore[assignment]
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02}
     _fields_ = [
         ('coefficient', c.c_double),
         ('_speed_law', c.c_int32),
@@ -1201,7 +1205,6 @@ class WheelState(s.Struct):
     reference: WheelReference = s.Chosen('reference', WheelReference)  # type: ignore[assignment]
     orientation: Orientation = s.Chosen('orientation', Orientation)  # type: ignore[assignment]
     angular_axes: Axes = s.Chosen('angular_axes', Axes)  # type: ignore[assignment]
-    reserved0: int
     y: float
     z: float
     roll: float
@@ -1212,14 +1215,12 @@ class WheelState(s.Struct):
     yaw_rate: float
     angular_velocity: np.ndarray = s.Array('angular_velocity', 96, (3,), c.c_double)  # type: ignore[assignment]
     rotation: np.ndarray = s.Array('rotation', 120, (9,), c.c_double)  # type: ignore[assignment]
-    reserved: np.ndarray = s.Array('reserved', 192, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'yaw': 'rad', 'velocity': 'm/s', 'roll_rate': 'rad/s', 'pitch_rate': 'rad/s', 'yaw_rate': 'rad/s', 'angular_velocity': 'rad/s'}
-    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
         ('_reference', c.c_int32),
         ('_orientation', c.c_int32),
         ('_angular_axes', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('y', c.c_double),
         ('z', c.c_double),
         ('roll', c.c_double),
@@ -1262,9 +1263,7 @@ class RailState(s.Struct):
     y_velocity: float
     z_velocity: float
     roll_rate: float
-    reserved: np.ndarray = s.Array('reserved', 64, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'z': 'm', 'roll': 'rad', 'y_velocity': 'm/s', 'z_velocity': 'm/s', 'roll_rate': 'rad/s'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('y', c.c_double),
         ('z', c.c_double),
@@ -1298,9 +1297,7 @@ class FrameMotion(s.Struct):
     curvature: float
     vertical_curvature: float
     twist: float
-    reserved: np.ndarray = s.Array('reserved', 32, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'speed': 'm/s', 'curvature': '1/m', 'vertical_curvature': '1/m', 'twist': '1/m'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('speed', c.c_double),
         ('curvature', c.c_double),
@@ -1335,10 +1332,8 @@ class WheelInput(s.Struct):
 
     _c_name_ = 'wrc_wheel_input'
     __slots__ = ()
-    struct_size: int
     prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
     start: Start = s.Chosen('start', Start)  # type: ignore[assignment]
-    reserved0: int
     wheel: WheelState
     rail: RailState
     frame: FrameMotion
@@ -1349,12 +1344,11 @@ class WheelInput(s.Struct):
     angle: float
     roller_rate: float
     _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_rate': 'rad/s'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_prescribed', c.c_int32),
         ('_start', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('wheel', WheelState),
         ('rail', RailState),
         ('frame', FrameMotion),
@@ -1392,8 +1386,7 @@ class Wrench(s.Struct):
 
     _c_name_ = 'wrc_wrench'
     __slots__ = ()
-    struct_size: int
-    flags: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     region_count: int
     iterations: int
     force: np.ndarray = s.Array('force', 16, (3,), c.c_double)  # type: ignore[assignment]
@@ -1408,10 +1401,9 @@ class Wrench(s.Struct):
     power: float
     steepest_angle: float
     _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'clearance': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('flags', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_flags', c.c_uint32),
         ('region_count', c.c_int32),
         ('iterations', c.c_int32),
         ('_force', c.c_double * 3),
@@ -1440,15 +1432,11 @@ class WrenchDerivatives(s.Struct):
 
     _c_name_ = 'wrc_wrench_derivatives'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     wrench: np.ndarray = s.Array('wrench', 8, (6, 32), c.c_double)  # type: ignore[assignment]
     z: np.ndarray = s.Array('z', 1544, (32,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_wrench', (c.c_double * 32) * 6),
         ('_z', c.c_double * 32),
     ]
@@ -1479,9 +1467,8 @@ class Creepage(s.Struct):
     speed: float
     approach_velocity: float
     reverse_share: float
-    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'spin': '1/m', 'speed': 'm/s', 'approach_velocity': 'm/s'}
-    _hidden_ = ('reserved',)
+    _defaults_ = {'speed': 1.0}
     _fields_ = [
         ('longitudinal', c.c_double),
         ('lateral', c.c_double),
@@ -1512,9 +1499,7 @@ class Ellipse(s.Struct):
     psi: float
     y: float
     normal_force: float
-    reserved: np.ndarray = s.Array('reserved', 40, (3,), c.c_double)  # type: ignore[assignment]
     _units_ = {'a': 'm', 'b': 'm', 'y': 'm', 'normal_force': 'N'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('a', c.c_double),
         ('b', c.c_double),
@@ -1565,12 +1550,10 @@ class Region(s.Struct):
 
     _c_name_ = 'wrc_region'
     __slots__ = ()
-    struct_size: int
     available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
     strip_count: int
     cell_count: int
     surface: int
-    reserved0: int
     point: np.ndarray = s.Array('point', 24, (3,), c.c_double)  # type: ignore[assignment]
     normal: np.ndarray = s.Array('normal', 48, (3,), c.c_double)  # type: ignore[assignment]
     y_wheel: float
@@ -1596,14 +1579,13 @@ class Region(s.Struct):
     power: float
     adhesion_fraction: float
     _units_ = {'point': 'm', 'y_wheel': 'm', 'z_wheel': 'm', 'y_rail': 'm', 'z_rail': 'm', 'angle': 'rad', 'rolling_radius': 'm', 'force': 'N', 'moment': 'N m', 'normal_force': 'N', 'longitudinal_force': 'N', 'lateral_force': 'N', 'spin_moment': 'N m', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm', 'peak_pressure': 'Pa', 'power': 'W'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_available', c.c_uint32),
         ('strip_count', c.c_int32),
         ('cell_count', c.c_int32),
         ('surface', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_point', c.c_double * 3),
         ('_normal', c.c_double * 3),
         ('y_wheel', c.c_double),
@@ -1660,10 +1642,7 @@ class Damage(s.Struct):
     fatigue_index: float
     local_fatigue_index: float
     available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
-    reserved0: int
-    reserved: np.ndarray = s.Array('reserved', 80, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'power': 'W', 'peak_power_density': 'W/m^2', 't_gamma': 'N', 't_gamma_no_spin': 'N'}
-    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
         ('power', c.c_double),
         ('peak_power_density', c.c_double),
@@ -1675,7 +1654,7 @@ class Damage(s.Struct):
         ('fatigue_index', c.c_double),
         ('local_fatigue_index', c.c_double),
         ('_available', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_reserved', c.c_double * 6),
     ]
 assert c.sizeof(Damage) == 128
@@ -1695,9 +1674,7 @@ class PlanarPose(s.Struct):
     lateral: float
     roll: float
     yaw: float
-    reserved: np.ndarray = s.Array('reserved', 24, (3,), c.c_double)  # type: ignore[assignment]
     _units_ = {'lateral': 'm', 'roll': 'rad', 'yaw': 'rad'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('lateral', c.c_double),
         ('roll', c.c_double),
@@ -1727,9 +1704,7 @@ class PlanarMotion(s.Struct):
     roll_rate: float
     yaw_rate: float
     pitch_rate: float
-    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'speed': 'm/s', 'lateral_velocity': 'm/s', 'vertical_velocity': 'm/s', 'roll_rate': 'rad/s', 'yaw_rate': 'rad/s', 'pitch_rate': 'rad/s'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('speed', c.c_double),
         ('lateral_velocity', c.c_double),
@@ -1767,9 +1742,7 @@ class PlanarPoint(s.Struct):
     angle: float
     vertical_gap: float
     rolling_radius: float
-    reserved: np.ndarray = s.Array('reserved', 64, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'x': 'm', 'y': 'm', 'z': 'm', 'y_wheel': 'm', 'y_rail': 'm', 'angle': 'rad', 'vertical_gap': 'm', 'rolling_radius': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('x', c.c_double),
         ('y', c.c_double),
@@ -1808,16 +1781,14 @@ class PlanarGap(s.Struct):
     __slots__ = ()
     row_count: int = s.Count('row_count')  # type: ignore[assignment]
     column_count: int = s.Count('column_count')  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    height: Optional[np.ndarray] = s.Pointer('height', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    centre: Optional[np.ndarray] = s.Pointer('centre', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    curvature: Optional[np.ndarray] = s.Pointer('curvature', count='row_count', group=('y', 'height', 'centre', 'curvature'))  # type: ignore[assignment]
-    x: Optional[np.ndarray] = s.Pointer('x', count='column_count', group=('x',))  # type: ignore[assignment]
-    h: Optional[np.ndarray] = s.Pointer('h', matrix=True)  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'row_count')  # type: ignore[assignment]
+    height: Optional[np.ndarray] = s.Pointer('height', 'row_count')  # type: ignore[assignment]
+    centre: Optional[np.ndarray] = s.Pointer('centre', 'row_count')  # type: ignore[assignment]
+    curvature: Optional[np.ndarray] = s.Pointer('curvature', 'row_count')  # type: ignore[assignment]
+    x: Optional[np.ndarray] = s.Pointer('x', 'column_count')  # type: ignore[assignment]
+    h: Optional[np.ndarray] = s.Pointer('h', 'row_count', 'column_count', stride='row_stride')  # type: ignore[assignment]
     row_stride: int
-    reserved: np.ndarray = s.Array('reserved', 64, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'y': 'm', 'height': 'm', 'centre': 'm', 'curvature': '1/m', 'x': 'm', 'h': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_row_count', c.c_uint32),
         ('_column_count', c.c_uint32),
@@ -1850,17 +1821,15 @@ class PlanarLoad(s.Struct):
     _c_name_ = 'wrc_planar_load'
     __slots__ = ()
     prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
-    reserved0: int
     normal_force: float
     approach: float
     approach_velocity: float
     damping: float
-    reserved: np.ndarray = s.Array('reserved', 40, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'normal_force': 'N', 'approach': 'm', 'approach_velocity': 'm/s', 'damping': 's/m'}
-    _hidden_ = ('reserved0', 'reserved')
+    _defaults_ = {'_prescribed': 2}
     _fields_ = [
         ('_prescribed', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('normal_force', c.c_double),
         ('approach', c.c_double),
         ('approach_velocity', c.c_double),
@@ -1885,18 +1854,15 @@ class PlanarStrips(s.Struct):
     _c_name_ = 'wrc_planar_strips'
     __slots__ = ()
     count: int = s.Count('count')  # type: ignore[assignment]
-    reserved0: int
-    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    width: Optional[np.ndarray] = s.Pointer('width', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    centre: Optional[np.ndarray] = s.Pointer('centre', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    half_length: Optional[np.ndarray] = s.Pointer('half_length', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    peak: Optional[np.ndarray] = s.Pointer('peak', count='count', group=('y', 'width', 'centre', 'half_length', 'peak'))  # type: ignore[assignment]
-    reserved: np.ndarray = s.Array('reserved', 48, (4,), c.c_double)  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'count')  # type: ignore[assignment]
+    width: Optional[np.ndarray] = s.Pointer('width', 'count')  # type: ignore[assignment]
+    centre: Optional[np.ndarray] = s.Pointer('centre', 'count')  # type: ignore[assignment]
+    half_length: Optional[np.ndarray] = s.Pointer('half_length', 'count')  # type: ignore[assignment]
+    peak: Optional[np.ndarray] = s.Pointer('peak', 'count')  # type: ignore[assignment]
     _units_ = {'y': 'm', 'width': 'm', 'centre': 'm', 'half_length': 'm', 'peak': 'Pa'}
-    _hidden_ = ('reserved0', 'reserved')
     _fields_ = [
         ('_count', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_y', c.POINTER(c.c_double)),
         ('_width', c.POINTER(c.c_double)),
         ('_centre', c.POINTER(c.c_double)),
@@ -1933,7 +1899,7 @@ class PlanarNormalSolution(s.Struct):
     patch_count: int
     strip_count: int
     iterations: int
-    flags: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     ellipse: Ellipse
     normal_force: float
     damping_force: float
@@ -1945,14 +1911,12 @@ class PlanarNormalSolution(s.Struct):
     width: float
     y_min: float
     y_max: float
-    reserved: np.ndarray = s.Array('reserved', 160, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'normal_force': 'N', 'damping_force': 'N', 'approach': 'm', 'stiffness': 'N/m', 'peak_pressure': 'Pa', 'area': 'm^2', 'length': 'm', 'width': 'm', 'y_min': 'm', 'y_max': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('patch_count', c.c_int32),
         ('strip_count', c.c_int32),
         ('iterations', c.c_int32),
-        ('flags', c.c_uint32),
+        ('_flags', c.c_uint32),
         ('ellipse', Ellipse),
         ('normal_force', c.c_double),
         ('damping_force', c.c_double),
@@ -1992,10 +1956,8 @@ class PlanarForces(s.Struct):
     power: float
     adhesion_fraction: float
     available: Available = s.Chosen('available', Available)  # type: ignore[assignment]
-    flags: int
-    reserved: np.ndarray = s.Array('reserved', 56, (4,), c.c_double)  # type: ignore[assignment]
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     _units_ = {'fx': 'N', 'fy': 'N', 'fn': 'N', 'mz': 'N m', 'power': 'W'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('fx', c.c_double),
         ('fy', c.c_double),
@@ -2004,7 +1966,7 @@ class PlanarForces(s.Struct):
         ('power', c.c_double),
         ('adhesion_fraction', c.c_double),
         ('_available', c.c_uint32),
-        ('flags', c.c_uint32),
+        ('_flags', c.c_uint32),
         ('_reserved', c.c_double * 4),
     ]
 assert c.sizeof(PlanarForces) == 88
@@ -2020,14 +1982,10 @@ class PlanarDerivatives(s.Struct):
 
     _c_name_ = 'wrc_planar_derivatives'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     forces: np.ndarray = s.Array('forces', 8, (3, 8), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_forces', (c.c_double * 8) * 3),
     ]
 assert c.sizeof(PlanarDerivatives) == 200
@@ -2047,18 +2005,14 @@ class PlanarInput(s.Struct):
 
     _c_name_ = 'wrc_planar_input'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     pose: PlanarPose
     gap: Optional[PlanarGap] = s.Reference('gap')  # type: ignore[assignment]
     load: PlanarLoad
     creepage: Creepage
     friction: Friction
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('pose', PlanarPose),
         ('_gap', c.POINTER(PlanarGap)),
         ('load', PlanarLoad),
@@ -2081,17 +2035,14 @@ class PlanarOutput(s.Struct):
 
     _c_name_ = 'wrc_planar_output'
     __slots__ = ()
-    struct_size: int
-    flags: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     point: PlanarPoint
     normal: PlanarNormalSolution
     forces: PlanarForces
     damage: Damage
-    _units_ = {}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('flags', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_flags', c.c_uint32),
         ('point', PlanarPoint),
         ('normal', PlanarNormalSolution),
         ('forces', PlanarForces),
@@ -2141,8 +2092,6 @@ class WearLaws(s.Struct):
 
     _c_name_ = 'wrc_wear_laws'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     t_gamma_mild_end: float
     t_gamma_severe_start: float
     t_gamma_mild_slope: float
@@ -2166,10 +2115,10 @@ class WearLaws(s.Struct):
     power_exponent: float
     power_reference: float
     _units_ = {'t_gamma_mild_end': 'N', 't_gamma_severe_start': 'N', 't_gamma_mild_slope': 'mm^3/(km N)', 't_gamma_plateau': 'mm^3/km', 't_gamma_severe_slope': 'mm^3/(km N)', 't_gamma_severe_offset': 'mm^3/km', 'sheffield_mild_end': 'N/mm^2', 'sheffield_severe_end': 'N/mm^2', 'sheffield_mild_slope': 'microgram/(m N)', 'sheffield_catastrophic_slope': 'microgram/(m N)', 'density': 'kg/m^3', 'hardness': 'Pa', 'archard_severe_start': 'm/s', 'archard_severe_end': 'm/s', 'power_coefficient': 'kg/J', 'power_reference': 'W/m^2'}
-    _hidden_ = ('struct_size', 'reserved0')
+    _defaults_ = {'t_gamma_mild_end': 100.0, 't_gamma_severe_start': 200.0, 't_gamma_mild_slope': 0.25, 't_gamma_plateau': 25.0, 't_gamma_severe_slope': 1.19, 't_gamma_severe_offset': 154.0, 'sheffield_mild_end': 10.4, 'sheffield_severe_end': 77.2, 'sheffield_mild_slope': 5.3, 'sheffield_catastrophic_slope': 61.9, 'density': 7850.0, 'hardness': 3000000000.0, 'archard_slow': 0.0005, 'archard_severe': 0.0035, 'archard_fast': 0.0005, 'archard_seizure': 0.035, 'archard_severe_start': 0.2, 'archard_severe_end': 0.7, 'seizure_pressure': 0.8, 'power_coefficient': 7e-10, 'power_exponent': 1.0, 'power_reference': 4000000.0}
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('t_gamma_mild_end', c.c_double),
         ('t_gamma_severe_start', c.c_double),
         ('t_gamma_mild_slope', c.c_double),
@@ -2212,9 +2161,7 @@ class Wear(s.Struct):
     largest_depth_rate: float
     largest_depth_velocity: float
     largest_power_depth_velocity: float
-    reserved: np.ndarray = s.Array('reserved', 32, (6,), c.c_double)  # type: ignore[assignment]
     _units_ = {'worn_area_rate': 'm^2/m', 'largest_depth_rate': 'm/m', 'largest_depth_velocity': 'm/s', 'largest_power_depth_velocity': 'm/s'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('worn_area_rate', c.c_double),
         ('largest_depth_rate', c.c_double),
@@ -2247,9 +2194,6 @@ class Coefficients(s.Struct):
     c13s: float
     c22s: float
     c23s: float
-    reserved: np.ndarray = s.Array('reserved', 56, (4,), c.c_double)  # type: ignore[assignment]
-    _units_ = {}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('c11', c.c_double),
         ('c22', c.c_double),
@@ -2279,9 +2223,7 @@ class StressPeak(s.Struct):
     x: float
     y: float
     depth: float
-    reserved: np.ndarray = s.Array('reserved', 32, (2,), c.c_double)  # type: ignore[assignment]
     _units_ = {'stress': 'Pa', 'x': 'm', 'y': 'm', 'depth': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('stress', c.c_double),
         ('x', c.c_double),
@@ -2299,7 +2241,6 @@ class StressPeaks(s.Struct):
       von_mises: sqrt(3 J2)
       shear: (s1 - s3) / 2: half of Tresca's stress
       tension: s1, the most tensile principal stress; below 0 where all is pressed together
-      reserved: room for one more of these
     """
 
     _c_name_ = 'wrc_stress_peaks'
@@ -2307,14 +2248,11 @@ class StressPeaks(s.Struct):
     von_mises: StressPeak
     shear: StressPeak
     tension: StressPeak
-    reserved: StressPeak
-    _units_ = {}
-    _hidden_ = ()
     _fields_ = [
         ('von_mises', StressPeak),
         ('shear', StressPeak),
         ('tension', StressPeak),
-        ('reserved', StressPeak),
+        ('_reserved', StressPeak),
     ]
 assert c.sizeof(StressPeaks) == 192
 
@@ -2331,15 +2269,12 @@ class Stresses(s.Struct):
 
     _c_name_ = 'wrc_stresses'
     __slots__ = ()
-    struct_size: int
     body: Body = s.Chosen('body', Body)  # type: ignore[assignment]
     largest: StressPeaks
     surface: StressPeaks
     below: StressPeaks
-    _units_ = {}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_body', c.c_int32),
         ('largest', StressPeaks),
         ('surface', StressPeaks),
@@ -2364,8 +2299,6 @@ class Temperature(s.Struct):
 
     _c_name_ = 'wrc_temperature'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     at_entry: float
     rise: float
     x: float
@@ -2375,10 +2308,9 @@ class Temperature(s.Struct):
     wheel_heat: float
     rail_heat: float
     _units_ = {'at_entry': 'degC', 'rise': 'K', 'x': 'm', 'y': 'm', 'largest': 'degC', 'mean_rise': 'K', 'wheel_heat': 'W', 'rail_heat': 'W'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('at_entry', c.c_double),
         ('rise', c.c_double),
         ('x', c.c_double),
@@ -2395,8 +2327,8 @@ class DamageBin(s.Struct):
     """One bin: all zero, nothing was added. Bits are the same whatever the order of additions and merges.
 
     Members:
-      sum: by DamageQuantity: low and high half of an integer of 128 bits, two's complement.
-          wrc_damage_values() converts it
+      sum: by DamageQuantity: low and high half of an integer of 128 bits, two's complement. Bins.values()
+          converts it
       largest_pressure [Pa]:
       largest_traction [Pa]:
       overflow: bit i: sum i, or a contribution to it, passed its range and is worthless
@@ -2408,9 +2340,7 @@ class DamageBin(s.Struct):
     largest_pressure: float
     largest_traction: float
     overflow: int
-    reserved: np.ndarray = s.Array('reserved', 280, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_sum', (c.c_uint64 * 2) * 16),
         ('largest_pressure', c.c_double),
@@ -2430,7 +2360,6 @@ class DamageBins(s.Struct):
       first [m]: arc length at which the first begins (-1 .. 1; default 0)
       width [m]: of a bin (1e-5 .. 1; default 1e-3)
       row_count: rows along the track; row_count * count 100000000 at most (1 .. 1000000; default 1)
-      bin_size: sizeof(DamageBin) (312 .. 4096; default 0)
       row_first [m]: distance at which the first row begins (-1e9 .. 1e9; default 0)
       row_length [m]: of a row; 0: one row takes all, whatever the distance (0 or 1e-3 .. 1e9; default 0)
       bins: row_count * count + 1 of the caller, row by row, zeroed before the first use. The last has what
@@ -2439,24 +2368,22 @@ class DamageBins(s.Struct):
 
     _c_name_ = 'wrc_damage_bins'
     __slots__ = ()
-    struct_size: int
     count: int
     first: float
     width: float
     row_count: int
-    bin_size: int
     row_first: float
     row_length: float
-    bins: Optional[DamageBin] = s.Reference('bins')  # type: ignore[assignment]
+    bins: Optional[DamageBin] = s.Reference('bins', size='bin_size')  # type: ignore[assignment]
     _units_ = {'first': 'm', 'width': 'm', 'row_first': 'm', 'row_length': 'm'}
-    _hidden_ = ('struct_size',)
+    _defaults_ = {'width': 0.001, 'row_count': 1}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('count', c.c_uint32),
         ('first', c.c_double),
         ('width', c.c_double),
         ('row_count', c.c_uint32),
-        ('bin_size', c.c_uint32),
+        ('_bin_size', c.c_uint32),
         ('row_first', c.c_double),
         ('row_length', c.c_double),
         ('_bins', c.POINTER(DamageBin)),
@@ -2480,17 +2407,15 @@ class FatigueLaws(s.Struct):
 
     _c_name_ = 'wrc_fatigue_laws'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     whole_life_start: float
     whole_life_peak_at: float
     whole_life_end: float
     whole_life_peak: float
     _units_ = {'whole_life_start': 'N', 'whole_life_peak_at': 'N', 'whole_life_end': 'N'}
-    _hidden_ = ('struct_size', 'reserved0')
+    _defaults_ = {'whole_life_start': 15.0, 'whole_life_peak_at': 65.0, 'whole_life_end': 175.0, 'whole_life_peak': 1e-05}
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('whole_life_start', c.c_double),
         ('whole_life_peak_at', c.c_double),
         ('whole_life_end', c.c_double),
@@ -2500,7 +2425,7 @@ assert c.sizeof(FatigueLaws) == 40
 
 
 class Accumulation(s.Struct):
-    """What wrc_contact_accumulate() adds.
+    """What Contact.accumulate() adds.
 
     Members:
       duration [s]: for which the results hold (0 .. 1e6; default 0)
@@ -2512,17 +2437,14 @@ class Accumulation(s.Struct):
 
     _c_name_ = 'wrc_accumulation'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     duration: float
     distance: float
     wear: Optional[WearLaws] = s.Reference('wear')  # type: ignore[assignment]
     fatigue: Optional[FatigueLaws] = s.Reference('fatigue')  # type: ignore[assignment]
     _units_ = {'duration': 's', 'distance': 'm'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('duration', c.c_double),
         ('distance', c.c_double),
         ('_wear', c.POINTER(WearLaws)),
@@ -2532,7 +2454,7 @@ assert c.sizeof(Accumulation) == 40
 
 
 class DamageTotals(s.Struct):
-    """What one wrc_contact_accumulate() added to each of its sets of bins.
+    """What one Contact.accumulate() added to each of its sets of bins.
 
     Members:
       sum: by DamageQuantity, units there
@@ -2545,9 +2467,7 @@ class DamageTotals(s.Struct):
     sum: np.ndarray = s.Array('sum', 0, (16,), c.c_double)  # type: ignore[assignment]
     largest_pressure: float
     largest_traction: float
-    reserved: np.ndarray = s.Array('reserved', 144, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'largest_pressure': 'Pa', 'largest_traction': 'Pa'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('_sum', c.c_double * 16),
         ('largest_pressure', c.c_double),
@@ -2577,9 +2497,7 @@ class Grid(s.Struct):
     dy: float
     x0: float
     y0: float
-    reserved: np.ndarray = s.Array('reserved', 40, (4,), c.c_double)  # type: ignore[assignment]
     _units_ = {'dx': 'm', 'dy': 'm', 'x0': 'm', 'y0': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('nx', c.c_uint32),
         ('ny', c.c_uint32),
@@ -2611,10 +2529,8 @@ class ExactNormalProblem(s.Struct):
 
     _c_name_ = 'wrc_exact_normal_problem'
     __slots__ = ()
-    struct_size: int
     prescribed: Prescribed = s.Chosen('prescribed', Prescribed)  # type: ignore[assignment]
     max_iterations: int
-    reserved0: int
     normal_force: float
     approach: float
     tolerance: float
@@ -2625,12 +2541,12 @@ class ExactNormalProblem(s.Struct):
     progress: Any
     user: Any
     _units_ = {'normal_force': 'N', 'approach': 'm', 'gap': 'm'}
-    _hidden_ = ('struct_size', 'reserved0')
+    _defaults_ = {'_prescribed': 2, 'max_iterations': 1000, 'tolerance': 1e-06}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_prescribed', c.c_int32),
         ('max_iterations', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('normal_force', c.c_double),
         ('approach', c.c_double),
         ('tolerance', c.c_double),
@@ -2660,10 +2576,8 @@ class ExactNormalSolution(s.Struct):
 
     _c_name_ = 'wrc_exact_normal_solution'
     __slots__ = ()
-    struct_size: int
     iterations: int
-    flags: int
-    reserved0: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     approach: float
     normal_force: float
     peak_pressure: float
@@ -2671,12 +2585,11 @@ class ExactNormalSolution(s.Struct):
     residual: float
     pressure: Optional[np.ndarray] = s.Pointer('pressure')  # type: ignore[assignment]
     _units_ = {'approach': 'm', 'normal_force': 'N', 'peak_pressure': 'Pa', 'area': 'm^2', 'pressure': 'Pa'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('iterations', c.c_int32),
-        ('flags', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_flags', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('approach', c.c_double),
         ('normal_force', c.c_double),
         ('peak_pressure', c.c_double),
@@ -2708,7 +2621,6 @@ class ExactRollingProblem(s.Struct):
 
     _c_name_ = 'wrc_exact_rolling_problem'
     __slots__ = ()
-    struct_size: int
     adhesion: Adhesion = s.Chosen('adhesion', Adhesion)  # type: ignore[assignment]
     collocation: Collocation = s.Chosen('collocation', Collocation)  # type: ignore[assignment]
     max_iterations: int
@@ -2723,9 +2635,9 @@ class ExactRollingProblem(s.Struct):
     progress: Any
     user: Any
     _units_ = {'pressure': 'Pa'}
-    _hidden_ = ('struct_size',)
+    _defaults_ = {'max_iterations': 60, 'tolerance': 0.0001, 'coefficient': 0.3}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_adhesion', c.c_int32),
         ('_collocation', c.c_int32),
         ('max_iterations', c.c_int32),
@@ -2764,10 +2676,8 @@ class ExactRollingSolution(s.Struct):
 
     _c_name_ = 'wrc_exact_rolling_solution'
     __slots__ = ()
-    struct_size: int
     iterations: int
-    flags: int
-    reserved0: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     fx: float
     fy: float
     mz: float
@@ -2780,12 +2690,11 @@ class ExactRollingSolution(s.Struct):
     slip_x: Optional[np.ndarray] = s.Pointer('slip_x')  # type: ignore[assignment]
     slip_y: Optional[np.ndarray] = s.Pointer('slip_y')  # type: ignore[assignment]
     _units_ = {'fx': 'N', 'fy': 'N', 'mz': 'N m', 'power': 'W', 'power_by_balance': 'W', 'traction_x': 'Pa', 'traction_y': 'Pa'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('iterations', c.c_int32),
-        ('flags', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_flags', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('fx', c.c_double),
         ('fy', c.c_double),
         ('mz', c.c_double),
@@ -2816,7 +2725,6 @@ class ExactLoads(s.Struct):
 
     _c_name_ = 'wrc_exact_loads'
     __slots__ = ()
-    struct_size: int
     body: Body = s.Chosen('body', Body)  # type: ignore[assignment]
     poisson: float
     grid: Grid
@@ -2824,9 +2732,9 @@ class ExactLoads(s.Struct):
     traction_x: Optional[np.ndarray] = s.Pointer('traction_x')  # type: ignore[assignment]
     traction_y: Optional[np.ndarray] = s.Pointer('traction_y')  # type: ignore[assignment]
     _units_ = {'pressure': 'Pa', 'traction_x': 'Pa', 'traction_y': 'Pa'}
-    _hidden_ = ('struct_size',)
+    _defaults_ = {'_body': 1, 'poisson': 0.28}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_body', c.c_int32),
         ('poisson', c.c_double),
         ('grid', Grid),
@@ -2851,21 +2759,19 @@ class ExactWrenchOptions(s.Struct):
 
     _c_name_ = 'wrc_exact_wrench_options'
     __slots__ = ()
-    struct_size: int
     collocation: Collocation = s.Chosen('collocation', Collocation)  # type: ignore[assignment]
     influence: SurfaceInfluence = s.Chosen('influence', SurfaceInfluence)  # type: ignore[assignment]
-    reserved0: int
     cell_x: float
     cell_s: float
     progress: Any
     user: Any
     _units_ = {'cell_x': 'm', 'cell_s': 'm'}
-    _hidden_ = ('struct_size', 'reserved0')
+    _defaults_ = {'cell_x': 0.0002, 'cell_s': 0.0002}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_collocation', c.c_int32),
         ('_influence', c.c_int32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('cell_x', c.c_double),
         ('cell_s', c.c_double),
         ('progress', s.Progress),
@@ -2886,19 +2792,16 @@ class ExactCheckOptions(s.Struct):
 
     _c_name_ = 'wrc_exact_check_options'
     __slots__ = ()
-    struct_size: int
     nx: int
     ny: int
-    reserved0: int
     progress: Any
     user: Any
-    _units_ = {}
-    _hidden_ = ('struct_size', 'reserved0')
+    _defaults_ = {'nx': 64, 'ny': 64}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('nx', c.c_uint32),
         ('ny', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('progress', s.Progress),
         ('user', c.c_void_p),
     ]
@@ -2921,8 +2824,7 @@ class ExactCheckResult(s.Struct):
 
     _c_name_ = 'wrc_exact_check_result'
     __slots__ = ()
-    struct_size: int
-    flags: int
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
     fx: float
     fy: float
     mz: float
@@ -2931,10 +2833,9 @@ class ExactCheckResult(s.Struct):
     force_error: float
     power_error: float
     _units_ = {'fx': 'N', 'fy': 'N', 'mz': 'N m', 'power': 'W'}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('flags', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_flags', c.c_uint32),
         ('fx', c.c_double),
         ('fy', c.c_double),
         ('mz', c.c_double),
@@ -2960,14 +2861,12 @@ class WheelsetGeometryProblem(s.Struct):
 
     _c_name_ = 'wrc_wheelset_geometry_problem'
     __slots__ = ()
-    struct_size: int
     count: int = s.Count('count')  # type: ignore[assignment]
-    lateral: Optional[np.ndarray] = s.Pointer('lateral', count='count', group=('lateral',))  # type: ignore[assignment]
+    lateral: Optional[np.ndarray] = s.Pointer('lateral', 'count')  # type: ignore[assignment]
     wheel_load: float
     _units_ = {'lateral': 'm', 'wheel_load': 'N'}
-    _hidden_ = ('struct_size',)
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_count', c.c_uint32),
         ('_lateral', c.POINTER(c.c_double)),
         ('wheel_load', c.c_double),
@@ -2996,8 +2895,6 @@ class WheelsetGeometry(s.Struct):
 
     _c_name_ = 'wrc_wheelset_geometry'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     vertical: Optional[np.ndarray] = s.Pointer('vertical')  # type: ignore[assignment]
     roll: Optional[np.ndarray] = s.Pointer('roll')  # type: ignore[assignment]
     radius_difference: Optional[np.ndarray] = s.Pointer('radius_difference')  # type: ignore[assignment]
@@ -3010,10 +2907,9 @@ class WheelsetGeometry(s.Struct):
     y_rail_right: Optional[np.ndarray] = s.Pointer('y_rail_right')  # type: ignore[assignment]
     y_rail_left: Optional[np.ndarray] = s.Pointer('y_rail_left')  # type: ignore[assignment]
     _units_ = {'vertical': 'm', 'roll': 'rad', 'radius_difference': 'm', 'radius_right': 'm', 'radius_left': 'm', 'angle_right': 'rad', 'angle_left': 'rad', 'y_wheel_right': 'm', 'y_wheel_left': 'm', 'y_rail_right': 'm', 'y_rail_left': 'm'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_vertical', c.POINTER(c.c_double)),
         ('_roll', c.POINTER(c.c_double)),
         ('_radius_difference', c.POINTER(c.c_double)),
@@ -3046,19 +2942,18 @@ class ConicityProblem(s.Struct):
 
     _c_name_ = 'wrc_conicity_problem'
     __slots__ = ()
-    struct_size: int
     method: ConicityMethod = s.Chosen('method', ConicityMethod)  # type: ignore[assignment]
     count: int = s.Count('count')  # type: ignore[assignment]
     amplitude_count: int = s.Count('amplitude_count')  # type: ignore[assignment]
-    lateral: Optional[np.ndarray] = s.Pointer('lateral', count='count', group=('lateral', 'radius_difference'))  # type: ignore[assignment]
-    radius_difference: Optional[np.ndarray] = s.Pointer('radius_difference', count='count', group=('lateral', 'radius_difference'))  # type: ignore[assignment]
-    amplitudes: Optional[np.ndarray] = s.Pointer('amplitudes', count='amplitude_count', group=('amplitudes',))  # type: ignore[assignment]
+    lateral: Optional[np.ndarray] = s.Pointer('lateral', 'count')  # type: ignore[assignment]
+    radius_difference: Optional[np.ndarray] = s.Pointer('radius_difference', 'count')  # type: ignore[assignment]
+    amplitudes: Optional[np.ndarray] = s.Pointer('amplitudes', 'amplitude_count')  # type: ignore[assignment]
     contact_distance: float
     radius: float
     _units_ = {'lateral': 'm', 'radius_difference': 'm', 'amplitudes': 'm', 'contact_distance': 'm', 'radius': 'm'}
-    _hidden_ = ('struct_size',)
+    _defaults_ = {'contact_distance': 1.5, 'radius': 0.46}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_method', c.c_int32),
         ('_count', c.c_uint32),
         ('_amplitude_count', c.c_uint32),
@@ -3084,16 +2979,13 @@ class Conicity(s.Struct):
 
     _c_name_ = 'wrc_conicity'
     __slots__ = ()
-    struct_size: int
-    reserved0: int
     conicity: Optional[np.ndarray] = s.Pointer('conicity')  # type: ignore[assignment]
     wavelength: Optional[np.ndarray] = s.Pointer('wavelength')  # type: ignore[assignment]
     centre: Optional[np.ndarray] = s.Pointer('centre')  # type: ignore[assignment]
     _units_ = {'wavelength': 'm', 'centre': 'm'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_conicity', c.POINTER(c.c_double)),
         ('_wavelength', c.POINTER(c.c_double)),
         ('_centre', c.POINTER(c.c_double)),
@@ -3122,13 +3014,12 @@ class ProfileWear(s.Struct):
 
     _c_name_ = 'wrc_profile_wear'
     __slots__ = ()
-    struct_size: int
     body: Body = s.Chosen('body', Body)  # type: ignore[assignment]
     count: int = s.Count('count')  # type: ignore[assignment]
     bin_count: int = s.Count('bin_count')  # type: ignore[assignment]
-    y: Optional[np.ndarray] = s.Pointer('y', count='count', group=('y', 'z'))  # type: ignore[assignment]
-    z: Optional[np.ndarray] = s.Pointer('z', count='count', group=('y', 'z'))  # type: ignore[assignment]
-    depth: Optional[np.ndarray] = s.Pointer('depth', count='bin_count', group=('depth',))  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'count')  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z', 'count')  # type: ignore[assignment]
+    depth: Optional[np.ndarray] = s.Pointer('depth', 'bin_count')  # type: ignore[assignment]
     first: float
     width: float
     passages: float
@@ -3136,9 +3027,9 @@ class ProfileWear(s.Struct):
     smoothing: float
     spacing: float
     _units_ = {'y': 'm', 'z': 'm', 'depth': 'm', 'first': 'm', 'width': 'm', 'largest_depth': 'm', 'smoothing': 'm', 'spacing': 'm'}
-    _hidden_ = ('struct_size',)
+    _defaults_ = {'width': 0.001, 'passages': 1.0, 'largest_depth': 0.0001, 'smoothing': 0.005, 'spacing': 0.0005}
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('_body', c.c_int32),
         ('_count', c.c_uint32),
         ('_bin_count', c.c_uint32),
@@ -3170,22 +3061,19 @@ class WornProfile(s.Struct):
 
     _c_name_ = 'wrc_worn_profile'
     __slots__ = ()
-    struct_size: int
     capacity: int
     count: int
-    reserved0: int
     y: Optional[np.ndarray] = s.Pointer('y')  # type: ignore[assignment]
     z: Optional[np.ndarray] = s.Pointer('z')  # type: ignore[assignment]
     passages: float
     depth: float
     area: float
     _units_ = {'y': 'm', 'z': 'm', 'depth': 'm', 'area': 'm^2'}
-    _hidden_ = ('struct_size', 'reserved0')
     _fields_ = [
-        ('struct_size', c.c_uint32),
+        ('_struct_size', c.c_uint32),
         ('capacity', c.c_uint32),
         ('count', c.c_uint32),
-        ('reserved0', c.c_uint32),
+        ('_reserved0', c.c_uint32),
         ('_y', c.POINTER(c.c_double)),
         ('_z', c.POINTER(c.c_double)),
         ('passages', c.c_double),
@@ -3209,9 +3097,7 @@ class Flange(s.Struct):
     height: float
     thickness: float
     slope: float
-    reserved: np.ndarray = s.Array('reserved', 24, (3,), c.c_double)  # type: ignore[assignment]
     _units_ = {'height': 'm', 'thickness': 'm', 'slope': 'm'}
-    _hidden_ = ('reserved',)
     _fields_ = [
         ('height', c.c_double),
         ('thickness', c.c_double),
@@ -3400,11 +3286,11 @@ class ContactCalls(_l.Handle):
         """Wear and fatigue numbers of one region of the contact's last solution. Theory manual, section 6; paper
             eq. 10 to 12.
 
-        index: as for Contact.region(); WRC_ALL_REGIONS: all patches of a contact plane together
+        index: as for Contact.region(); ALL_REGIONS: all patches of a contact plane together
         out: the numbers; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _SEQUENCE (no solution), _RANGE (no
-            such region), _UNSUPPORTED (WRC_ALL_REGIONS of a wheel).
+            such region), _UNSUPPORTED (ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Damage._new()
@@ -3535,6 +3421,23 @@ class ContactCalls(_l.Handle):
             raise _l.misfit(_why, strips=(strips, PlanarStrips), out=(out, PlanarNormalSolution)) from None
         return out
 
+    def planar_roll(self, distance: float) -> None:
+        """Tells a contact of a model with config.planar.non_steady how far it has rolled since its last
+            tangential stage. Distances add up. The next Contact.planar_tangential() takes them: every
+            particle brings along its traction, pressure and creepages are those of the end. Over six lengths
+            of the patch rolling is steady. A contact begins without tractions, also after the bodies have
+            been apart. Save and restore hold them. Theory manual, "Rolling that is not steady".
+
+        distance: 0..1e6 m
+
+        C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without
+            config.planar.non_steady).
+        """
+        with self._lock:
+            status = self._status = _wrc_planar_roll(self._handle, distance)
+            if status < 0:
+                raise self._error(status)
+
     def planar_tangential(self, creepage: Creepage, friction: Friction, ellipse: Optional[Ellipse] = None, *, out: Optional[PlanarForces] = None) -> PlanarForces:
         """Solves the tangential problem of rolling, steady but for config.planar.non_steady. Theory manual,
             sections 4 and 5; paper eq. 5 to 9.
@@ -3593,7 +3496,7 @@ class ContactCalls(_l.Handle):
         out: the numbers; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; WRC_ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Wear._new()
@@ -3621,7 +3524,7 @@ class ContactCalls(_l.Handle):
         out: the numbers: x as Field.X, y as Field.STRIP_Y; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; WRC_ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Temperature._new()
@@ -3825,6 +3728,7 @@ STRUCTS = {
 }
 __all__ = [
     'Status',
+    'Flags',
     'NormalMethod',
     'TangentialMethod',
     'PatchModel',
@@ -3918,6 +3822,9 @@ __all__ = [
     'ProfileWear',
     'WornProfile',
     'Flange',
+    'WRENCH_INPUTS',
+    'ALL_REGIONS',
+    'DAMAGE_SUMS',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',

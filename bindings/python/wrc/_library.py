@@ -8,7 +8,7 @@ import sys
 import threading
 from typing import Any, Callable, Dict, Optional, Tuple
 
-NAMES = {"win32": "wrc.dll", "darwin": "libwrc.dylib"}
+NAMES = {"win32": "wrc-0.9.dll", "darwin": "libwrc.dylib"}
 FOLDER = pathlib.Path(__file__).resolve().parent
 
 
@@ -59,12 +59,15 @@ def function(table: Dict[str, Any], name: str, returned: Any, arguments: list) -
     return found
 
 
-def check_version(abi: int) -> None:
-    """Refuses a library that serves another interface than this package was made for."""
+def check_version(abi: int, experimental: int) -> None:
+    """Refuses a library that serves other interfaces than this package was made for."""
     text = _library.wrc_version_text
     text.restype = c.c_char_p
     if _library.wrc_abi_version() != abi:
         raise ImportError(f"{_library._name}: {text(c.c_uint32(abi)).decode()}")
+    if not _library.wrc_get_experimental_api(c.c_uint32(experimental)):
+        raise ImportError(f"{_library._name} has another version of wrc_damage.h, wrc_offline.h and wrc_profiles.h than this package's "
+                          f"{experimental}")
 
 
 def fault(status: int, text: str = "") -> Error:
@@ -110,9 +113,16 @@ class Handle:
     _memory: Any
     _status: int
 
-    def _take(self, memory: Any, handle: c.c_void_p) -> None:
-        self._memory, self._handle, self._status = memory, handle, 0
+    def _take(self, memory: Any, handle: c.c_void_p, status: int) -> None:
+        self._memory, self._handle, self._status = memory, handle, status
         self._lock = threading.RLock()
+
+    @property
+    def status(self) -> Any:
+        """A wrc.Status. Of the last call: 0 done, > 0 done but flagged; of a model its making."""
+        from ._interface import Status
+
+        return Status.of(self._status)
 
     def close(self) -> None:
         """Gives the memory back as soon as nothing else uses it (views, contacts of a model). Later calls raise Error."""

@@ -9,11 +9,11 @@ import difflib
 import enum
 import sys
 import threading
-from typing import Any, Callable, Dict, Iterable, Optional, Tuple, Type, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Type, TypeVar, Union
 
 import numpy as np
 
-from . import _library as _l
+from ._renamed import Renamed, since
 
 S = TypeVar("S", bound="Struct")
 _C_DOUBLES = c.POINTER(c.c_double)
@@ -39,9 +39,9 @@ def _choice(kind: Any, value: Any) -> Any:
         for name, member in names.items():
             if wanted == name or name.endswith("_" + wanted) and wanted[:1].isdigit():
                 return member
-        near = difflib.get_close_matches(wanted, names, 1)
-        raise ValueError(f"{value!r} is no {kind.__name__}: " + (f"did you mean {near[0]!r}?" if near else
-                         f"choose {', '.join(repr(name) for name in names)}"))
+        near, now = difflib.get_close_matches(wanted, names, 1), since(kind.__name__, wanted)
+        raise ValueError(f"{value!r} is no {kind.__name__}: " + (now or (f"did you mean {near[0]!r}?" if near else
+                         f"choose {', '.join(repr(name) for name in names)}")))
     try:
         return kind(value)
     except ValueError:
@@ -84,7 +84,10 @@ class Array(Member):
         return view if len(self.shape) == 1 else view.reshape(self.shape)
 
     def __set__(self, owner: Any, value: Any) -> None:
-        self.__get__(owner)[...] = value
+        array = np.asarray(value)
+        if array.size != self.count:
+            raise ValueError(f"{type(owner).__name__}.{self.name} has {self.count} numbers, not {array.size}")
+        self.__get__(owner)[...] = array.reshape(self.shape)
 
 
 class Count(Member):
@@ -99,14 +102,15 @@ class Count(Member):
 
 
 class Pointer(Member):
-    """A pointer to numbers: set by an array, which the struct keeps; all that one member counts have one length."""
+    """A pointer to numbers: set by an array, which the struct keeps.
 
-    def __init__(self, name: str, count: str = "", group: Tuple[str, ...] = (), fixed: int = 0, matrix: bool = False):
+    counters: the members that say how many, two of a matrix: rows and columns; arrays of one counter have one length
+    stride: the member that has the length of a matrix's row
+    """
+
+    def __init__(self, name: str, *counters: str, stride: str = ""):
         super().__init__(name)
-        self.counter, self.group, self.fixed, self.matrix = count, group, fixed, matrix
-
-    def length(self, owner: Any) -> int:
-        return self.fixed or (getattr(owner, "_" + self.counter) if self.counter else 0)
+        self.counters, self.stride = tuple("_" + each for each in counters), stride
 
     def __get__(self, owner: Any, _: Any = None) -> Any:
         if owner is None:
@@ -114,50 +118,62 @@ class Pointer(Member):
         pointer = getattr(owner, self.field)
         if not pointer:
             return None
-        if self.matrix:
-            return np.ctypeslib.as_array(pointer, (owner.rows, owner.row_stride))[:, :owner.columns]
-        length = self.length(owner)
-        return np.ctypeslib.as_array(pointer, (length,)) if length else pointer
+        lengths = tuple(getattr(owner, each) for each in self.counters)
+        if self.stride:
+            return np.ctypeslib.as_array(pointer, (lengths[0], getattr(owner, self.stride)))[:, :lengths[1]]
+        return np.ctypeslib.as_array(pointer, lengths) if lengths else pointer
 
     def __set__(self, owner: Any, value: Any) -> None:
-        self.put(owner, value, self.group)
-
-    def put(self, owner: Any, value: Any, beside: Iterable[str]) -> None:
-        """Sets it; `beside`: arrays that must have the same length as it stands."""
-        kind = type(owner)
         if value is None:
             setattr(owner, self.field, _C_DOUBLES())
-            if self.counter and not any(getattr(owner, "_" + each) for each in self.group):
-                setattr(owner, "_" + self.counter, 0)
+            for counter in self.counters:
+                if not self.beside(owner, counter):
+                    setattr(owner, counter, 0)
             return
         array: Any = np.ascontiguousarray(value, np.float64)
-        if self.fixed and array.size != self.fixed:
-            raise ValueError(f"{kind.__name__}.{self.name} has {self.fixed} numbers, not {array.size}")
-        if self.matrix:
-            shape = (owner.rows, owner.columns)
-            if array.shape != shape:
-                raise ValueError(f"{kind.__name__}.{self.name} has the shape {array.shape}, rows and columns are {shape}: set y and x first")
-            owner.row_stride = shape[1]
-        if self.counter:
-            if array.ndim != 1:
-                raise ValueError(f"{kind.__name__}.{self.name} is a row of numbers, not an array of shape {array.shape}")
-            for each in beside:
-                if each != self.name and getattr(owner, "_" + each) and getattr(owner, "_" + self.counter) != array.size:
-                    raise ValueError(f"{kind.__name__}.{self.name} has {array.size} numbers and {each} has "
-                                     f"{getattr(owner, '_' + self.counter)}: set both at once by "
-                                     f"set({self.name}=..., {each}=...)")
-            for other in vars(kind).values():  # a matrix of other rows or columns does not stay
-                if isinstance(other, Pointer) and other.matrix and getattr(owner, "_" + self.counter) != array.size:
-                    setattr(owner, other.field, _C_DOUBLES())
-            setattr(owner, "_" + self.counter, array.size)
+        if len(self.counters) == 2 and array.ndim == 1:
+            array = array[None, :]  # of one row
+        if self.counters and array.ndim != len(self.counters):
+            raise ValueError(f"{type(owner).__name__}.{self.name} is a {'row' if len(self.counters) == 1 else 'matrix'} of numbers, "
+                             f"not an array of shape {array.shape}")
+        for counter, size in zip(self.counters, array.shape):
+            self.count(owner, counter, size, array.shape)
+        if self.stride:
+            setattr(owner, self.stride, array.shape[1])
         if not array.flags.writeable:
             array = array.copy()
         # a ctypes array over the same memory: the struct keeps that, as it would not a mere pointer's origin
         setattr(owner, self.field, (c.c_double * array.size).from_buffer(array) if array.size else (c.c_double * 1)())
 
+    def beside(self, owner: Any, counter: str) -> List["Pointer"]:
+        """Other arrays of that counter that are set."""
+        return [each for each in vars(type(owner)).values()
+                if isinstance(each, Pointer) and each is not self and counter in each.counters and getattr(owner, each.field)]
+
+    def count(self, owner: Any, counter: str, size: int, shape: Tuple[int, ...]) -> None:
+        """Sets a counter, where other arrays let it be."""
+        there, others, kind = getattr(owner, counter), self.beside(owner, counter), type(owner).__name__
+        rows = [each for each in others if len(each.counters) == 1]
+        if size != there and len(self.counters) == 2 and (rows or self.stride):
+            counters = tuple(each[1:] for each in self.counters)
+            raise ValueError(f"{kind}.{self.name} has the shape {shape}, {' and '.join(counters)} are "
+                             f"{tuple(getattr(owner, '_' + each) for each in counters)}: set the arrays beside it first")
+        if size != there and rows:
+            raise ValueError(f"{kind}.{self.name} has {size} numbers and {rows[0].name} has {there}: set both at once by "
+                             f"set({self.name}=..., {rows[0].name}=...)")
+        for each in others:
+            if size != there:  # a matrix of other rows or columns does not stay
+                setattr(owner, each.field, _C_DOUBLES())
+        setattr(owner, counter, size)
+
 
 class Reference(Member):
-    """A pointer to another struct, which this one keeps."""
+    """A pointer to another struct, or to the first of a ctypes array of them, which this one keeps; size: the member that has
+    the bytes of one."""
+
+    def __init__(self, name: str, size: str = ""):
+        super().__init__(name)
+        self.size = "_" + size if size else ""
 
     def __get__(self, owner: Any, _: Any = None) -> Any:
         if owner is None:
@@ -166,7 +182,10 @@ class Reference(Member):
         return pointer.contents if pointer else None
 
     def __set__(self, owner: Any, value: Any) -> None:
-        setattr(owner, self.field, self.kind(type(owner))() if value is None else c.pointer(value))
+        pointer = self.kind(type(owner))
+        setattr(owner, self.field, pointer() if value is None else value if isinstance(value, c.Array) else c.pointer(value))
+        if self.size:
+            setattr(owner, self.size, 0 if value is None else c.sizeof(pointer._type_))
 
     def kind(self, owner: Any) -> Any:
         """The ctypes pointer type of this member."""
@@ -176,8 +195,8 @@ class Reference(Member):
 class References(Reference):
     """A pointer to several structs, given as structs or as dicts of their members; it counts them itself."""
 
-    def __init__(self, name: str, count: str):
-        super().__init__(name)
+    def __init__(self, name: str, count: str, size: str = ""):
+        super().__init__(name, size)
         self.count = "_" + count
 
     def __get__(self, owner: Any, _: Any = None) -> Any:
@@ -189,7 +208,7 @@ class References(Reference):
     def __set__(self, owner: Any, value: Any) -> None:
         pointer = self.kind(type(owner))
         made = [each if isinstance(each, Struct) else pointer._type_(**each) for each in value or ()]
-        setattr(owner, self.field, (pointer._type_ * len(made))(*made) if made else pointer())
+        super().__set__(owner, (pointer._type_ * len(made))(*made) if made else None)
         setattr(owner, self.count, len(made))
 
 
@@ -207,12 +226,15 @@ class Text(Member):
 
 
 class Struct(c.Structure):
-    """A struct of the interface. Members may be given by name; nested structs as such or as dicts."""
+    """A struct of the interface. Members may be given by name; nested structs as such or as dicts.
+
+    What the package sets itself, sizes of structs and room for later versions, has fields behind an underscore and no member.
+    """
 
     __slots__ = ()
     _c_name_ = ""
     _units_: Dict[str, str] = {}
-    _hidden_: Tuple[str, ...] = ()
+    _defaults_: Dict[str, Any] = {}  # of the fields whose default is not 0
 
     def __init__(self, **values: Any):
         c.memmove(c.addressof(self), type(self)._default(), c.sizeof(self))
@@ -221,16 +243,18 @@ class Struct(c.Structure):
 
     @classmethod
     def _default(cls) -> bytes:
-        """The struct's bytes as the library sets them."""
+        """The struct's bytes with the headers' defaults, which the C functions wrc_..._init() set too."""
         found = cls.__dict__.get("_default_bytes")
         if found is None:
-            memory = c.create_string_buffer(c.sizeof(cls))
-            if cls._fields_[0][0] == "struct_size":  # type: ignore[index]
-                c.memmove(memory, c.byref(c.c_uint32(c.sizeof(cls))), 4)
-            initialise = getattr(_l._library, cls._c_name_ + "_init", None)
-            if initialise is not None:
-                _l.check(initialise(cls.from_buffer(memory)))
-            found = memory.raw
+            made = cls.from_buffer(bytearray(c.sizeof(cls)))
+            for each in cls._fields_:
+                if issubclass(each[1], Struct):
+                    setattr(made, each[0], each[1]._new())
+            for name, value in cls._defaults_.items():
+                setattr(made, name, value)
+            if hasattr(cls, "_struct_size"):
+                made._struct_size = c.sizeof(cls)
+            found = bytes(made)
             cls._default_bytes = found  # type: ignore[attr-defined]
         return found
 
@@ -241,7 +265,12 @@ class Struct(c.Structure):
     @classmethod
     def members(cls) -> Tuple[str, ...]:
         """Names of all members."""
-        return tuple(each[0].lstrip("_") for each in cls._fields_ if each[0].lstrip("_") not in cls._hidden_)  # type: ignore[union-attr]
+        names = ((each[0], each[0].lstrip("_")) for each in cls._fields_)
+        return tuple(name for field, name in names if field == name or isinstance(getattr(cls, name, None), Member))
+
+    def __dir__(self) -> Iterable[str]:
+        kind = type(self)
+        return [each for each in super().__dir__() if not each.startswith("_") and not isinstance(getattr(kind, each, None), Renamed)]
 
     def set(self: S, **values: Any) -> S:
         """Sets members by name; nested structs by a struct, by a dict of their members, or a profile by the name of its
@@ -251,12 +280,13 @@ class Struct(c.Structure):
             values["kind"] = "POINTS"  # of a profile
         arrays = [name for name in values if isinstance(getattr(kind, name, None), Pointer)]
         for name in arrays:
-            getattr(kind, name).put(self, None, ())
-        for name, value in sorted(values.items(), key=lambda each: getattr(getattr(kind, each[0], None), "matrix", False)):
+            setattr(self, name, None)
+        matrices = [name for name in arrays if len(getattr(kind, name).counters) == 2]  # after what counts their rows and columns
+        for name, value in sorted(values.items(), key=lambda each: each[0] in matrices):
             if name not in kind.members():
-                near = difflib.get_close_matches(name, kind.members(), 1)
-                raise AttributeError(f"{kind.__name__} has no {name}" + (f": did you mean {near[0]}?" if near else
-                                     f", only {', '.join(kind.members())}"))
+                near, now = difflib.get_close_matches(name, kind.members(), 1), since(kind.__name__, name)
+                raise AttributeError(f"{kind.__name__} has no {name}: {now}" if now else f"{kind.__name__} has no {name}" + (
+                    f": did you mean {near[0]}?" if near else f", only {', '.join(kind.members())}"))
             now = None if name in arrays else getattr(self, name)
             if isinstance(now, Struct) and not isinstance(value, Struct):
                 if isinstance(value, dict):
@@ -340,6 +370,24 @@ class Struct(c.Structure):
         return view
 
     @classmethod
+    def table(cls, array: np.ndarray) -> Dict[str, np.ndarray]:
+        """An array of these structs as columns of numbers by name, "pose.lateral" and "force[0]", for tables:
+        pandas.DataFrame(wrc.Wrench.table(out)). Members that point elsewhere have none."""
+        found: Dict[str, np.ndarray] = {}
+        for name in cls.members():
+            part, member = array[name], getattr(cls, name)
+            if isinstance(member, (Pointer, Reference, Text)):
+                continue
+            nested = _nested(cls, name)
+            if nested is not None:
+                found.update({f"{name}.{inner}": column for inner, column in nested.table(part).items()})
+            elif part.ndim == 1:
+                found[name] = part
+            else:
+                found.update({name + "".join(f"[{k}]" for k in at): part[(slice(None), *at)] for at in np.ndindex(part.shape[1:])})
+        return found
+
+    @classmethod
     def of(cls: Type[S], array: np.ndarray, index: int) -> S:
         """Element `index` of an array of these structs, in the array's memory."""
         if array.dtype != cls.dtype() or array.ndim != 1:
@@ -360,7 +408,7 @@ class Struct(c.Structure):
                 yield f"{indent}{name}"
                 yield from value._lines(indent + "  ")
             else:
-                unit = self._units_.get(name, "")
+                unit = self._units_.get(name, "") if value is not None else ""
                 yield f"{indent}{name:<{width}}  {_shown(value)}{' ' + unit if unit else ''}"
 
 
@@ -384,11 +432,18 @@ def _shown(value: Any) -> str:
     return "set" if value else "None"
 
 
+def _nested(kind: Any, name: str) -> Any:
+    """The struct that a member is, or None."""
+    field = next((each[1] for each in kind._fields_ if each[0] == name), None)
+    return field if field is not None and issubclass(field, Struct) else None
+
+
 def _dtype(kind: Any) -> np.dtype:
+    """Members by name. What is no member stays behind its underscore: numpy copies fields alone, and it must be copied."""
     names, formats, offsets = [], [], []
     for each in kind._fields_:
         name, field = each[0], each[1]
-        names.append(name.lstrip("_"))
+        names.append(name.lstrip("_") if name.lstrip("_") in kind.members() else name)
         offsets.append(getattr(kind, name).offset)
         formats.append(_format(field))
     return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": c.sizeof(kind)})

@@ -12,6 +12,7 @@ import numpy as np
 from . import _interface as i
 from . import _library as _l
 from .damage import Bins
+from .profiles import results
 
 _SENTENCE = 1024  # bytes
 _SHARED: Dict[str, "Model"] = {}
@@ -19,12 +20,9 @@ _SHARED_LOCK = threading.Lock()
 
 
 def _view(view: i.View, memory: Any) -> np.ndarray:
-    """A wrc_view as a read-only numpy array in the memory of its model or contact, which it keeps alive."""
-    rank = view.rank
-    shape = tuple(int(each) for each in view.count[:rank])
-    strides = tuple(8 * int(each) for each in view.stride[:rank])
+    """A wrc_view as a read-only numpy array in the memory of its model, which it keeps alive."""
     offset = c.cast(view._data, c.c_void_p).value - c.addressof(memory)  # type: ignore[operator,attr-defined]
-    array = np.ndarray(shape, np.float64, memory, offset, strides)
+    array = np.ndarray((view.count,), np.float64, memory, offset)
     array.flags.writeable = False
     return array
 
@@ -41,27 +39,8 @@ def use(config: i.Config, name: str) -> i.Config:
     return config
 
 
-def _results(kind: Any, count: int) -> Tuple[Any, Dict[str, np.ndarray]]:
-    """A struct whose results are arrays, with arrays of that many numbers."""
-    arrays = {name: np.zeros(count) for name in kind.members()}
-    return kind(**arrays), arrays
-
-
-def conicity(lateral: Any, radius_difference: Any, amplitude: Any, **problem: Any) -> Dict[str, np.ndarray]:
-    """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.contact_functions() gives it: the
-    members of wrc.Conicity as arrays. UIC 519, EN 15302.
-
-    problem: method, contact_distance, radius of wrc.ConicityProblem
-    """
-    told = i.ConicityProblem(lateral=lateral, radius_difference=radius_difference, amplitude=np.atleast_1d(amplitude), **problem)
-    found, arrays = _results(i.Conicity, told.amplitudes)
-    text = c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_equivalent_conicity(told, found, text, _SENTENCE), text)
-    return arrays
-
-
 class Model(i.ModelCalls):
-    """Profiles, material, methods, grid: what does not change. Any number of threads and contacts may use one model.
+    """Profiles, materials, methods: what does not change. Any number of threads and contacts may use one model.
 
     wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK")
     wrc.Model(config)                       a wrc.Config; changed later it changes nothing in the model
@@ -69,6 +48,7 @@ class Model(i.ModelCalls):
 
     wheel, rail: the name of a built-in shape, a wrc.Profile, or what wrc.read_profile() gives. All members of wrc.Config may
     be given by name, groups as dicts: track={"rail_inclination": 1 / 40}. Raises wrc.Error with the library's sentence.
+    status: of the making: Status.OK or Status.FLAG_DISSIMILAR_MATERIALS.
     """
 
     __slots__ = ("config",)
@@ -80,18 +60,16 @@ class Model(i.ModelCalls):
         if preset is not None:
             use(config, preset)
         config.set(**values)
-        size, alignment = c.c_uint64(), c.c_uint64()
-        handle = c.c_void_p()
-        status = i._wrc_model_size(config, c.byref(size), c.byref(alignment))
-        memory = None
+        size, alignment, handle = c.c_uint64(), c.c_uint64(), c.c_void_p()
+        text = c.create_string_buffer(_SENTENCE)
+        memory, status = None, i._wrc_model_size(config, c.byref(size), c.byref(alignment))
         if status >= 0:
             memory, address = _l.aligned(size.value, alignment.value)
-            status = i._wrc_model_init(config, address, size.value, c.byref(handle))
-        if status < 0:
-            text = c.create_string_buffer(_SENTENCE)
+            status = i._wrc_model_init(config, address, size.value, c.byref(handle), text, _SENTENCE)
+        else:
             i._wrc_config_check(config, text, _SENTENCE)
-            raise _l.fault(status, text.value.decode(errors="replace"))
-        self._take(memory, handle)
+        _l.check(status, text)
+        self._take(memory, handle, status)
         self.config = config
 
     @classmethod
@@ -127,19 +105,19 @@ class Model(i.ModelCalls):
                 raise self._error(status)
         return y.reshape(arc.shape), z.reshape(arc.shape)
 
-    def contact_functions(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
+    def wheelset_geometry(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
         """Where a wheelset without yaw touches both rails, over its lateral displacement: the members of
-        wrc.ContactFunctions as arrays. EN 15302.
+        wrc.WheelsetGeometry as arrays. EN 15302.
 
         lateral: of the wheelset, to the right [m]
         wheel_load: 0: the bodies touch undeformed; of each wheel, vertical: elastic [N]
         """
-        problem = i.ContactFunctionsProblem(lateral=np.atleast_1d(lateral), wheel_load=wheel_load)
-        found, arrays = _results(i.ContactFunctions, problem.count)
+        problem = i.WheelsetGeometryProblem(lateral=np.atleast_1d(lateral), wheel_load=wheel_load)
+        found, arrays = results(i.WheelsetGeometry, problem.count)
         text = c.create_string_buffer(_SENTENCE)
         with self._lock:
-            self._status = i._wrc_profile_contact_functions(self._handle, problem, found, text, _SENTENCE)
-        _l.check(self._status, text)
+            status = i._wrc_profile_wheelset_geometry(self._handle, problem, found, text, _SENTENCE)
+        _l.check(status, text)
         return arrays
 
     def __repr__(self) -> str:
@@ -161,109 +139,78 @@ class Contact(i.ContactCalls):
     __slots__ = ("model", "side", "_fields")
 
     def __init__(self, model: Model, side: Any = i.Side.RIGHT):
-        size, alignment = c.c_uint64(), c.c_uint64()
-        handle = c.c_void_p()
-        side = i.Side.of(side)
+        size, alignment, handle = c.c_uint64(), c.c_uint64(), c.c_void_p()
+        side, text = i.Side.of(side), c.create_string_buffer(_SENTENCE)
         status = i._wrc_contact_size(model._handle, c.byref(size), c.byref(alignment))
         if status < 0:
             raise model._error(status)
         memory, address = _l.aligned(size.value, alignment.value)
-        status = i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle))
-        if status < 0:
-            raise _l.fault(status, f"there is no side {side}" if status == i.Status.ERROR_UNSUPPORTED else "")
-        self._take((memory, model._memory), handle)  # the model's memory lives as long as the contact
+        status = _l.check(i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle), text, _SENTENCE), text)
+        self._take((memory, model._memory), handle, status)  # the model's memory lives as long as the contact
         self.model, self.side = model, side
-
-    @property
-    def status(self) -> i.Status:
-        """Of the last call: 0 done, > 0 done but flagged."""
-        return i.Status.of(self._status)
 
     @property
     def message(self) -> str:
         """The sentence behind the last status; empty after Status.OK."""
-        return self._sentence()
+        return self._sentence() if self._status else ""
 
     def _sentence(self) -> str:
         text = c.create_string_buffer(_SENTENCE)
         i._wrc_contact_last_error(self._handle, text, _SENTENCE)
         return text.value.decode(errors="replace")
 
-    def field(self, field: Any, patch: int = 0) -> np.ndarray:
-        """A field of one patch after the last call, read-only and without a copy: the next call changes it in place.
+    def field(self, field: Any, region: int = 0) -> np.ndarray:
+        """A field of one region of the last solution, of wrench() or of the planar stages: a new array. Over cells it has the
+        shape (strips, cells), cell 0 at the leading edge; over strips, or rows of a gap, one number each. Strips go from the
+        gauge side to the field side of a rail, on a contact plane by increasing y.
 
-        field: a wrc.FieldId or its name, "PRESSURE"; its docstring has units. Fields over cells have the shape (cells,
-        strips), cell 0 at the leading edge, strips by increasing y; others have one number a strip or gap row.
+        field: a wrc.Field or its name, "PRESSURE"; its docstring has units
         """
-        view = i.View()
+        which, counts = int(i.Field.of(field)), (c.c_uint64 * 2)()
         with self._lock:
-            status = i._wrc_contact_field(self._handle, patch, int(i.FieldId.of(field)), view)
+            status = self._status = i._wrc_contact_field(self._handle, region, which, None, 0, counts)
+            if status >= 0:
+                cells, strips = counts
+                values = np.empty((strips, cells) if cells > 1 else strips)
+                status = self._status = i._wrc_contact_field(self._handle, region, which, values, values.size, None)
             if status < 0:
-                raise self._error(status) if self._handle is None else _l.fault(status, f"{i.FieldId.of(field)!s}: " + (
-                    f"there is no patch {patch}" if status == i.Status.ERROR_RANGE else i.STATUS_TEXTS[status]))
-            return _view(view, self._memory[0])
+                raise self._error(status)
+        return values
 
-    def fields(self, patch: int = 0) -> Dict[str, np.ndarray]:
-        """All fields of a patch that the last call computed, by name."""
-        found = {}
-        for each in i.FieldId:
-            try:
-                found[each.name] = self.field(each, patch)
-            except _l.Error:
-                pass
+    def fields(self, region: int = 0) -> Dict[str, np.ndarray]:
+        """All fields that the last solution has of a region, by name."""
+        with self._lock:
+            self.region(region)  # raises where there is none
+            found = {}
+            for each in i.Field:
+                try:
+                    found[each.name] = self.field(each, region)
+                except _l.Error:  # not of this method, or of a wheel
+                    pass
+            self._status = 0
         return found
 
-    def patches(self) -> List[i.Patch]:
-        """Every patch of the last step, by increasing y."""
-        return self._each(i._wrc_contact_patch, i.Patch)
-
     def regions(self) -> List[i.Region]:
-        """Every region of the last wrench, from the gauge side to the field side."""
-        return self._each(i._wrc_contact_region, i.Region)
-
-    def _each(self, function: Callable[..., int], kind: Any) -> List[Any]:
-        found: List[Any] = []
+        """Every region of the last solution, of wrench() or of the planar stages: as many as its result counts, from the gauge
+        side to the field side of a rail, on a contact plane by increasing y."""
+        found: List[i.Region] = []
         with self._lock:
             while True:
-                one = kind._new()
-                status = function(self._handle, len(found), one)
-                if status == i.Status.ERROR_RANGE:
+                one = i.Region._new()
+                status = i._wrc_contact_region(self._handle, len(found), one)
+                if status == i.Status.ERROR_RANGE:  # there are no more
+                    self._status = 0
                     return found
+                self._status = status
                 if status < 0:
                     raise self._error(status)
                 found.append(one)
 
-    def region_field(self, field: Any, region: int = 0) -> np.ndarray:
-        """A field of one region of the last wrench(), a new array: over cells of shape (cells, strips), cell 0 at the leading
-        edge, strips from the gauge side on; others one number a strip.
-
-        field: a wrc.RegionField or its name, "PRESSURE"
-        """
-        with self._lock:
-            one = self.region(region)
-            values = np.full(one.cells * one.strips, np.nan)
-            status = i._wrc_contact_region_field(self._handle, region, int(i.RegionField.of(field)), values, values.size)
-            if status < 0:
-                raise self._error(status)
-        values = values[:one.strips] if np.isnan(values[one.strips:]).all() else values.reshape(one.cells, one.strips)
-        return values
-
-    def region_fields(self, region: int = 0) -> Dict[str, np.ndarray]:
-        """All fields of a region, by name."""
-        return {each.name: self.region_field(each, region) for each in i.RegionField}
-
-    def roll(self, distance: float) -> None:
-        """Tells a contact of a model with non_steady=1 how far it has rolled since its last tangential stage [m]; calls add up."""
-        with self._lock:
-            status = self._status = i._wrc_contact_roll(self._handle, distance)
-            if status < 0:
-                raise self._error(status)
-
     def accumulate(self, wheel: Optional[Bins] = None, rail: Optional[Bins] = None, *, out: Optional[i.DamageTotals] = None,
                    **accumulation: Any) -> i.DamageTotals:
-        """Adds what the last results do in a duration to wrc.Bins of the wheel's and of the rail's profile: what was added.
+        """Adds what the last solution does in a duration to wrc.Bins of the wheel's and of the rail's profile: what was added.
 
-        accumulation: members of wrc.Accumulation: duration [s], source="WRENCH" or "STAGES", distance [m], wear, fatigue
+        accumulation: members of wrc.Accumulation: duration [s], distance [m], wear, fatigue
         """
         told, totals = i.Accumulation(**accumulation), i.DamageTotals._new() if out is None else out
         with self._lock:
@@ -272,15 +219,16 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
         return totals
 
-    def stresses(self, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
-        """Largest stresses in one body under the last step: as a whole, and at each of the depths [m]. See wrc_damage.h."""
+    def stresses(self, index: int, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
+        """Largest stresses in one body under a region of the last solution, or under all patches of a contact plane
+        (wrc.ALL_REGIONS): as a whole, and at each of the depths [m]. See wrc_damage.h."""
         depths = np.ascontiguousarray(np.atleast_1d(depths), np.float64)
-        levels, found = (i.StressPeaks * depths.size)(), i.Stresses._new()
+        levels, found = (i.StressPeaks * max(1, depths.size))(), i.Stresses._new()
         with self._lock:
-            status = self._status = i._wrc_contact_stresses(self._handle, int(i.Body.of(body)), depths, depths.size, levels[0], found)
+            status = self._status = i._wrc_contact_stresses(self._handle, index, int(i.Body.of(body)), depths, depths.size, levels[0], found)
             if status < 0:
                 raise self._error(status)
-        return found, list(levels)
+        return found, list(levels)[:depths.size]
 
     def save(self, portable: bool = False) -> bytes:
         """The whole state, for restore() on a contact of the same model and side in this process; portable: on one of an
@@ -303,7 +251,7 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
 
     def exact_gap(self, grid: i.Grid) -> np.ndarray:
-        """The gap of the last geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
+        """The gap of the last planar_geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
         gap = np.zeros((grid.ny, grid.nx))
         with self._lock:
             status = i._wrc_exact_gap(self._handle, grid, gap)
@@ -359,6 +307,8 @@ class Batch:
         finally:
             for release in self._release:
                 release()
+        for each, found in zip(self.contacts, self.statuses.tolist()):
+            each._status = found
         if status < 0 and check:
             first = int(np.argmax(self.statuses < 0))
             raise _l.fault(int(self.statuses[first]), f"contact {first} of {count}: {self.contacts[first]._sentence()}")
@@ -375,15 +325,15 @@ def _elements(array: Any, kind: Any, count: int, name: str) -> Tuple[int, int]:
 
 
 def _steps(contact: Contact, inputs: np.ndarray, out: np.ndarray) -> np.ndarray:
-    """Contact.step() of each input in turn; the statuses."""
+    """Contact.planar_step() of each input in turn; the statuses."""
     count = len(inputs)
-    address, stride = _elements(inputs, i.Input, count, "inputs")
-    target, step = _elements(out, i.Output, count, "out")
+    address, stride = _elements(inputs, i.PlanarInput, count, "inputs")
+    target, step = _elements(out, i.PlanarOutput, count, "out")
     statuses = np.zeros(count, np.int32)
     with contact._lock:
         for k in range(count):
-            statuses[k] = i._wrc_contact_step(contact._handle, i.Input.from_address(address + k * stride),
-                                              i.Output.from_address(target + k * step))
+            statuses[k] = i._wrc_planar_step(contact._handle, i.PlanarInput.from_address(address + k * stride),
+                                             i.PlanarOutput.from_address(target + k * step))
     return statuses
 
 
@@ -392,19 +342,19 @@ BLOCK = 64  # elements solved between two looks at what is left
 
 def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: int = 1,
           progress: Optional[Callable[[float], Any]] = None) -> Tuple[np.ndarray, np.ndarray]:
-    """Solves any number of inputs of one model: the results (wrc.Output or wrc.Wrench as an array), and their statuses.
+    """Solves any number of inputs of one model: the results (wrc.Wrench or wrc.PlanarOutput as an array), and their statuses.
 
-    inputs: wrc.Input.array(n) for steps, wrc.WheelInput.array(n) for wheels on rails, each of which starts anew
+    inputs: wrc.WheelInput.array(n) for wheels on rails, each of which starts cold; wrc.PlanarInput.array(n) for planar steps
     threads: 0: as many as there are processors. The bits are the same whatever their number
     progress: called with the fraction done; what it raises ends the sweep
     """
-    if model.config.planar.start:
-        raise ValueError("with planar.start results depend on the order of calls: a sweep has none")
-    if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.WheelStart.ANEW).any():
+    planar, config = inputs.dtype == i.PlanarInput.dtype(), model.config.planar
+    if planar and (config.start or config.non_steady):
+        raise ValueError(f"with planar.{'start' if config.start else 'non_steady'} results depend on the order of calls: a sweep has none")
+    if inputs.dtype == i.WheelInput.dtype() and (inputs["start"] != i.Start.COLD).any():
         inputs = inputs.copy()  # the caller's stays what it is
-        inputs["start"] = i.WheelStart.ANEW
-    planar = inputs.dtype == i.Input.dtype()
-    out, statuses = (i.Output if planar else i.Wrench).array(len(inputs)), np.zeros(len(inputs), np.int32)
+        inputs["start"] = i.Start.COLD
+    out, statuses = (i.PlanarOutput if planar else i.Wrench).array(len(inputs)), np.zeros(len(inputs), np.int32)
     starts = range(0, len(inputs), BLOCK)
     workers = min(threads or os.cpu_count() or 1, max(1, len(starts)))
 

@@ -1,4 +1,4 @@
-"""Wear, fatigue and temperature beyond one contact: bins along a profile, profiles that wear, flange dimensions, heat of a strip."""
+"""Wear, fatigue and temperature beyond one contact: bins along a profile, heat of a strip, damage of a passage."""
 from __future__ import annotations
 
 import ctypes as c
@@ -8,9 +8,6 @@ import numpy as np
 
 from . import _interface as i
 from . import _library as _l
-
-_SENTENCE = 1024
-_POINTS = 20000  # of a profile at most
 
 
 class Bins:
@@ -25,8 +22,8 @@ class Bins:
         self.shape = rows, count
         self._told = count, first, width, rows, row_first, row_length
         self._bins = (i.DamageBin * (rows * count + 1))()
-        self.struct = i.DamageBins(first=first, width=width, row_first=row_first, row_length=row_length, count=count, rows=rows)
-        self.struct._bin = c.cast(self._bins, c.POINTER(i.DamageBin))
+        self.struct = i.DamageBins(first=first, width=width, row_first=row_first, row_length=row_length, count=count, row_count=rows,
+                                   bins=self._bins)
 
     @property
     def arc(self) -> np.ndarray:
@@ -93,31 +90,3 @@ def flash_temperature(power_density: Any, cell: float, speed: float, wheel: Opti
     for strip in rise.reshape(-1, rise.shape[-1]):
         _l.check(i._wrc_flash_temperature(strip.size, cell, strip, speed, wheel, rail, strip))
     return rise
-
-
-def take_off(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np.ndarray, np.ndarray]:
-    """A profile with wear taken off along its normals: what was done (passages, depth, area), and y, z of the worn profile [m].
-
-    y, z: of the profile as wrc.Profile has it [m]
-    depth: of each bin for one passage [m]
-    wear: members of wrc.ProfileWear: body="RAIL", first, width of the bins, passages, largest_depth, smoothing, spacing
-    """
-    told = i.ProfileWear(y=y, z=z, depth=depth, **wear)
-    worn_y, worn_z = np.zeros(_POINTS), np.zeros(_POINTS)
-    worn, text = i.WornProfile(capacity=_POINTS, y=worn_y, z=worn_z), c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_profile_take_off(told, worn, text, _SENTENCE), text)
-    return worn, worn_y[:worn.count].copy(), worn_z[:worn.count].copy()
-
-
-def flange_dimensions(y: Any, z: Any, flange_back_to_origin: float) -> i.Flange:
-    """Height, thickness and slope of a wheel's flange, EN 15313.
-
-    y, z: of the profile as wrc.Profile has it [m]
-    flange_back_to_origin: wrc.ConfigWheelset's [m]
-    """
-    y, z = (np.ascontiguousarray(each, np.float64) for each in (y, z))
-    if y.shape != z.shape or y.ndim != 1:
-        raise ValueError(f"y and z have the shapes {y.shape} and {z.shape}")
-    found, text = i.Flange._new(), c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_flange_dimensions(y.size, y, z, flange_back_to_origin, found, text, _SENTENCE), text)
-    return found

@@ -40,7 +40,7 @@ def normal(grid: i.Grid, gap: np.ndarray, *, progress: ProgressArgument = None,
 
     gap: undeformed, shape (ny, nx) [m]
     progress: called with the fraction done; give something true to stop, or True for a bar on the terminal
-    problem: members of wrc.ExactNormalProblem: normal_force [N], or prescribed="APPROACH" and approach [m]; materials, ...
+    problem: members of wrc.ExactNormalProblem: normal_force [N], or prescribed="APPROACH" and approach [m]; wheel_material, ...
     """
     told = i.ExactNormalProblem(grid=grid, gap=_field("gap", gap, grid), **problem)
     pressure = np.zeros((grid.ny, grid.nx))
@@ -74,7 +74,7 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
     pressure: shape (ny, nx) [Pa]
     friction: one number, or shape (ny, nx)
     progress: as of normal()
-    problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, materials, tolerance, ...
+    problem: members of wrc.ExactRollingProblem: creepage={"longitudinal": 1e-3}, wheel_material, rail_material, tolerance, ...
     """
     return _roll(i._wrc_exact_rolling, grid, pressure, friction, progress, problem)
 
@@ -83,13 +83,14 @@ class Transient:
     """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
 
     grid: of every step; a step goes grid.dx
-    materials: members of wrc.Materials: poisson_1=0.28, ...
+    wheel_material, rail_material: None: the defaults
     """
 
-    def __init__(self, grid: i.Grid, **materials: Any):
-        self.grid, self.materials, self._lock = grid.copy(), i.Materials(**materials), threading.Lock()
+    def __init__(self, grid: i.Grid, wheel_material: Optional[i.Material] = None, rail_material: Optional[i.Material] = None):
+        self.grid, self._lock = grid.copy(), threading.Lock()
+        self.materials = {"wheel_material": (wheel_material or i.Material()).copy(), "rail_material": (rail_material or i.Material()).copy()}
         self._handle, text = c.c_void_p(), c.create_string_buffer(_SENTENCE)
-        _l.check(i._wrc_exact_transient_create(self.grid, self.materials, c.byref(self._handle), text, _SENTENCE), text)
+        _l.check(i._wrc_exact_transient_create(self.grid, *self.materials.values(), c.byref(self._handle), text, _SENTENCE), text)
         weakref.finalize(self, i._wrc_exact_transient_destroy, c.c_void_p(self._handle.value))
 
     def step(self, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None, progress: ProgressArgument = None,
@@ -98,7 +99,7 @@ class Transient:
         that fails or is stopped leaves the bodies where they were."""
         with self._lock:
             return _roll(lambda *told: i._wrc_exact_transient_step(self._handle, *told), self.grid, pressure, friction, progress,
-                         {"materials": self.materials, **problem})
+                         {**self.materials, **problem})
 
 
 def _loads(grid: i.Grid, pressure: Any, traction_x: Any, traction_y: Any, problem: Dict[str, Any]) -> i.ExactLoads:

@@ -1,7 +1,7 @@
 """Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given."""
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, Optional, Tuple
+from typing import Any, Dict, Iterable, Optional, Tuple
 
 import numpy as np
 
@@ -29,91 +29,59 @@ def _done(made: Any, path: Any) -> Any:
     return made
 
 
+_PANELS = (("pressure [MPa]", "PRESSURE", 1e-6, "viridis"), ("traction on the wheel [MPa]", "TRACTION", 1e-6, "magma"),
+           ("stick and slip: sliding velocity / rolling speed [1e-3]", "SLIP", 1e3, "cividis"),
+           ("frictional power [W/mm²]", "POWER_DENSITY", 1e-6, "inferno"))
+
+
 def contact(contact: Contact, path: Any = None) -> Any:
-    """Patches of the last step: pressure, tractions with their directions, stick and slip, frictional power. Lateral to the
-    right, rolling direction upwards [mm]."""
-    patches = _patches(contact)
-    if not patches:
-        raise ValueError(f"there is nothing to draw: {contact.message or 'call step() first'}")
-    made = figure(figsize=(11, 6.6))
-    panels = made.subplots(2, 2, sharex=True, sharey=True)
-    shown = (("pressure [MPa]", "PRESSURE", 1e-6, "viridis"), ("traction on the wheel [MPa]", "TRACTION", 1e-6, "magma"),
-             ("stick and slip: sliding velocity / rolling speed [1e-3]", "SLIP", 1e3, "cividis"),
-             ("frictional power [W/mm²]", "POWER_DENSITY", 1e-6, "inferno"))
-    for panel, (title, name, scale, colours) in zip(panels.flat, shown):
-        values = [_value(fields, name) for fields in patches]
-        have = [(fields, each) for fields, each in zip(patches, values) if each is not None]
-        panel.set_title(title if have else f"{title}: not computed", fontsize=10)
+    """Regions of the last solution: pressure, tractions with their directions, stick and slip, frictional power. Across: of a
+    contact plane y to the right, of a wheel the rail's arc from its gauge end, rolled out; rolling direction upwards [mm]."""
+    message = contact.message
+    try:
+        regions = [contact.fields(each) for each in range(len(contact.regions()))]
+    except Error:
+        regions = []
+    if not regions:
+        raise ValueError(f"there is nothing to draw: {message or 'call wrench() or planar_step() first'}")
+    edges = [np.array(_edge(fields)) for fields in regions]
+    low, high = np.min([each.min(axis=1) for each in edges], axis=0), np.max([each.max(axis=1) for each in edges], axis=0)
+    middle, half = 0.5 * (low + high), np.maximum(0.54 * (high - low), 0.25 * np.max(high - low))
+    slender = half[1] > 1.3 * half[0]  # panels then stand side by side
+    made = figure(figsize=(13, 4.6) if slender else (11, 6.6))
+    panels = made.subplots(*((1, 4) if slender else (2, 2)), sharex=True, sharey=True, squeeze=False)
+    for panel, (title, name, scale, colours) in zip(panels.flat, _PANELS):
+        have = [(fields, each) for fields in regions for each in [_value(fields, name)] if each is not None]
+        panel.set_title((title if have else f"{title}: not computed").replace(": ", ":\n") if slender else title if have else
+                        f"{title}: not computed", fontsize=10)
         top = max((float(each.max()) for _, each in have), default=0.0) * scale
         mesh = None
         for fields, each in have:
-            x, y = 1e3 * fields["X"], 1e3 * np.broadcast_to(fields["STRIP_Y"], fields["X"].shape)
-            mesh = panel.pcolormesh(y, x, scale * each, shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
+            across, x, shown = _whole(fields, each)
+            mesh = panel.pcolormesh(across, x, scale * shown, shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
             if name == "SLIP":
-                sticks = (each <= SLIDES).astype(float)
+                sticks = (shown <= SLIDES).astype(float)
                 if sticks.any():
-                    panel.contourf(y, x, sticks, levels=[0.5, 1.5], colors=["#dddddd"])
-                    panel.contour(y, x, sticks, levels=[0.5], colors="black", linewidths=1.2)
+                    panel.contourf(across, x, sticks, levels=[0.5, 1.5], colors=["#dddddd"])
+                    panel.contour(across, x, sticks, levels=[0.5], colors="black", linewidths=1.2)
             if name == "TRACTION":
-                every = (slice(1, None, max(1, x.shape[0] // 11)), slice(1, None, max(1, x.shape[1] // 18)))
-                panel.quiver(y[every], x[every], fields["TRACTION_Y"][every], fields["TRACTION_X"][every], color="white", width=2.5e-3,
-                             pivot="middle", scale=22 * top / scale if top else None)
+                every = tuple(slice(1, -1, max(1, size // wanted)) for size, wanted in zip(across.shape, (18, 11)))
+                arrows = (_whole(fields, fields[name + direction])[2][every] for direction in ("_Y", "_X"))
+                panel.quiver(across[every], x[every], *arrows, color="white", width=2.5e-3, pivot="middle", scale=22 * top / scale if top else None)
         if mesh is not None:
             made.colorbar(mesh, ax=panel, shrink=0.8)
-        for fields in patches:
-            panel.plot(*_edge(fields), color="black", linewidth=1)
-        panel.set_aspect("equal")
-    panels[1, 0].text(0.02, 0.02, "grey: sticks", transform=panels[1, 0].transAxes, fontsize=8)
-    for panel in panels[1]:
-        panel.set_xlabel("y, to the right [mm]")
+        for edge in edges:
+            panel.plot(*edge, color="black", linewidth=1)
+        panel.set(aspect="equal", xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
+    panels.flat[2].text(0.02, 0.02, "grey: sticks", transform=panels.flat[2].transAxes, fontsize=8)
+    for panel in panels[-1]:
+        panel.set_xlabel("along the rail's arc [mm]" if "STRIP_PROFILE_Y" in regions[0] else "y, to the right [mm]")
     for panel in panels[:, 0]:
         panel.set_ylabel("x, rolling direction [mm]")
     return _done(made, path)
 
 
-def regions(contact: Contact, path: Any = None) -> Any:
-    """Regions of the last wrench on the rail's surface, rolled out: pressure, tractions, slip, frictional power over the arc
-    length from the gauge end of the rail's profile; rolling direction upwards [mm]."""
-    try:
-        found = [contact.region_fields(each) for each in range(len(contact.regions()))]
-    except Error:
-        found = []
-    if not found:
-        raise ValueError(f"there is nothing to draw: {contact.message or 'call wrench() first'}")
-    made = figure(figsize=(11, 6.6))
-    panels = made.subplots(2, 2, sharex=True, sharey=True)
-    shown = (("pressure [MPa]", lambda f: 1e-6 * f["PRESSURE"], "viridis"),
-             ("traction on the wheel [MPa]", lambda f: 1e-6 * np.hypot(f["TRACTION_X"], f["TRACTION_S"]), "magma"),
-             ("sliding velocity / rolling speed [1e-3]", lambda f: 1e3 * np.hypot(f["SLIP_X"], f["SLIP_S"]), "cividis"),
-             ("frictional power [W/mm²]", lambda f: 1e-6 * f["POWER_DENSITY"], "inferno"))
-    for panel, (title, value, colours) in zip(panels.flat, shown):
-        panel.set_title(title, fontsize=10)
-        top = max(float(value(each).max()) for each in found)
-        for each in found:
-            s = 1e3 * np.broadcast_to(each["STRIP_S"], each["X"].shape)
-            mesh = panel.pcolormesh(s, 1e3 * each["X"], value(each), shading="gouraud", cmap=colours, vmin=0.0, vmax=top or 1.0)
-            ends = (each["STRIP_CENTRE"] + each["STRIP_HALF"], each["STRIP_CENTRE"] - each["STRIP_HALF"])
-            for end in ends:
-                panel.plot(1e3 * each["STRIP_S"], 1e3 * end, color="black", linewidth=1)
-        made.colorbar(mesh, ax=panel, shrink=0.8)
-        panel.set_aspect("equal")
-    arcs = 1e3 * np.concatenate([each["STRIP_S"] for each in found])
-    middle, half = 0.5 * (arcs.max() + arcs.min()), max(7.0, 0.5 * np.ptp(arcs) + 1.0)
-    panels[0, 0].set_xlim(middle - half, middle + half)
-    for panel in panels[1]:
-        panel.set_xlabel("along the rail's arc, from its gauge end [mm]")
-    for panel in panels[:, 0]:
-        panel.set_ylabel("x, rolling direction [mm]")
-    return _done(made, path)
-
-
-def _patches(contact: Contact) -> List[Dict[str, np.ndarray]]:
-    """Fields of every patch of the last step."""
-    try:
-        count = len(contact.patches())
-    except Error:
-        return []
-    return [fields for fields in (contact.fields(each) for each in range(count)) if "X" in fields]
+regions = contact  # a wheel's are drawn by the same
 
 
 def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
@@ -125,10 +93,20 @@ def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
 
 
 def _edge(fields: Dict[str, np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
-    """The outline of a patch from its strips [mm]."""
-    y, middle, half = (1e3 * fields[name] for name in ("STRIP_Y", "STRIP_CENTRE", "STRIP_HALF"))
+    """The outline of a region from its strips, across and along [mm]."""
+    across, middle, half = (1e3 * fields[name] for name in ("STRIP_Y", "STRIP_CENTRE", "STRIP_HALF_LENGTH"))
     ahead, behind = middle + half, middle - half
-    return np.concatenate([y, y[::-1], y[:1]]), np.concatenate([ahead, behind[::-1], ahead[:1]])
+    return np.concatenate([across, across[::-1], across[:1]]), np.concatenate([ahead, behind[::-1], ahead[:1]])
+
+
+def _whole(fields: Dict[str, np.ndarray], values: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Values of cells, continued to both ends of each strip: across and x [mm], values."""
+    ends = [(1e3 * (fields["STRIP_CENTRE"] + sign * fields["STRIP_HALF_LENGTH"]))[:, None] for sign in (1, -1)]
+    x = 1e3 * fields["X"]
+    if x[0, 0] < x[0, -1]:  # rolling backwards cell 0 is the rearmost
+        ends.reverse()
+    x = np.hstack([ends[0], x, ends[1]])
+    return np.broadcast_to(1e3 * fields["STRIP_Y"][:, None], x.shape), x, np.hstack([values[:, :1], values, values[:, -1:]])
 
 
 def profile(*files: ProfileFile, path: Any = None) -> Any:
@@ -159,8 +137,12 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     panel.plot(1e3 * (y + rail.y - rail.roll * z), 1e3 * (z + rail.z + rail.roll * (y - origin)), color="#555555", label="rail")
     y, z, _ = contact.model.profile("WHEEL", contact.side)
     radius = config.wheelset.wheel_radius
-    middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.flange_back_distance / 2 + 0.070, y[0])
-    cos, sin = np.cos(input.wheel.roll), np.sin(input.wheel.roll)
+    middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.tape_circle_distance / 2, y[0])
+    roll = input.wheel.roll
+    if input.wheel.orientation != i.Orientation.ANGLES:
+        axle = input.wheel.rotation.reshape(3, 3, order="C" if input.wheel.orientation == i.Orientation.ROWS else "F")[:, 1]
+        roll = np.arctan2(axle[2], axle[1])
+    cos, sin = np.cos(roll), np.sin(roll)
     across, down = (y - middle), z + radius
     panel.plot(1e3 * (middle + input.wheel.y + cos * across - sin * down), 1e3 * (wrench.z - radius + sin * across + cos * down),
                color=COLOURS[0], label="wheel")
@@ -178,22 +160,22 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     return _done(made, path)
 
 
-def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.Input) -> np.ndarray:
+def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.PlanarInput) -> np.ndarray:
     """Forces fx, fy [N] over creepages in one direction, "longitudinal", "lateral" or "spin", others as in `input`; shape
     (number of values, 2). The patch is solved once."""
     if direction not in ("longitudinal", "lateral", "spin"):
         raise ValueError(f"{direction!r} is none of longitudinal, lateral, spin")
-    contact.step(input)
+    contact.planar_step(input)
     creepage = input.creepage.copy()
     forces = []
     for each in values:
         setattr(creepage, direction, float(each))
-        found = contact.tangential(creepage, input.friction)
+        found = contact.planar_tangential(creepage, input.friction)
         forces.append((found.fx, found.fy))
     return np.array(forces)
 
 
-def creep_curves(contacts: Dict[str, Contact], input: i.Input, values: Optional[Dict[str, Iterable[float]]] = None, path: Any = None) -> Any:
+def creep_curves(contacts: Dict[str, Contact], input: i.PlanarInput, values: Optional[Dict[str, Iterable[float]]] = None, path: Any = None) -> Any:
     """Creep curves of contacts of several models, over friction times load: longitudinal, lateral, spin.
 
     contacts: by the name in the legend; input: pose, load, friction; values: creepages by direction; None: up to saturation
@@ -206,7 +188,7 @@ def creep_curves(contacts: Dict[str, Contact], input: i.Input, values: Optional[
         component = 0 if direction == "longitudinal" else 1
         for (name, one), colour in zip(contacts.items(), COLOURS * (1 + len(contacts) // len(COLOURS))):
             forces = creep_curve(one, direction, across, input)
-            limit = input.friction.coefficient * one.tangential(input.creepage, input.friction).fn
+            limit = input.friction.coefficient * one.planar_tangential(input.creepage, input.friction).fn
             scale, unit = (1.0, "1/m") if direction == "spin" else (1e3, "per mille")
             panel.plot(scale * across, -forces[:, component] / limit, color=colour, label=name)
         panel.set(xlabel=f"{direction} creepage [{unit}]", ylabel=("-Fx" if component == 0 else "-Fy") + " / (friction x load)")

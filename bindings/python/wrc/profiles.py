@@ -1,10 +1,11 @@
-"""Profile files: Simpack .prw and .prr, MiniProf .whl and .ban, and plain columns y, z.
+"""Profile files: Simpack .prw and .prr, MiniProf .whl and .ban, and plain columns y, z. Conicity, wear, flange dimensions.
 
 read_profile() gives points in the library's convention [m]: y strictly increasing, z down; of a wheel y = 0 at the running
 circle, where z = 0, and the flange at y < 0; of a rail z = 0 at the top and the gauge side at y < 0. What it had to do to a
 file for that stands in `notes`. Errors name file, line and likely cause."""
 from __future__ import annotations
 
+import ctypes as c
 import dataclasses
 import os
 import re
@@ -15,6 +16,8 @@ import numpy as np
 from . import _interface as i
 from . import _library as _l
 
+_SENTENCE = 1024  # bytes
+_POINTS = 20000  # of a profile at most
 UNITS = {"mm": 1e-3, "m": 1.0, "cm": 1e-2, "um": 1e-6, "in": 25.4e-3}
 NARROWEST, WIDEST = 0.020, 0.500  # m: what the library takes for a profile
 BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}
@@ -63,8 +66,8 @@ class ProfileFile:
         built-in shape."""
         config = i.Config()
         config.set(**{"wheel": "S1002", "rail": "60E1", self.body: self.as_struct()})
-        text = _l.c.create_string_buffer(1024)
-        if i._wrc_config_check(config, text, 1024) < 0:
+        text = c.create_string_buffer(_SENTENCE)
+        if i._wrc_config_check(config, text, _SENTENCE) < 0:
             sentence = text.value.decode(errors="replace")
             at = re.search(r"\[(\d+)\]", sentence)
             line = int(self.lines[int(at.group(1))]) if at and self.lines is not None and int(at.group(1)) < len(self.lines) else None
@@ -338,3 +341,50 @@ def _single_valued(path: str, body: str, y: np.ndarray, z: np.ndarray, lines: np
     if cut:
         notes.append(f"{cut} points left out where the profile turns back beyond y = {1e3 * y[first]:.3f} and {1e3 * y[last]:.3f} mm")
     return y[first:last + 1].copy(), z[first:last + 1].copy(), lines[first:last + 1]
+
+
+def results(kind: Any, count: int) -> Tuple[Any, Dict[str, np.ndarray]]:
+    """A struct whose results are arrays, with arrays of that many numbers."""
+    arrays = {name: np.zeros(count) for name in kind.members()}
+    return kind(**arrays), arrays
+
+
+def conicity(lateral: Any, radius_difference: Any, amplitudes: Any, **problem: Any) -> Dict[str, np.ndarray]:
+    """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.wheelset_geometry() gives it: the
+    members of wrc.Conicity as arrays. UIC 519, EN 15302.
+
+    problem: method, contact_distance, radius of wrc.ConicityProblem
+    """
+    told = i.ConicityProblem(lateral=lateral, radius_difference=radius_difference, amplitudes=np.atleast_1d(amplitudes), **problem)
+    found, arrays = results(i.Conicity, told.amplitude_count)
+    text = c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_equivalent_conicity(told, found, text, _SENTENCE), text)
+    return arrays
+
+
+def remove_wear(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np.ndarray, np.ndarray]:
+    """A profile with wear removed along its normals: what was done (passages, depth, area), and y, z of the worn profile [m].
+
+    y, z: of the profile as wrc.Profile has it [m]
+    depth: of each bin for one passage [m]
+    wear: members of wrc.ProfileWear: body="RAIL", first, width of the bins, passages, largest_depth, smoothing, spacing
+    """
+    told = i.ProfileWear(y=y, z=z, depth=depth, **wear)
+    worn_y, worn_z = np.zeros(_POINTS), np.zeros(_POINTS)
+    worn, text = i.WornProfile(capacity=_POINTS, y=worn_y, z=worn_z), c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_profile_remove_wear(told, worn, text, _SENTENCE), text)
+    return worn, worn_y[:worn.count].copy(), worn_z[:worn.count].copy()
+
+
+def flange_dimensions(y: Any, z: Any, flange_back_to_origin: float) -> i.Flange:
+    """Height, thickness and slope of a wheel's flange, EN 15313.
+
+    y, z: of the profile as wrc.Profile has it [m]
+    flange_back_to_origin: along y from the flange's back to y = 0, 0.07 of most wheels [m]
+    """
+    y, z = (np.ascontiguousarray(each, np.float64) for each in (y, z))
+    if y.shape != z.shape or y.ndim != 1:
+        raise ValueError(f"y and z have the shapes {y.shape} and {z.shape}")
+    found, text = i.Flange._new(), c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_flange_dimensions(y.size, y, z, flange_back_to_origin, found, text, _SENTENCE), text)
+    return found

@@ -3,15 +3,21 @@
 #include <limits>
 #include <utility>
 
-#include "test_config.hpp"
 #include "along_track.hpp"
 #include "check_rail_points.hpp"
+#include "field_values.hpp"
 #include "golden/plan.hpp"
 
 namespace {
 
-void hash_view(const wrc_view& view, Hash& hash) {
-  for (std::uint64_t i = 0; i < view.count[0]; ++i) hash.add(view.data[i * view.stride[0]]);
+/// The values of a field over strips, or of the cells of its first strip.
+void hash_field(wrc_contact* contact, int32_t field, Hash& hash) {
+  const FieldValues found = field_values(contact, 0, field);
+  hash.add(found.status);
+  if (found.cells > 1)
+    for (std::uint64_t i = 0; i < found.cells; ++i) hash.add(found.at(i, 0));
+  else
+    for (const double value : found.values) hash.add(value);
 }
 
 /// A contact with tractions in it.
@@ -64,7 +70,7 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
     wrc_creepage creepage = wrc_creepage_default();
     const wrc_friction friction = wrc_friction_default();
     wrc_planar_forces forces{};
-    wrc_planar_derivatives sensitivity{};
+    wrc_planar_derivatives sensitivity = sized<wrc_planar_derivatives>();
     hash.add(wrc_planar_geometry(contact, &pose, nullptr));
     hash.add(wrc_planar_normal(contact, nullptr, &load, nullptr));
     hash.add(wrc_planar_creepages(contact, &motion, &creepage));
@@ -73,10 +79,10 @@ void run_standstill(wrc_contact* contact, Hash& hash) {
       hash.add(number);
     hash.add(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces));
     hash_forces(forces, hash);
-    hash_fields(contact, hash);
+    hash_fields(contact, hash, true, Reached::tangential);
     hash.add(wrc_planar_tangential_derivatives(contact, &sensitivity));
     for (const auto& row : sensitivity.forces)
-      for (double number : row) hash.add(number);
+      for (int k = 0; k < 5; ++k) hash.add(row[k]);
   }
 }
 
@@ -99,17 +105,15 @@ void run_wear(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
     wrc_wear wear{};
-    hash.add(wrc_contact_wear(contact, nullptr, &wear));
+    hash.add(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, &wear));
     for (double number : {wear.worn_area_rate, wear.largest_depth_rate, wear.largest_depth_velocity})
       hash.add(number);
-    wrc_view view{};
-    hash.add(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &view));
-    hash_view(view, hash);
+    hash_field(contact, WRC_FIELD_STRIP_WEAR, hash);
   }
 }
 
 /// What the last results of a contact do, in bins of both bodies and rows.
-void hash_accumulated(wrc_contact* contact, std::int32_t source, Hash& hash) {
+void hash_accumulated(wrc_contact* contact, Hash& hash) {
   wrc_damage_bin wheel_bin[2][61] = {}, rail_bin[81] = {};
   wrc_damage_bins wheel[2] = {wrc_damage_bins_default(), wrc_damage_bins_default()};
   wrc_damage_bins rail = wrc_damage_bins_default();
@@ -117,29 +121,32 @@ void hash_accumulated(wrc_contact* contact, std::int32_t source, Hash& hash) {
     wheel[k].count = 60;
     wheel[k].first = -0.050;
     wheel[k].width = 1.7e-3;
-    wheel[k].bin = wheel_bin[k];
+    wheel[k].bins = wheel_bin[k];
+    wheel[k].bin_size = sizeof wheel_bin[k][0];
   }
   rail.count = 20;
   rail.first = -0.040;
   rail.width = 4e-3;
-  rail.rows = 4;
+  rail.row_count = 4;
   rail.row_first = 1.0;
   rail.row_length = 0.013;
-  rail.bin = rail_bin;
+  rail.bins = rail_bin;
+  rail.bin_size = sizeof rail_bin[0];
   wrc_accumulation step = sized<wrc_accumulation>();
-  step.source = source;
   step.duration = 1e-3;
   step.distance = 1.011;
   for (int k = 0; k < 2; ++k) {
     wrc_damage_totals totals{};
     hash.add(wrc_contact_accumulate(contact, &step, &wheel[k], &rail, &totals));
-    for (double number : totals.sum) hash.add(number);
+    for (int k2 = 0; k2 < WRC_DAMAGE_SUMS; ++k2) hash.add(totals.sum[k2]);
     hash.add(totals.largest_pressure);
     hash.add(totals.largest_traction);
   }
   hash.add(wrc_damage_merge(&wheel[0], &wheel[1]));
   double values[81];
-  for (std::int32_t quantity = 0; quantity <= WRC_DAMAGE_LARGEST_TRACTION; ++quantity) {
+  constexpr std::int32_t quantities = WRC_DAMAGE_SUMS + 2;
+  for (std::int32_t q = 0; q < quantities; ++q) {
+    const std::int32_t quantity = q < WRC_DAMAGE_SUMS ? q : WRC_DAMAGE_LARGEST_PRESSURE + q - WRC_DAMAGE_SUMS;
     hash.add(wrc_damage_values(&wheel[0], quantity, values));
     for (int k = 0; k < 61; ++k) hash.add(values[k]);
     hash.add(wrc_damage_values(&rail, quantity, values));
@@ -150,7 +157,7 @@ void hash_accumulated(wrc_contact* contact, std::int32_t source, Hash& hash) {
 void run_accumulation(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
-    hash_accumulated(contact, WRC_DAMAGE_OF_STAGES, hash);
+    hash_accumulated(contact, hash);
   }
 }
 
@@ -160,13 +167,11 @@ void run_temperature(wrc_contact* contact, Hash& hash) {
     wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
     bulk.wheel = 80.0 + 1e3 * lateral;
     wrc_temperature found = sized<wrc_temperature>();
-    hash.add(wrc_contact_temperature(contact, &bulk, &found));
+    hash.add(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &bulk, &found));
     for (double number : {found.at_entry, found.rise, found.x, found.y, found.largest, found.mean_rise,
                           found.wheel_heat, found.rail_heat})
       hash.add(number);
-    wrc_view view{};
-    hash.add(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view));
-    hash_view(view, hash);
+    hash_field(contact, WRC_FIELD_TEMPERATURE_RISE, hash);
   }
 }
 
@@ -182,7 +187,7 @@ void run_heated(wrc_contact* contact, Hash& hash) {
     input.friction.bulk.wheel = 80.0;
     wrc_planar_output output = sized<wrc_planar_output>();
     const int32_t status = wrc_planar_step(contact, &input, &output);
-    hash_step(contact, status, output, hash);
+    hash_step(contact, status, output, true, hash);
   }
 }
 
@@ -192,8 +197,8 @@ void run_stresses(wrc_contact* contact, Hash& hash) {
     hash.add(roll(contact, lateral));
     wrc_stress_peaks levels[3];
     wrc_stresses found = sized<wrc_stresses>();
-    hash.add(wrc_contact_stresses(contact, lateral > 0.0 ? WRC_BODY_WHEEL : WRC_BODY_RAIL, depths, 3, levels,
-                                  &found));
+    hash.add(wrc_contact_stresses(contact, WRC_ALL_REGIONS, lateral > 0.0 ? WRC_BODY_WHEEL : WRC_BODY_RAIL,
+                                  depths, 3, levels, &found));
     const auto hash_peaks = [&](const wrc_stress_peaks& peaks) {
       for (const wrc_stress_peak& peak : {peaks.von_mises, peaks.shear, peaks.tension})
         for (double number : {peak.stress, peak.x, peak.y, peak.depth}) hash.add(number);
@@ -283,13 +288,46 @@ void run_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
       wrc_region region = sized<wrc_region>();
       hash.add(wrc_contact_region(contact, k, &region));
       for (double number : {region.point[0], region.point[1], region.y_wheel, region.z_rail, region.angle,
-                            region.force[1], region.moment[2], region.power, region.creepage[0]})
+                            region.force[1], region.moment[2], region.power, region.creepage.longitudinal})
         hash.add(number);
     }
   }
 }
 
 /// What is asked of their regions.
+/// Fields of a wheel's region, strip by strip in a row of cells; values over strips overwrite the first of
+/// those before, and the rest is added once more.
+void hash_region_fields(wrc_contact* contact, int32_t index, const wrc_region& region, Hash& hash) {
+  constexpr int32_t fields[] = {WRC_FIELD_X,
+                                WRC_FIELD_PRESSURE,
+                                WRC_FIELD_TRACTION_X,
+                                WRC_FIELD_TRACTION_Y,
+                                WRC_FIELD_SLIP_X,
+                                WRC_FIELD_SLIP_Y,
+                                WRC_FIELD_POWER_DENSITY,
+                                WRC_FIELD_FATIGUE_INDEX,
+                                WRC_FIELD_STRIP_Y,
+                                WRC_FIELD_STRIP_WIDTH,
+                                WRC_FIELD_STRIP_CENTRE,
+                                WRC_FIELD_STRIP_HALF_LENGTH,
+                                WRC_FIELD_STRIP_PEAK,
+                                WRC_FIELD_STRIP_POWER,
+                                WRC_FIELD_STRIP_FRICTION,
+                                WRC_FIELD_STRIP_PROFILE_Y,
+                                WRC_FIELD_STRIP_PROFILE_Z,
+                                WRC_FIELD_STRIP_ANGLE};
+  const auto strips = static_cast<std::size_t>(region.strip_count);
+  std::vector<double> values(strips * static_cast<std::size_t>(region.cell_count));
+  for (const int32_t field : fields) {
+    const FieldValues found = field_values(contact, index, field);
+    hash.add(found.status);
+    if (found.status >= WRC_OK)
+      for (std::size_t i = 0; i < found.cells; ++i)
+        for (std::size_t j = 0; j < strips; ++j) values[i * strips + j] = found.at(i, j);
+    for (const double value : values) hash.add(value);
+  }
+}
+
 void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 24; ++i) {
@@ -299,20 +337,16 @@ void run_wheel_regions(wrc_contact* right, wrc_contact* left, Hash& hash) {
     hash.add(wrc_contact_wrench(contact, &input, &wrench));
     for (int32_t k = 0; k < wrench.region_count; ++k) {
       wrc_region region = sized<wrc_region>();
-      wrc_ellipse ellipse = sized<wrc_ellipse>();
       wrc_damage damage{};
-      hash.add(wrc_contact_region(contact, k, &region));
-      hash.add(wrc_contact_region_ellipse(contact, k, &ellipse));
-      hash.add(wrc_contact_region_damage(contact, k, &damage));
+      const int32_t status = wrc_contact_region(contact, k, &region);
+      hash.add(WRC_OK);
+      hash.add(status);  // of its ellipse
+      hash.add(wrc_contact_damage(contact, k, &damage));
+      const wrc_ellipse& ellipse = region.ellipse;
       for (double number : {ellipse.a, ellipse.b, ellipse.psi, ellipse.y, ellipse.normal_force})
         hash.add(number);
       hash_damage(damage, hash);
-      std::vector<double> values(static_cast<std::size_t>(region.strip_count) *
-                                 static_cast<std::size_t>(region.cell_count));
-      for (int32_t field = 0; field <= WRC_FIELD_STRIP_ANGLE; ++field) {
-        hash.add(wrc_contact_region_field(contact, k, field, values.data(), values.size()));
-        for (double value : values) hash.add(value);
-      }
+      hash_region_fields(contact, k, region, hash);
     }
   }
 }
@@ -333,7 +367,7 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     add_forces(wrench, hash);
     hash.add(wrench.power);
     if (i % 3 != 0) continue;
-    wrc_wrench_derivatives found{};
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
     add_derivatives(found, by_the_first, hash);
   }
@@ -352,12 +386,12 @@ void run_heated_wheels(bool by_speed, wrc_contact* right, wrc_contact* left, Has
     add_forces(wrench, hash);
     hash.add(wrench.power);
     wrc_temperature temperature = sized<wrc_temperature>();
-    hash.add(wrc_contact_region_temperature(contact, 0, nullptr, &temperature));
+    hash.add(wrc_contact_temperature(contact, 0, nullptr, &temperature));
     for (double number : {temperature.rise, temperature.x, temperature.y, temperature.mean_rise,
                           temperature.wheel_heat, temperature.rail_heat})
       hash.add(number);
     if (i % 3 != 0) continue;
-    wrc_wrench_derivatives found{};
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
     add_derivatives(found, by_the_first, hash);
   }
@@ -370,7 +404,7 @@ void run_wheel_accumulation(wrc_contact* right, wrc_contact* left, Hash& hash) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
     wrc_contact* const contact = i % 2 == 0 ? right : left;
     hash.add(wrc_contact_wrench(contact, &input, nullptr));
-    hash_accumulated(contact, WRC_DAMAGE_OF_WRENCH, hash);
+    hash_accumulated(contact, hash);
   }
 }
 
@@ -379,7 +413,7 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(7);
   for (int i = 0; i < 40; ++i) {
     const wrc_wheel_input input = wheel_on_rail(i, numbers);
-    wrc_wrench_derivatives found{};
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
     add_derivatives(found, by_the_first, hash);
     for (int k = 0; k < by_the_first; ++k) hash.add(found.z[k]);
@@ -389,7 +423,7 @@ void run_wheel_derivatives(wrc_contact* right, wrc_contact* left, Hash& hash) {
 /// A wrench's forces and sums, with its derivatives where they are wanted.
 void add_wrench(wrc_contact* contact, const wrc_wheel_input& input, bool derivatives, Hash& hash) {
   wrc_wrench wrench = sized<wrc_wrench>();
-  wrc_wrench_derivatives found{};
+  wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
   hash.add(derivatives ? wrc_contact_wrench_derivatives(contact, &input, &wrench, &found)
                        : wrc_contact_wrench(contact, &input, &wrench));
   add_forces(wrench, hash);
@@ -442,7 +476,7 @@ void run_aslant(wrc_contact* right, wrc_contact* left, Hash& hash) {
     input.rail.y_slope = numbers.between(-0.01, 0.01);
     input.rail.z_slope = i % 2 == 0 ? 0.0 : numbers.between(-0.01, 0.01);
     add_wrench(i % 2 == 0 ? right : left, input, false, hash);
-    wrc_wrench_derivatives found{};
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
     add_derivatives(found, WRC_WRENCH_INPUTS, hash);
   }
@@ -546,7 +580,7 @@ void add_plain_calls(Plan& plan) {
     other.normal.method = normal;
     choose_tangential(other, tangential);
     other.planar.strips = 28;
-    other.grid.cells = 16;
+    other.planar.cells = other.surface.cells = 16;
     const bool of_normal = tangential == preset_strip_fastsim;
     plan.jobs.push_back(
         {of_normal ? "wheel on rail, other normal methods" : "wheel on rail, other ways to roll",

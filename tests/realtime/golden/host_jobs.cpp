@@ -1,12 +1,12 @@
 /// Data of the host in the middle of the chain: gaps by rows and by elements, strips with pressure, double
 /// ellipses.
-#include "test_config.hpp"
 #include "golden/plan.hpp"
+#include "test_config.hpp"
 
 wrc_planar_gap HostGap::view() const {
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = static_cast<uint32_t>(y.size());
-  gap.columns = static_cast<uint32_t>(x.size());
+  gap.row_count = static_cast<uint32_t>(y.size());
+  gap.column_count = static_cast<uint32_t>(x.size());
   gap.y = y.data();
   gap.height = height.empty() ? nullptr : height.data();
   gap.centre = centre.empty() ? nullptr : centre.data();
@@ -130,11 +130,11 @@ void run_strips(wrc_contact* contact, Hash& hash) {
     const wrc_friction friction = wrc_friction_default();
     hash.add(wrc_planar_regularise(contact, &strips, &normal));
     hash.add(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces));
-    hash.add(wrc_contact_damage(contact, &damage));
+    hash.add(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage));
     hash_normal(normal, hash);
     hash_forces(forces, hash);
     hash_damage(damage, hash);
-    hash_fields(contact, hash);
+    hash_fields(contact, hash, forces.available != 0);
   }
 }
 
@@ -159,11 +159,11 @@ void run_patches(wrc_contact* contact, Hash& hash) {
       creepage.lateral = numbers.between(-size, size);
       creepage.spin = numbers.between(-size, size) / 5e-3;
       hash.add(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces));
-      hash.add(wrc_contact_damage(contact, &damage));
+      hash.add(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage));
       hash_forces(forces, hash);
       hash_damage(damage, hash);
     }
-    hash_fields(contact, hash);
+    hash_fields(contact, hash, forces.available != 0);
   }
 }
 

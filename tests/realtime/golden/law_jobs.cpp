@@ -1,7 +1,7 @@
 /// What bends the creep curve, and its slopes: friction over place and sliding speed, a layer between the
 /// bodies, damping of the approach, and the derivatives of the forces, with every tangential method.
-#include "test_config.hpp"
 #include "golden/plan.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -60,11 +60,11 @@ void run_sensitivities(const std::vector<Step>& steps, wrc_contact* contact, Has
     input.creepage = step.creepage;
     input.friction = step.friction;
     wrc_planar_output output = sized<wrc_planar_output>();
-    wrc_planar_derivatives slopes{};
+    wrc_planar_derivatives slopes = sized<wrc_planar_derivatives>();
     hash.add(wrc_planar_step(contact, &input, &output));
     hash.add(wrc_planar_tangential_derivatives(contact, &slopes));
     for (const auto& row : slopes.forces) {
-      for (double number : row) hash.add(number);
+      for (int k = 0; k < 5; ++k) hash.add(row[k]);
     }
   }
 }

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "golden/hash.hpp"
 #include "structs.hpp"
+#include "test_config.hpp"
 
 /// Rows or elements of an undeformed gap, and the struct that shows them to the library.
 struct HostGap {
@@ -72,10 +72,14 @@ void add_host_data(Plan& plan);    ///< gaps, strips and patches of the host
 void add_laws(Plan& plan);         ///< friction over place and speed, sensitivities of the forces
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input
 
-// What the parts of the plan share.
-void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& output, Hash& hash);
+/// How far the stages of a contact have come.
+enum class Reached { gap, tangential, damage };
+
+// What the parts of the plan share. `tractions`: does the method give them?
+void hash_step(wrc_contact* contact, int32_t status, const wrc_planar_output& output, bool tractions,
+               Hash& hash);
 void hash_point(const wrc_planar_point& point, Hash& hash);
 void hash_normal(const wrc_planar_normal_solution& of, Hash& hash);
 void hash_forces(const wrc_planar_forces& forces, Hash& hash);
 void hash_damage(const wrc_damage& damage, Hash& hash);
-void hash_fields(const wrc_contact* contact, Hash& hash);
+void hash_fields(wrc_contact* contact, Hash& hash, bool tractions = true, Reached reached = Reached::damage);

@@ -2,8 +2,8 @@
 /// vector register.
 #include <algorithm>
 
-#include "test_config.hpp"
 #include "golden/plan.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -144,7 +144,8 @@ void add_creepages(Plan& plan) {
   for (int32_t tangential : {preset_strip_fastsim, preset_fastsim_sdec}) {
     wrc_config& config = add_model(plan);
     choose_tangential(config, tangential);
-    config.wheel_material.poisson = config.rail_material.poisson = tangential == preset_strip_fastsim ? 0.28 : 0.25;
+    config.wheel_material.poisson = config.rail_material.poisson =
+        tangential == preset_strip_fastsim ? 0.28 : 0.25;
     // Contacts of one model, so that threads have something to share.
     for (std::size_t first = 0; first < steps.size(); first += 7)
       add_job(plan, "creepage",

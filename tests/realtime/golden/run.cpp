@@ -1,9 +1,10 @@
-#include "test_config.hpp"
 #include "golden/run.hpp"
 
 #include <exception>
 #include <stdexcept>
 #include <thread>
+
+#include "test_config.hpp"
 
 Models::Models(const Plan& plan, int32_t instruction_set) {
   for (wrc_config config : plan.models) {
@@ -28,11 +29,14 @@ namespace {
 /// A job under way.
 class Running {
  public:
-  Running(const Job& job, const wrc_model* model) : job_(&job) {
-    if (wrc_contact_create(model, job.side, nullptr, &contact_, nullptr, 0) < 0) throw std::runtime_error("no contact");
+  Running(const Job& job, const wrc_config& config, const wrc_model* model)
+      : job_(&job), tractions_(config.tangential.method != WRC_TANGENTIAL_FORCE_TABLE) {
+    if (wrc_contact_create(model, job.side, nullptr, &contact_, nullptr, 0) < 0)
+      throw std::runtime_error("no contact");
   }
   ~Running() { wrc_contact_destroy(contact_); }
-  Running(Running&& other) noexcept : hash(other.hash), job_(other.job_), contact_(other.contact_) {
+  Running(Running&& other) noexcept
+      : hash(other.hash), job_(other.job_), tractions_(other.tractions_), contact_(other.contact_) {
     other.contact_ = nullptr;
   }
   Running(const Running&) = delete;
@@ -64,7 +68,7 @@ class Running {
     if (input.gap == nullptr) keep(wrc_planar_geometry(contact_, &input.pose, &output.point));
     keep(wrc_planar_normal(contact_, input.gap, &input.load, &output.normal));
     keep(wrc_planar_tangential(contact_, nullptr, &input.creepage, &input.friction, &output.forces));
-    keep(wrc_contact_damage(contact_, &output.damage));
+    keep(wrc_contact_damage(contact_, WRC_ALL_REGIONS, &output.damage));
     return status;
   }
 
@@ -74,7 +78,7 @@ class Running {
       wrc_contact_last_error(contact_, text, sizeof text);
       throw std::runtime_error(job_->group + ", step " + std::to_string(k) + ": " + text);
     }
-    hash_step(contact_, status, output, hash);
+    hash_step(contact_, status, output, tractions_, hash);
   }
 
   Hash hash;
@@ -83,6 +87,7 @@ class Running {
 
  private:
   const Job* job_;
+  bool tractions_;
   wrc_contact* contact_ = nullptr;
   wrc_planar_gap gap_{};
 };
@@ -109,7 +114,7 @@ void run_share(const Plan& plan, const Models& models, int first, int threads, W
   std::vector<std::size_t> places;
   for (std::size_t i = static_cast<std::size_t>(first); i < plan.jobs.size();
        i += static_cast<std::size_t>(threads)) {
-    mine.emplace_back(plan.jobs[i], models[plan.jobs[i].model]);
+    mine.emplace_back(plan.jobs[i], plan.models[plan.jobs[i].model], models[plan.jobs[i].model]);
     places.push_back(i);
   }
   if (way == Way::in_turn) run_in_turn(mine);

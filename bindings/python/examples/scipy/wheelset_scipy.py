@@ -27,7 +27,7 @@ def jacobian(t, x):
     """Derivatives of rates(): of the wrench the library's, of what it is told and of the balance by complex steps."""
     rates(t, x)  # leaves its input and both wrenches there
     wrench = np.concatenate([wheelset.out["force"].sum(axis=0), wheelset.out["moment"].sum(axis=0)])
-    slopes = sum(contact.wrench_sensitivities(wheelset.input)[1].wrench for contact in wheelset.wheels.contacts)
+    slopes = sum(contact.wrench_derivatives(wheelset.input)[1].wrench for contact in wheelset.wheels.contacts)
     columns = []
     for moved in x + 1e-30j * np.eye(12):
         told, along, own = wheelset.seen(t, moved[:6], moved[6:])

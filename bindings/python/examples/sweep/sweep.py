@@ -1,4 +1,4 @@
-"""A parameter study over poses, loads and creepages with dask.distributed, 10^6 steps as one program.
+"""A parameter study over poses, loads and creepages with dask.distributed, 10^6 planar steps as one program.
 
     sweep.py FOLDER [--count 1000000] [--chunk 10000] [--workers 2 | --address tcp://HOST:8786]
     sweep.py FOLDER --compare [--count 100000]      serially, on one worker, on two: times, speed-up, overhead, bits
@@ -41,7 +41,7 @@ def solve(told, start, stop, count):
     """What a worker does: the columns of a chunk, inputs and results."""
     import wrc
     columns = inputs_of(start, stop, count)
-    inputs = wrc.Input.array(stop - start, like=wrc.Input(friction={"coefficient": FRICTION}))
+    inputs = wrc.PlanarInput.array(stop - start, like=wrc.PlanarInput(friction={"coefficient": FRICTION}))
     inputs["pose"]["lateral"], inputs["load"]["normal_force"] = columns["lateral"], columns["load"]
     creepage = inputs["creepage"]
     creepage["longitudinal"], creepage["lateral"], creepage["spin"] = (columns[name] for name in ("longitudinal", "lateral_creepage", "spin"))

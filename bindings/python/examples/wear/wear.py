@@ -7,7 +7,6 @@ which the next call goes on where this one ended or was ended; draw_wheel_wear.p
 is replaced and its curves are run again. The bits are the same whatever the number of workers: lots of neighbouring curves
 begin alike whoever runs them, and bins add up exactly, in any order."""
 import argparse
-import ctypes
 import math
 import os
 import pathlib
@@ -47,22 +46,13 @@ def model_of(profile):
     return wrc.Model(wheel=wheel, rail="60E1", wheelset={"wheel_radius": RADIUS}, track={"rail_inclination": 1.0 / 40.0})
 
 
-def empty_bins():
-    """Bins, and their memory."""
-    import wrc
-    memory = (wrc.DamageBin * (BINS + 1))()
-    bins = wrc.DamageBins(count=BINS, first=FIRST, width=WIDTH)
-    bins.bin = memory[0]
-    return bins, memory
-
-
 class Wheelset:
     """Free to roll and to move sideways, and radial in each curve: without an angle of attack."""
 
     def __init__(self, model):
         import wrc
         self.contacts, self.wrench = [model.contact("RIGHT"), model.contact("LEFT")], wrc.Wrench()
-        self.input = wrc.WheelInput(prescribed="VERTICAL_LOAD", start="FROM_LAST", friction={"coefficient": FRICTION})
+        self.input = wrc.WheelInput(prescribed="VERTICAL_LOAD", start="WARM", friction={"coefficient": FRICTION})
         self.y = self.rotation = 0.0
 
     def forces(self, curve, y, rotation):
@@ -76,8 +66,11 @@ class Wheelset:
         way = (curvature > 0.0) - (curvature < 0.0)
         for contact, outer in zip(self.contacts, (-1.0, 1.0)):  # a curve to the right loads the left wheel
             given.vertical_load = LOAD * (1.0 + outer * 1.2 * way * deficiency)
-            status = wrc.raw.wrc_contact_wrench(contact._handle, given, self.wrench)
-            if status < 0 or status == wrc.Status.FLAG_CLIMBING:
+            try:
+                contact.wrench(given, out=self.wrench)
+            except wrc.Error:
+                return None
+            if wrc.Flags.CLIMBING in self.wrench.flags:
                 return None
             lateral += self.wrench.force[1]
             moment += self.wrench.moment[1]
@@ -162,12 +155,12 @@ class Wheelset:
 
 
 def run_lot(profile, curves, places):
-    """What a worker does with neighbouring curves: bytes of the bins, in seconds of a passage each, the places for the next
-    round, and how many curves could not be run."""
+    """What a worker does with neighbouring curves: the bins after a passage of each, the places for the next round, and how
+    many curves could not be run."""
     import wrc
     model = model_of(profile)
     wheelset, lost, places = Wheelset(model), 0, places.copy()
-    bins, memory = empty_bins()
+    bins = wrc.Bins(BINS, FIRST, WIDTH)
     laws = wrc.WearLaws()
     for name in ("archard_slow", "archard_severe", "archard_fast", "archard_seizure"):
         setattr(laws, name, LUBRICATION * getattr(laws, name))
@@ -186,35 +179,21 @@ def run_lot(profile, curves, places):
                 place = np.concatenate([[wheelset.y, wheelset.rotation], slope.ravel()])
         if place is not None:
             places[i] = place
-        step = wrc.Accumulation(duration=float(curve[1] / curve[3]))
-        step.wear = laws
         for contact in wheelset.contacts:  # both ways: the wheel is the outer as often as the inner one
-            if wrc.raw.wrc_contact_accumulate(contact._handle, step, bins, None, None) < 0:
-                lost += 1
-    return bytes(memory), places, lost
-
-
-def called(status, text=b""):
-    if status < 0:
-        raise RuntimeError(f"status {status} {getattr(text, 'value', text).decode()}")
+            contact.accumulate(bins, duration=float(curve[1] / curve[3]), wear=laws)
+    return bins, places, lost
 
 
 def worn(profile, depth, passages):
     """The profile after so many passages, or as many as take off 0.2 mm: points, passages, largest depth [m]."""
     import wrc
-    y, z, text = np.zeros(400), np.zeros(400), ctypes.create_string_buffer(256)
-    wear = wrc.ProfileWear(y=profile[0], z=profile[1], depth=depth, first=FIRST, width=WIDTH, passages=passages, largest_depth=0.2e-3)
-    found = wrc.WornProfile(capacity=400, y=y, z=z)
-    called(wrc.raw.wrc_profile_remove_wear(wear, found, text, 256), text)
-    return np.array([y[:found.count], z[:found.count]]), found.passages, found.depth
+    found, y, z = wrc.remove_wear(*profile, depth, first=FIRST, width=WIDTH, passages=passages, largest_depth=0.2e-3)
+    return np.array([y, z]), found.passages, found.depth
 
 
 def first_points(model):
     """Of the model's wheel, every half millimetre."""
-    import wrc
-    arc = -0.0795 + 0.5e-3 * np.arange(262)
-    y, z = np.zeros_like(arc), np.zeros_like(arc)
-    called(wrc.raw.wrc_model_arc_places(model._handle, int(wrc.Body.WHEEL), arc.size, arc, y, z))
+    y, z = model.arc_places(-0.0795 + 0.5e-3 * np.arange(262))
     kept = np.concatenate([[True], np.diff(y) > 1e-5])
     return np.array([y[kept], z[kept]])
 
@@ -222,9 +201,8 @@ def first_points(model):
 def gauged(profile):
     """Flange height, thickness, qR [mm], equivalent conicity at 3 mm."""
     import wrc
-    flange, text, lateral = wrc.Flange(), ctypes.create_string_buffer(256), 1e-4 * np.arange(-40, 41)
-    called(wrc.raw.wrc_flange_dimensions(profile.shape[1], profile[0].copy(), profile[1].copy(), 0.070, flange, text, 256), text)
-    difference = model_of(profile).contact_functions(lateral)["radius_difference"]
+    flange, lateral = wrc.flange_dimensions(*profile, 0.070), 1e-4 * np.arange(-40, 41)
+    difference = model_of(profile).wheelset_geometry(lateral)["radius_difference"]
     conicity = wrc.conicity(lateral, difference, 3e-3, radius=RADIUS)["conicity"][0]
     return 1e3 * flange.height, 1e3 * flange.thickness, 1e3 * flange.slope, conicity
 
@@ -270,18 +248,13 @@ def run(folder, km, curves, client=None):
             from dask.distributed import as_completed
             futures = {client.submit(run_lot, profile, rows[lot], places[lot], pure=False, retries=3): lot for lot in lots}
             results = ((futures[each], each.result()) for each in as_completed(list(futures)))
-        bins, memory = empty_bins()
-        lost, next_places = 0, places.copy()
-        for lot, (data, found, left_out) in results:
-            other, its = empty_bins()
-            ctypes.memmove(its, data, len(data))
-            called(wrc.raw.wrc_damage_merge(bins, other))
+        bins, lost, next_places = wrc.Bins(BINS, FIRST, WIDTH), 0, places.copy()
+        for lot, (its, found, left_out) in results:
+            bins.merge(its)
             next_places[lot] = found
             lost += left_out
-        volume = np.zeros(BINS + 1)
-        called(wrc.raw.wrc_damage_values(bins, int(wrc.DamageQuantity.WEAR_ARCHARD), volume))
         # of one wheel: both wheels' volumes are in there, of which it has half
-        depth = 0.5 * volume[:BINS] / (WIDTH * 2.0 * math.pi * RADIUS)
+        depth = 0.5 * bins.values("WEAR_ARCHARD")[0] / (WIDTH * 2.0 * math.pi * RADIUS)
         until = min(km, 10e3 * (math.floor(distance / 10e3 + 1e-9) + 1.0))
         profile, passages, deepest = worn(profile, depth, (until - distance) / length)
         if not passages > 0.0:
