@@ -67,18 +67,18 @@ case $way in
   plain)
     cc -std=c99 -I"$prefix/include" "$example" -L"$(library_directory)" -lwrc -o "$scratch/first_step"
     LD_LIBRARY_PATH=$(library_directory) runs "$scratch/first_step"
-    # A program of interface 1 asks for libwrc.so.1, which this library neither is nor stands for.
+    # A program of interface 0.2 asks for libwrc.so.0.2, which this library neither is nor stands for.
     mkdir -p "$scratch/old"
     echo 'unsigned wrc_version(void) { return 1; }' >"$scratch/old.c"
-    cc -shared -fPIC -Wl,-soname,libwrc.so.1 "$scratch/old.c" -o "$scratch/old/libwrc.so.1"
+    cc -shared -fPIC -Wl,-soname,libwrc.so.0.2 "$scratch/old.c" -o "$scratch/old/libwrc.so.0.2"
     echo 'unsigned wrc_version(void); int main(void) { return wrc_version() == 0; }' >"$scratch/old_program.c"
-    cc "$scratch/old_program.c" "$scratch/old/libwrc.so.1" -o "$scratch/old_program"
+    cc "$scratch/old_program.c" "$scratch/old/libwrc.so.0.2" -o "$scratch/old_program"
     LD_LIBRARY_PATH=$scratch/old "$scratch/old_program"
     if LD_LIBRARY_PATH=$(library_directory) "$scratch/old_program" 2>"$scratch/refusal"; then
-      echo "a program linked with libwrc.so.1 runs"
+      echo "a program linked with libwrc.so.0.2 runs"
       exit 1
     fi
-    grep -F libwrc.so.1 "$scratch/refusal"
+    grep -F libwrc.so.0.2 "$scratch/refusal"
     ;;
   cpp)
     # The C++ header: both compilers, every standard, with exceptions and without; a warning is a failure.
@@ -157,7 +157,7 @@ case $way in
     cc -std=c99 "$example" $(pkg-config --cflags --libs --static wrc) -o "$scratch/first_step"
     runs "$scratch/first_step"
     # In a shared library of a vendor's, it exports nothing.
-    echo 'const void* wrc_get_api(unsigned); const void* of_vendor(void) { return wrc_get_api(2); }' >"$scratch/vendor.c"
+    echo 'const void* wrc_get_api(unsigned); const void* of_vendor(void) { return wrc_get_api(900); }' >"$scratch/vendor.c"
     cc -shared -fPIC "$scratch/vendor.c" "$library" -lstdc++ -lm -o "$scratch/libvendor.so"
     test "$(nm -D --defined-only "$scratch/libvendor.so" | awk '$2 == "T" { print $3 }')" = of_vendor
     ;;

@@ -48,8 +48,8 @@ case $way in
 import os, wrc
 print("python3-wrc:", os.path.realpath(wrc._library.FOLDER / "libwrc.so"))
 contact = wrc.Model(wheel="S1002", rail="UIC60_BENCHMARK").contact()
-result = contact.step(wrc.Input(load={"normal_force": 80e3}, creepage={"longitudinal": 0.5e-3}, friction={"coefficient": 0.35}))
-assert round(result.forces.fx) == -7464 and os.path.exists(wrc.force_table()), result')
+wrench = contact.wrench(wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3))
+assert abs(wrench.force[2] + 80e3) < 1.0 and os.path.exists(wrc.force_table()), wrench')
     fi
     # the runtime package alone carries the program
     "${as[@]}" --purge libwrc-dev wrc-doc wrc-data wrc-fmu python3-wrc >>"$scratch/said" 2>&1

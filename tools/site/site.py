@@ -16,6 +16,10 @@ import sys
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools/interface"))
+import headers  # which header is of which class of stability
+
+NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a table in embedding.md
 WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
 # The manuals in the order of a reader; all pages must be here.
 TABS = [
@@ -63,7 +67,7 @@ def rewritten(path, names):
                 return f"[{text}]({names[page]}{'#' + anchor if anchor else ''})"
         name = os.path.basename(place)
         if place.startswith("include_c/"):
-            return f"[{text}]({name.replace('_', '__').replace('.', '_8')}.html)"
+            return text if name == NO_PAGE else f"[{text}]({of_header(name)})"
         if place.startswith("examples_c/") and name in examples():
             return f"[{text}]({name.replace('.', '_8')}-example.html)"
         assert (ROOT / place).exists(), f"{path}: {place} is not there"
@@ -101,6 +105,22 @@ def identifier(name):
     return "page_" + name.removesuffix(".md")
 
 
+def of_header(name):
+    """The page of a header."""
+    return f"{name.replace('_', '__').replace('.', '_8')}.html"
+
+
+def interface():
+    """The headers as tabs, by class of stability."""
+    def group(title, names):
+        return f'<tab type="usergroup" title="{title}">' + "".join(
+            f'<tab type="user" title="{name}" url="@ref {name}"/>' for name in names if name != NO_PAGE) + "</tab>"
+    tables = [pathlib.Path(name).name for name in headers.TABLES.values()]
+    return ('<tab type="usergroup" title="Interface">' + group("Frozen from 1.0 on", headers.STABLE) +
+            group("May change in a minor version", headers.EXPERIMENTAL) + group("Tables for dlopen", tables) +
+            '<tab type="globals" visible="yes" title="All names"/></tab>')
+
+
 def layout(names):
     """Doxygen's own layout with the manuals as tabs."""
     def tab(title, name):
@@ -111,8 +131,7 @@ def layout(names):
             tabs.append(tab(title, entry))
         else:
             tabs.append(f'<tab type="usergroup" title="{title}">' + "".join(tab(*each) for each in entry) + "</tab>")
-    tabs += ['<tab type="files" visible="yes" title="Interface"><tab type="filelist" visible="yes" title="Headers"/>'
-             '<tab type="globals" visible="yes" title="All names"/></tab>',
+    tabs += [interface(),
              '<tab type="structs" visible="yes" title="Structs"><tab type="structlist" visible="yes" title="List"/></tab>',
              '<tab type="examples" visible="yes" title="Examples"/>']
     subprocess.run(["doxygen", "-l", WORK / "layout.xml"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
