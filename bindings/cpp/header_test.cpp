@@ -255,6 +255,65 @@ void values() {
   rolls_on();
 }
 
+// First tries of a wheel's motion: the right force, or a sentence.
+void motions() {
+  wrc_config config = usual();
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.rail_inclination = 1.0 / 40.0;
+  auto model = wrc::model::make(config);
+  EXPECT(model.has_value());
+  auto contact = wrc::contact::make(*model, WRC_SIDE_RIGHT);
+  EXPECT(contact.has_value());
+  wrc_wheel_input input = wrc_wheel_input_default();
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  input.friction.coefficient = 0.35;
+  input.wheel.velocity[0] = 20.0;
+  const wrc_wheel_input straight = input;
+  const double yaw = 5e-3, rolling = -20.0 / 0.46, sine = std::sin(yaw), cosine = std::cos(yaw);
+  const auto right = [&] {
+    const auto wrench = contact->try_wrench(input);
+    return wrench && wrench->flag == WRC_OK && std::fabs(wrench->force[1] - 24.84e3) < 10.0 &&
+           std::fabs(wrench->power - 2779.0) < 1.0;
+  };
+  std::array<char, 300> sentence{};
+  const auto refused = [&](const char* words) {
+    return contact->try_wrench(input).error() == WRC_ERROR_RANGE && contact->last_error(sentence) == WRC_OK &&
+           std::strstr(sentence.data(), words);
+  };
+  input.wheel.yaw = yaw;
+  input.wheel.angular_velocity[1] = rolling;
+  EXPECT(refused("WRC_AXES_TRACK") && std::strstr(sentence.data(), "WRC_AXES_BODY"));
+  input.wheel.angular_axes = WRC_AXES_BODY;
+  EXPECT(right());
+  input = straight;
+  input.wheel.yaw = yaw;
+  input.wheel.pitch_rate = rolling;
+  EXPECT(right());
+
+  // by columns, as Eigen's data() has it
+  const double columns[9] = {cosine, sine, 0.0, -sine, cosine, 0.0, 0.0, 0.0, 1.0};
+  input.wheel.yaw = 0.0;
+  std::memcpy(input.wheel.rotation, columns, sizeof columns);
+  EXPECT(refused("WRC_ORIENTATION_COLUMNS"));
+  input.wheel.orientation = WRC_ORIENTATION_COLUMNS;
+  EXPECT(right());
+  input.wheel.pitch_rate = 0.0;
+  input.wheel.angular_axes = WRC_AXES_TRACK;
+  input.wheel.angular_velocity[0] = -sine * rolling;
+  input.wheel.angular_velocity[1] = cosine * rolling;
+  EXPECT(right());
+  input.wheel.orientation = WRC_ORIENTATION_ROWS;
+  const auto transposed = contact->try_wrench(input);
+  EXPECT(transposed && transposed->flag == WRC_FLAG_ROTATION_TRANSPOSED);
+
+  input = straight;  // over a rail at rest, 1 mrad aslant
+  input.wheel.pitch_rate = rolling;
+  input.rail.y_slope = 1e-3;
+  const auto aslant = contact->try_wrench(input);
+  EXPECT(aslant && std::fabs(aslant->force[1]) < 500.0);
+}
+
 #ifdef WRC_EXCEPTIONS
 template <class Call>
 void fails(std::int32_t why, const char* sentence, const Call& call, int line) {
@@ -305,6 +364,7 @@ void exceptions() {
 int main() {
   structs();
   values();
+  motions();
 #ifdef WRC_EXCEPTIONS
   exceptions();
   const char* exceptions_are = "with exceptions";

@@ -72,6 +72,14 @@ contains
     if (status /= WRC_OK) text = 'no contact'
   end subroutine
 
+  ! Gives a wheel its orientation by a matrix, track = matmul(R, body), pitch in it or not; its roll and yaw must be 0.
+  subroutine wrc_set_rotation(wheel, R)
+    type(wrc_wheel_state), intent(inout) :: wheel
+    real(c_double), intent(in) :: R(3, 3)
+    wheel%orientation = WRC_ORIENTATION_COLUMNS
+    wheel%rotation = reshape(R, [9])
+  end subroutine
+
   subroutine from_c(buffer, text)
     character(kind=c_char), intent(in) :: buffer(:)
     character(*), intent(out) :: text

@@ -89,7 +89,7 @@
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
- *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.5 MB, with profiles 3.1 MB; a saved state a tenth of it.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.5 MB, with profiles 3.2 MB; a saved state 0.3 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
@@ -165,8 +165,8 @@ enum wrc_profile_kind {
 
 /** Where profiles lie. */
 enum wrc_profile_placement {
-  WRC_PLACEMENT_GAUGE = 0, /**< rails by track_gauge and gauge_depth, tops at z = 0: new profiles */
-  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it.
+  WRC_PLACEMENT_GAUGE = 0, /**< rails by track.gauge and track.gauge_depth, tops at z = 0: new profiles */
+  WRC_PLACEMENT_ORIGIN = 1 /**< rails by the origin of their points, at y = track.rail_origin, z = 0. Inclination turns about it.
                                 A worn rail stays where the new one was */
 };
 
@@ -240,8 +240,8 @@ enum wrc_available {
   WRC_AVAILABLE_PLACE = 2      /**< places in the track frame: not with a gap, strips or an ellipse of the caller */
 };
 
-/** Fields of a region: one value per cell or per strip. Strips lie side by side, from the gauge side to the field side of a rail's
- * arc length s, on a contact plane by increasing y. Cells divide a strip; cell 0 is at its leading edge. */
+/** Fields of a region: one value per cell or per strip. A wheel's strips lie side by side along the rail's arc, from the gauge side
+ * to the field side. Those of a contact plane lie by increasing y. Cells divide a strip; cell 0 is at its leading edge. */
 enum wrc_field {
   WRC_FIELD_X = 0,                /**< cells: x of the middle. Wheel: from its reference point; plane: contact frame [m] */
   WRC_FIELD_PRESSURE = 1,         /**< cells: normal pressure in the middle [Pa] */
@@ -303,7 +303,7 @@ enum wrc_wrench_input {
 
 /** A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over 20 to 500 mm, within
  * 1 m of the origin, without a step.
- *  - Wheel: y = 0 at the running circle, flange at y < 0 (also for a left wheel), z = 0 at y = 0.
+ *  - Wheel: y = 0 and z = 0 at the running circle, flange at y < 0, also for a left wheel.
  *  - Rail: y towards the field side, z = 0 at the top; gauge side at y < 0 (also for a left rail). Its points go down the gauge
  *    face by track.gauge_depth at least.
  *  - A step is refused: 1 mm and more from one point to the next at over 79 degrees, between parts below 45 degrees. For a rail's
@@ -355,9 +355,9 @@ typedef struct wrc_config_track {
   double reserved[6];      /**< 0 */
 } wrc_config_track;
 
-/** One cross section of a rail that changes along the track. Sections of one surface (stock rail, blade, wing rail, nose) are
- * blended point by point of equal share of their length, twice continuously differentiable in the distance. Marks divide that
- * length: points of equal mark belong together. A surface is there from its first section to its last. It should begin and end
+/** One cross section of a rail that changes along the track. A surface is a stock rail, a blade, a wing rail, a
+ * nose. Its sections are blended point by point of equal share of their length. The blend is twice continuously differentiable in
+ * the distance. Marks divide that length: points of equal mark belong together. A surface is there from its first section to its last. It should begin and end
  * where no wheel touches it. Theory manual, section 9. */
 typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
@@ -591,7 +591,7 @@ typedef struct wrc_wrench {
   double rail_force[3];  /**< on the rail, track axes: -force [N] */
   double rail_moment[3]; /**< on the rail about the displaced origin of its profile, track axes [N m] */
   double z;              /**< displacement of the reference point, as given or as found [m] */
-  double clearance;      /**< apart: height by which the wheel must be lowered to touch, at most the search limit; else 0 [m] */
+  double clearance;      /**< apart, at a given height: by how much the wheel must be lowered to touch. 50e-3: that or more [m] */
   double normal_force;   /**< sum over the regions of the resultants of their pressures. It steps where regions join [N] */
   double area;           /**< [m^2] */
   double peak_pressure;  /**< [Pa] */
@@ -610,7 +610,7 @@ typedef struct wrc_wrench_derivatives {
 
 /* ------------------------------------------------------------------------------------- structs: results by region */
 
-/** Rigid slip of the wheel over the rail per rolled length: at (x, y) of the contact plane
+/** Rigid slip of the wheel over the rail per rolled length. At (x, y) of the contact plane it is
  * (longitudinal - spin y, lateral + spin x). An amount below 1e-100 counts as 0. */
 typedef struct wrc_creepage {
   double longitudinal;      /**< nu_x, -10..10 [0] */
@@ -654,8 +654,8 @@ typedef struct wrc_region {
   double moment[3];      /**< on the wheel about `point`, track axes [N m] */
   double normal_force;   /**< resultant of the pressure, compressive positive [N] */
   double longitudinal_force; /**< sum of the strips' tangential forces along x [N] */
-  double lateral_force;  /**< sum of the strips' tangential forces along the rail's arc, or along y of the contact plane [N] */
-  double spin_moment;    /**< about the normal: wheel, through `point`; plane, through the origin of the contact frame [N m] */
+  double lateral_force;  /**< sum of the strips' tangential forces across the rail, to the right [N] */
+  double spin_moment;    /**< of tractions about the normal. Wheel: through `point`; plane: through the origin of its frame [N m] */
   wrc_creepage creepage; /**< wheel: means over the load; plane: as given */
   wrc_ellipse ellipse;   /**< its equivalent double ellipse, of a wheel laid flat along the rail's arc */
   double area;           /**< [m^2] */
@@ -839,7 +839,7 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const w
  * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
-/** Length of a saved state, a tenth of the memory a contact takes.
+/** Length of a saved state, some 0.3 MB.
  * @param model the model
  * @param[out] bytes size; zero on failure
  * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
@@ -882,8 +882,8 @@ WRC_API int32_t wrc_contact_save_portable(wrc_contact* contact, void* buffer, ui
  * @param contact the contact
  * @param buffer from wrc_contact_save_portable()
  * @param bytes of buffer
- * @return WRC_OK; WRC_ERROR_NULL, _FILE (no such state, cut short, or changed since it was written), _UNSUPPORTED (of another
- * version of the library, or another byte order), _SEQUENCE (of another configuration or side). @rt hard, long @thread contact */
+ * @return WRC_OK; WRC_ERROR_NULL; _FILE (no such state, cut short, or changed since it was written); _UNSUPPORTED (of another
+ * version of the library, or another byte order); _SEQUENCE (of another configuration or side). @rt hard, long @thread contact */
 WRC_API int32_t wrc_contact_restore_portable(wrc_contact* contact, const void* buffer, uint64_t bytes);
 
 /** The sentence behind the last status of this contact. It begins with the function's name, for example
@@ -897,8 +897,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
 
 /* -------------------------------------------------------------------------------------------------- wheel on a rail */
 
-/** The wrench between a wheel and a rail at this pose and motion, steady rolling. Tread, gauge corner and flange are one problem: no
- * contact point is chosen, each strip of the rail's surface has its own normal, overlap and slip. The wrench is a continuous
+/** The wrench between a wheel and a rail at this pose and motion, steady rolling. Tread, gauge corner and flange are one problem. No
+ * contact point is chosen: each strip of the rail's surface has its own normal, overlap and slip. The wrench is a continuous
  * function of all inputs, but where a flag says otherwise. Theory manual, section 9.
  * @par Methods
  * The defaults, WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM, are what accuracy and smoothness are stated for.
@@ -908,18 +908,22 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * 0.03 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
  * temperature doubles the time.
  * @par A given load under high friction
- * Where friction on a steep face outweighs its slope, the vertical force may fall as the wheel goes down. The highest place that
+ * Friction on a steep face may outweigh its slope. The vertical force then falls as the wheel goes down. The highest place that
  * carries the load with a force growing downwards is returned. Where there is none, it is the place at which the force first
  * ceases to grow: then force[2] is less than the load. WRC_FLAG_CLIMBING says that none or several places carry the load.
  * @param contact of a model with profiles
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (apart; also a flange 4 mm and more inside the side of a rail, which the sentence says),
- * _ITERATION_CAP, _PATCH_AT_EDGE (contact reaches the end of a profile), _MORE_PATCHES (more regions or strips than there is room
- * for), _TABLE_RANGE, _CREEPAGES_LIMITED (slower than 0.1 m/s, as wrc_planar_creepages()), _BEYOND_GAP (deeper than 2 mm: continued
- * with the stiffness there), _CLIMBING, _BEYOND_SECTIONS, _FORCE_JUMPS (a planar method on a patch of several lowest points),
- * _ROTATION_TRANSPOSED; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (model without profiles; zones in a contact
- * frame; friction over temperature of a method without tractions), _LOAD (no height carries the load). @rt hard @thread contact */
+ * @return WRC_OK, or the gravest flag:
+ *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
+ *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
+ *  - _PATCH_AT_EDGE: contact reaches the end of a profile. _MORE_PATCHES: more regions or strips than there is room for.
+ *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages().
+ *  - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there.
+ *  - _FORCE_JUMPS: a planar normal method on a patch of several lowest points.
+ *
+ * Or WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
+ * zones in a contact frame; friction over temperature of a method without tractions. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
 /** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
@@ -966,8 +970,8 @@ WRC_API int32_t wrc_contact_region(wrc_contact* contact, int32_t index, wrc_regi
  * @param[out] values element (cell i, strip j) at j * counts[0] + i; NULL: not wanted, only counts are
  * @param room numbers that values has room for
  * @param[out] counts two of them: cells of each strip (1 of a field over strips or rows), and strips or rows; NULL: not wanted
- * @return WRC_OK; WRC_ERROR_NULL (values and counts), _SEQUENCE (no solution, or no gap), _RANGE (no such region), _UNSUPPORTED (no
- * such field, or the solution has no tractions), _BUFFER (too little room: nothing is written). @rt hard @thread contact */
+ * @return WRC_OK; WRC_ERROR_NULL (values and counts); _SEQUENCE (no solution, or no gap); _RANGE (no such region); _UNSUPPORTED (no
+ * such field, or the solution has no tractions); _BUFFER (too little room: nothing is written). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_field(wrc_contact* contact, int32_t index, int32_t field, double* values, uint64_t room,
                                   uint64_t* counts);
 
@@ -975,8 +979,8 @@ WRC_API int32_t wrc_contact_field(wrc_contact* contact, int32_t index, int32_t f
  * @param contact the contact; its work space is used
  * @param index as for wrc_contact_region(); WRC_ALL_REGIONS: all patches of a contact plane together
  * @param[out] damage the numbers
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _SEQUENCE (no solution), _RANGE (no such region), _UNSUPPORTED
- * (WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL; _SEQUENCE (no solution); _RANGE (no such region, or
+ * WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_damage(wrc_contact* contact, int32_t index, wrc_damage* damage);
 
 /* ---------------------------------------------------------------------------------------------------- for dlopen */

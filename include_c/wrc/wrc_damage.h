@@ -7,10 +7,11 @@
  * remembered and not confirmed: a version may correct them, and CHANGELOG.md says so.
  *
  * @par Damage along the line
- * What a journey does to profiles and rails is collected in bins of the caller over the arc length of a profile, of a rail
- * also over the distance along the track. Each strip of a contact gives each bin its share by overlap: sums are continuous in the
- * pose. Sums are integers of 128 bits: contacts may add to one set of bins, or to sets that are merged afterwards, in any order,
- * with the same bits.
+ *
+ * Bins of the caller collect what a journey does to profiles and rails. They lie over the arc length of a profile, of a rail also over
+ * the distance along the track. Each strip of a contact gives each bin its share by overlap: sums are continuous in the pose. Sums
+ * are integers of 128 bits. Contacts may add to one set of bins, or to sets that are merged afterwards. The order does not change
+ * a bit.
  * @code
  *   wrc_damage_bin wheel_bin[281] = {0};                                // 280, and one for what lies beside them
  *   wrc_damage_bins wheel = wrc_damage_bins_default();
@@ -234,12 +235,12 @@ WRC_DEFAULT_SIZED(wrc_fatigue_laws)
  * @param index as for wrc_contact_damage()
  * @param laws parameters; NULL: the published ones
  * @param[out] wear the numbers
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (the
- * solution has no tractions; WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (no such region, or WRC_ALL_REGIONS of
+ * a wheel), _UNSUPPORTED (no tractions). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wear(wrc_contact* contact, int32_t index, const wrc_wear_laws* laws, wrc_wear* wear);
 
-/** Temperatures in one region of the contact's last solution, from its frictional power: flash temperatures of points that pass
- * through the contact (Ertz and Knothe, Wear 253 (2002) 498),
+/** Temperatures in one region of the contact's last solution, from its frictional power. They are flash temperatures of points that
+ * pass through the contact (Ertz and Knothe, Wear 253 (2002) 498),
  *     T(s) = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 / ((beta_w + beta_r) sqrt(pi V)) Int_0^s q / sqrt(s - s') ds',
  * s from the leading edge along each strip, q the power density, beta = sqrt(conductivity density specific_heat). Heat flows into
  * the depth alone, which holds from some 0.1 m/s on. Below, temperatures are too high and go to zero with the speed. Near standstill
@@ -248,12 +249,12 @@ WRC_API int32_t wrc_contact_wear(wrc_contact* contact, int32_t index, const wrc_
  * @param index as for wrc_contact_damage()
  * @param bulk temperatures of the bodies; NULL: the defaults
  * @param[out] temperature the numbers: x as WRC_FIELD_X, y as WRC_FIELD_STRIP_Y
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (the
- * solution has no tractions; WRC_ALL_REGIONS of a wheel). @rt hard @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (no such region, or WRC_ALL_REGIONS of
+ * a wheel), _UNSUPPORTED (no tractions). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, int32_t index, const wrc_bulk_temperatures* bulk,
                                         wrc_temperature* temperature);
 
-/** Largest stresses in one of the bodies under pressure and tractions of one region of the contact's last solution: at the surface, at
+/** Largest stresses in one of the bodies under one region of the contact's last solution. They are looked for at the surface, at
  * depths of the caller, and around the largest of these. A region of a wheel is laid flat along the rail's arc. Depths a fifth of
  * the patch's smaller half extent apart are close enough. Elastic half-space: strips are joined to 36 lanes of 48 cells at most, near
  * cells are rectangles, others forces at points (Boussinesq, Love, Cerruti; Johnson 1985, 3.2). 0.6 ms for the surface, 2.4 ms with
@@ -266,8 +267,8 @@ WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, int32_t index, con
  * @param count of depths, 1..64
  * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted; zero on failure
  * @param[out] stresses at the surface, below it and of both; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE, _UNSUPPORTED (no
- * such body; no tractions; WRC_ALL_REGIONS of a wheel). @rt hard, long @thread contact */
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (also WRC_ALL_REGIONS of a wheel),
+ * _UNSUPPORTED (no such body, no tractions). @rt hard, long @thread contact */
 WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t index, int32_t body, const double* depths, uint32_t count,
                                      wrc_stress_peaks* levels, wrc_stresses* stresses);
 

@@ -6,18 +6,20 @@
  * May change in a minor version, with WRC_EXPERIMENTAL_VERSION.
  *
  * Everything here allocates, may take milliseconds to minutes and is "@rt init". Frames, signs, units and conventions
- * are those of wrc.h. Fields are one double per cell of a rectangular grid, x fastest: element (i, j) of nx * ny is at
- * j * nx + i, its cell's centre at (x0 + i dx, y0 + j dy) in the contact frame; particles enter a row at large i.
+ * are those of wrc.h. Fields are one double per cell of a rectangular grid, x fastest. Element (i, j) of nx * ny is at j * nx + i.
+ * Its cell's centre is (x0 + i dx, y0 + j dy) in the contact frame. Particles enter a row at large i.
  *
- * Two elastic half-spaces of shear moduli G1, G2 and Poisson ratios nu1, nu2 are treated through the combined constants
- * 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2, and K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), which couples
- * normal and tangential problem and is 0 of equal materials. wrc_exact_normal() is without friction and needs no K; rolling,
- * steady or not, has what the given pressure moves the surfaces along each other, and power_by_balance of steady rolling counts
- * that as slip; wrc_exact_wrench() has that and what tractions open, but for products of K and the turn of the normals.
+ * Two elastic half-spaces are treated through combined constants:
+ *  - 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2,
+ *  - K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), which couples normal and tangential problem and is 0 of equal materials.
  *
- * Memory during a call: 600 bytes per cell of the grid for the normal problem; for rolling at most 2.5 kB + 16 nx bytes
- * (measured: 7 MB at 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256; 20 GB is the bound at 1024 x 1024). A
- * handle of non-steady rolling keeps 850 bytes per cell.
+ * wrc_exact_normal() is without friction and needs no K. Rolling, steady or not, has what the given pressure moves the surfaces along
+ * each other. power_by_balance of steady rolling counts that as slip. wrc_exact_wrench() has both couplings, but for products of K
+ * and the turn of the normals.
+ *
+ * Memory during a call: 600 bytes per cell of the grid for the normal problem, 2.5 kB + 16 nx bytes for rolling. Measured: 7 MB at
+ * 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256. At 1024 x 1024 the bound is 20 GB. A handle of non-steady rolling keeps
+ * 850 bytes per cell.
  */
 #ifndef WRC_OFFLINE_H
 #define WRC_OFFLINE_H
@@ -227,7 +229,7 @@ WRC_API int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_ex
 WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_exact_rolling_solution* solution,
                                   char* text, uint64_t size);
 
-/** Stresses at given points of a body under loads on its surface: closed forms for loads that are constant on each cell
+/** Stresses at given points of a body under loads on its surface, by closed forms for loads constant on each cell
  * (Boussinesq, Love 1929, Cerruti; Johnson 1985, 3.2), theory manual, section 6. Loads are those of any solution, of
  * wrc_exact_rolling() for one.
  * @param loads what acts
@@ -242,12 +244,11 @@ WRC_API int32_t wrc_exact_rolling(const wrc_exact_rolling_problem* problem, wrc_
 WRC_API int32_t wrc_exact_stress(const wrc_exact_loads* loads, const double* points, uint32_t count, double* stresses,
                                  char* text, uint64_t size);
 
-/** Largest stresses in a body under loads on its surface, for all depths and for some: of the stresses of
- * wrc_exact_stress() at the centres of all cells, and of some more around the grid, at every depth that is looked at, by
- * FFT. Depths are 0, eleven to 1.5 times the smaller half extent of the loads, and golden sections around the largest
- * of each number, to a thousandth of that extent. Takes about a second for 80 x 60 cells. At the surface the stress
- * beside the end of a traction has no bound as cells shrink where the traction ends in a step; under tractions that
- * go to zero it has (theory manual, section 6).
+/** Largest stresses in a body under loads on its surface, for all depths and for those of the caller. At every depth they are the
+ * largest of wrc_exact_stress() at the centres of all cells and of some more around the grid, by FFT. Depths looked at: 0; eleven to
+ * 1.5 times the smaller half extent of the loads; golden sections around the largest of each, to a thousandth of that extent. Takes
+ * about a second for 80 x 60 cells. At the surface the stress beside the end of a traction that ends in a step has no bound as cells
+ * shrink. Under tractions that go to zero it has one (theory manual, section 6).
  * @param loads what acts
  * @param depths count of them, 0..1 m; NULL with count 0
  * @param count of depths, 0..1000
@@ -262,9 +263,10 @@ WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const d
                                            void* user, char* text, uint64_t size);
 
 /** @name Non-steady rolling
- * In each step the bodies roll on by one cell, grid.dx, under pressure, friction and creepages of that step, and what they
- * were displaced by before stays with them: s(x) = w + (u(x) - u_before(x + dx)) / dx (Kalker 1990; CONTACT's T = 2 with
- * dq = dx). Conditions that stay the same end in wrc_exact_rolling().
+ *
+ * In each step the bodies roll on by one cell, grid.dx, under pressure, friction and creepages of that step. Displacements of before
+ * stay with them: s(x) = w + (u(x) - u_before(x + dx)) / dx (Kalker 1990; CONTACT's T = 2 with dq = dx). Conditions that stay the
+ * same end in wrc_exact_rolling().
  * @{ */
 
 /** Two bodies that roll, with their history. One thread at a time. */
@@ -296,9 +298,9 @@ WRC_API int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const w
 WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
 /** @} */
 
-/** Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages and friction)
- * exactly on nx x ny cells over its patches, friction.slope_reduction included, and reports the errors of the real-time
- * method. The contact is not changed.
+/** Solves the tangential problem of the contact's last stages exactly, and reports the errors of the real-time method. Pressure is that
+ * of the contact's strips, on nx x ny cells over its patches. Creepages, friction and friction.slope_reduction are its own. The
+ * contact is not changed.
  * @param contact after wrc_planar_tangential or wrc_planar_step
  * @param options NULL: the defaults
  * @param[out] result exact forces and the errors
@@ -307,22 +309,21 @@ WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                                 wrc_exact_check_result* result);
 
-/** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface, with
- * the gap of every cell along its own normal, the sliding of its own surface points, and half-space coefficients over
- * arc length between frames turned against each other, so that pressure and tractions act on one another. Friction zones
- * and friction that falls with the speed are each row of cells', both ways of rolling and what becomes of them near
- * standstill (WRC_FLAG_CREEPAGES_LIMITED) as in wrc_contact_wrench(), damping by the speed at which a row's surfaces
- * near each other at its middle; friction.slope_reduction divides what tractions move the surfaces along each other:
- * theory manual, sections 5, 7 and 9. Takes from a tenth of a second to minutes, growing with the second to fourth power
- * of 1 / cell. The contact keeps its last wrc_contact_wrench().
+/** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface. Every cell has
+ * its gap along its own normal and the sliding of its own surface points. Half-space coefficients are those over arc length between
+ * frames turned against each other, so that pressure and tractions act on one another.
+ *  - Friction zones and falling friction are each row of cells'. Both ways of rolling near standstill are as in wrc_contact_wrench().
+ *  - Damping goes by the speed at which a row's surfaces near each other at its middle.
+ *  - friction.slope_reduction divides what tractions move the surfaces along each other: theory manual, sections 5, 7 and 9.
+ *  - Takes from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell.
+ *  - The contact keeps its last wrc_contact_wrench().
  *
- * On a rail that changes along the track every cell has its gap to the rail as it is there, between the strips that
- * wrc_contact_wrench() has cut, and its sliding along it; normals turn with the section, and forces lean along the track,
- * row by row as they do where the wheel is nearest. Faces - a check rail, a blade - are solved each alone, with its own
- * rolling speed, and added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
- * rail that is level along the track. Each row of cells has one patch along the track.
+ * On a rail that changes along the track every cell has its gap to the rail as it is there, and its sliding along it. Normals turn with
+ * the section, and forces lean along the track, row by row as they do where the wheel is nearest. Surfaces (a check rail, a blade)
+ * are solved each alone, with its own rolling speed, and added up. A wheel that is not round has its radius at every cell. Its
+ * hollows are bridged as by a rail that is level along the track. Each row of cells has one patch along the track.
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
- * @param input as for wrc_contact_wrench(); without WRC_FRICTION_TEMPERATURE: there are no temperatures
+ * @param input as for wrc_contact_wrench(); without WRC_TEMPERATURE_LAW_LINEAR: there are no temperatures
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them

@@ -1,8 +1,8 @@
 /** @file wrc_planar.h
  * Contact on one plane, in stages: the system of the source paper. Conventions are those of wrc.h, which it includes.
  *
- * For prescribed creepages, single patches, published methods side by side. A wheelset in a simulation is wrc_contact_wrench():
- * the stages take the slip at one point, and forces jump where the lowest point of a pose does.
+ * For prescribed creepages, single patches, published methods side by side. A wheelset in a simulation is wrc_contact_wrench().
+ * The stages take the slip at one point, and forces jump where the lowest point of a pose does.
  *
  * A step is five stages. Call them together (wrc_planar_step), one by one, or enter in the middle with your own data:
  *
@@ -201,8 +201,8 @@ WRC_API int32_t wrc_planar_step(wrc_contact* contact, const wrc_planar_input* in
 WRC_API int32_t wrc_planar_geometry(wrc_contact* contact, const wrc_planar_pose* pose, wrc_planar_point* point);
 
 /** Creepages at the origin of the contact frame of the last wrc_planar_geometry(), from the rigid motion of the wheelset. The velocity
- * of the wheel's point is divided by the amount of the rolling speed V: the mean of the speeds of wheel and rail material through
- * the contact. A locked wheel has half its speed and creepage 2.
+ * of the wheel's point is divided by the amount of the rolling speed V. That is the mean of the speeds of wheel and rail material
+ * through the contact. A locked wheel has half its speed and creepage 2.
  *  - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 - u^4) / 8, u = |V| / 0.1 m/s. `speed` has its amount and the sign of V.
  *    reverse_share goes to 0.5 at V = 0. Forces are twice differentiable in the motion through V = 0.
  *  - Where a creepage would pass its range, all are divided by more, and speed grows by it.
@@ -221,8 +221,8 @@ WRC_API int32_t wrc_planar_creepages(wrc_contact* contact, const wrc_planar_moti
  * @param gap contact frame; copied; NULL: the gap already in the contact, of wrc_planar_geometry() or of an earlier call
  * @param load along the contact normal
  * @param[out] normal the solution; NULL: not wanted
- * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force), _ITERATION_CAP, _PATCH_AT_EDGE,
- * _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_JUMPS (HERTZ to STRIPES: no approach carries the load; the one of the next
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force); _ITERATION_CAP, _PATCH_AT_EDGE,
+ * _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95); _LOAD_JUMPS (HERTZ to STRIPES: no approach carries the load; the one of the next
  * larger load is returned), _BEYOND_GAP (deeper than config.planar.gap_limit: continued with the last stiffness, the patch stays);
  * WRC_ERROR_NULL, _SEQUENCE (gap is NULL and the contact has none), _GAP, _LOAD, _NOT_FINITE, _RANGE, _UNSUPPORTED.
  * @rt hard @thread contact */

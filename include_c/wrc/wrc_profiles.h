@@ -1,6 +1,6 @@
 /** @file wrc_profiles.h
- * Pairs of profiles, before and after they run on each other: where a wheelset touches its track, rolling radius
- * difference, contact angles, equivalent conicity; profiles that wear. Not for real-time use.
+ * Pairs of profiles, before and after they run on each other. Where a wheelset touches its track, rolling radius difference, contact
+ * angles, equivalent conicity; profiles that wear. Not for real-time use.
  *
  * Conventions are those of wrc.h, which it includes. Everything allocates and is "@rt init". Arrays are the caller's.
  *
@@ -137,9 +137,9 @@ WRC_DEFAULT_SIZED(wrc_profile_wear)
  * @param[in,out] functions results; its arrays say which; left zero on failure
  * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
  * @param size bytes of text
- * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _SEQUENCE (model without
- * profiles), _UNSUPPORTED (a load, and a model of another normal method), _GAP (no rail below a wheel at one of the
- * displacements), _LOAD (the same under load), _MEMORY.
+ * @return WRC_OK; WRC_FLAG_ITERATION_CAP; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _MEMORY; _SEQUENCE (model without
+ * profiles); _UNSUPPORTED (a load, and a model of another normal method); _GAP (no rail below a wheel at one of the
+ * displacements); _LOAD (the same under load).
  * @rt init @thread free */
 WRC_API int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
                                               wrc_wheelset_geometry* functions, char* text, uint64_t size);

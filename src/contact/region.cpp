@@ -199,7 +199,9 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
           .unit = "",
           .low = 0.0,
           .high = count - 1.0,
-          .cause = count == 0 ? "wheel and rail do not touch: there are no regions" : nullptr};
+          .cause = count == 0   ? "wheel and rail do not touch: there are no regions"
+                   : count == 1 ? "there is one region: its index is 0"
+                                : nullptr};
 }
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {

@@ -58,7 +58,9 @@ int printf(const char*, ...);
 int fprintf(FILE*, const char*, ...);
 int snprintf(char*, size_t, const char*, ...);
 int sscanf(const char*, const char*, ...);
+#define EOF (-1)
 int puts(const char*);
+int fgetc(FILE*);
 char* fgets(char*, int, FILE*);
 FILE* fopen(const char*, const char*);
 int fclose(FILE*);
@@ -68,6 +70,8 @@ END
 #pragma once
 #include <stddef.h>
 __declspec(noreturn) void exit(int);
+#define EXIT_SUCCESS 0
+#define EXIT_FAILURE 1
 void* malloc(size_t);
 void* calloc(size_t, size_t);
 void free(void*);
@@ -78,6 +82,7 @@ void qsort(void*, size_t, size_t, int (*)(const void*, const void*));
 END
   cat >"$to/math.h" <<'END'
 #pragma once
+#define NAN __builtin_nanf("")
 double fabs(double), fmax(double, double), fmin(double, double), sin(double), cos(double), tan(double), atan(double), sqrt(double),
     log(double), hypot(double, double), copysign(double, double), pow(double, double), fmod(double, double), floor(double), exp(double),
     atan2(double, double);

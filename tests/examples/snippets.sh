@@ -15,9 +15,9 @@ for piece in "$folder"/*.piece; do
   {
     echo '#include "wrc/wrc_api.h"'
     echo 'void use(double value); void complain(const char* text);'
-    echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw);'
-    echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw) {'
-    echo '  (void)config, (void)contact, (void)wrench, (void)memory, (void)y, (void)z, (void)roll, (void)yaw;'
+    echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw, double speed, double radius, double roll_rate, double yaw_rate);'
+    echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw, double speed, double radius, double roll_rate, double yaw_rate) {'
+    echo '  (void)config, (void)contact, (void)wrench, (void)memory, (void)y, (void)z, (void)roll, (void)yaw, (void)speed, (void)radius, (void)roll_rate, (void)yaw_rate;'
     echo '  {'
     cat "$piece"
     echo '  }'

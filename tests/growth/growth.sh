@@ -34,6 +34,14 @@ count() {
   [ "$3" -ge 1 ] && [ "$3" -le "$2" ]
 }
 
+# make COPY TARGET OPTION...: with the compiler cache where there is one; what the copies share is then compiled once.
+make() {
+  local launcher=
+  ! command -v ccache >/dev/null || launcher=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  (cd "$1" && export CCACHE_BASEDIR=$1 && cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_FORTRAN=OFF $launcher "${@:3}" &&
+    cmake --build build -j 2 --target "$2") >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+}
+
 # built NAME MOST TARGET TESTS: the patch on a copy.
 built() {
   local copy=$scratch/$1 test
@@ -56,8 +64,7 @@ built() {
   for test in "$copy/tests/${3%_tests}"/*_test.cpp; do
     grep -q "(${4%%.*}," "$test" || rm "$test"
   done
-  (cd "$copy" && cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_FORTRAN=OFF -DWRC_EXAMPLES=ON &&
-    cmake --build build -j 2 --target "$3") >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+  make "$copy" "$3" -DWRC_EXAMPLES=ON || return 1
   "$copy/build/tests/$3" --gtest_filter="$4" >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
   grep '^\[  PASSED  \]' "$scratch/log"
   ! grep -q 'PASSED  \] 0 tests' "$scratch/log"
@@ -92,9 +99,7 @@ structs() {
   numbers now today || wrong=1
   numbers probing today || wrong=1
   if [ "${2:-}" = build ]; then
-    (cd "$copy" && CCACHE_BASEDIR=$copy cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_EXAMPLES=OFF \
-      -DWRC_FORTRAN=OFF -DWRC_FMI=OFF -DWRC_WERROR=OFF $(command -v ccache >/dev/null && echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache) &&
-      CCACHE_BASEDIR=$copy cmake --build build -j 2 --target wrc) >"$scratch/log" 2>&1 || { cat "$scratch/log"; return 1; }
+    make "$copy" wrc -DWRC_TESTS=OFF -DWRC_EXAMPLES=OFF -DWRC_FMI=OFF -DWRC_WERROR=OFF || return 1
     mkdir "$scratch/later"
     cp "$copy"/build/libwrc.so.* "$scratch/later"
     numbers then later || wrong=1

@@ -56,7 +56,7 @@ case $host in
     cp "$source/bindings/hosts/simulink/wrc_wheel.c" . # it leaves an object beside the source
     mkoctfile --mex -DMATLAB_MEX_FILE -Wall -Wextra wrc_wheel.c -I"$source/bindings/hosts" -I"$source/bindings/hosts/simulink/stub" "${flags[@]}" -lwrc
     octave --no-gui --no-init-file --eval '
-      in = [1e-3; 3e-4; 0; 1e-3; 20; 0; 0; 0; -20/0.46; 0; 0; 1e-5; 0; 0; 0; 0];
+      in = [1e-3; 3e-4; 0; 1e-3; 20; 0; 0; 0; -20/0.46; 0; 0; 1e-5; zeros(6, 1)];
       w = wrc_wheel([in, in], 0, 2, 4, 0, 0.3);
       assert(w(:, 1), w(:, 2));
       printf("%.17g\n", w(:, 1));

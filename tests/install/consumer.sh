@@ -112,7 +112,7 @@ case $way in
       cd "$scratch/$compiler"
       objects=(wrc.o wrc_optional.o wrc_f77.o)
       for object in "${objects[@]}"; do "$compiler" -c "$modules/${object%.o}.f90"; done
-      for case in main_case.f90 optional_case.f90 flat_case.f; do
+      for case in main_case.f90 wheel_case.f90 optional_case.f90 flat_case.f; do
         "$compiler" "$source/bindings/fortran/$case" "${objects[@]}" -L"$(library_directory)" -lwrc -o "${case%.*}"
         echo "$compiler: $case"
         "./${case%.*}"

@@ -363,4 +363,5 @@ def test_names_of_before_say_the_new_one(model):
             told()
     with pytest.raises(ValueError, match="'FROM_LAST' is no Start: since 0.9 it is WARM"):
         wrc.WheelInput(start="FROM_LAST")
-    assert not hasattr(contact, "step") and "step" not in dir(contact) or "planar_step" in dir(contact)
+    assert not hasattr(contact, "step") and "step" not in dir(contact) and "planar_step" in dir(contact)
+    assert "step" not in dir(wrc.Batch([contact])) and "kind" not in dir(wrc.Friction()) and "speed_law" in dir(wrc.Friction())

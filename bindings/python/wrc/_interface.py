@@ -265,9 +265,9 @@ class ProfileKind(s.Choice):
 class ProfilePlacement(s.Choice):
     """Where profiles lie.
 
-    GAUGE: rails by track_gauge and gauge_depth, tops at z = 0: new profiles
-    ORIGIN: rails by the origin of their points, at y = rail_origin, z = 0. Inclination turns about it. A worn
-        rail stays where the new one was
+    GAUGE: rails by track.gauge and track.gauge_depth, tops at z = 0: new profiles
+    ORIGIN: rails by the origin of their points, at y = track.rail_origin, z = 0. Inclination turns about it.
+        A worn rail stays where the new one was
     """
 
     GAUGE = 0
@@ -404,9 +404,9 @@ class Available(enum.IntFlag):
 
 
 class Field(s.Choice):
-    """Fields of a region: one value per cell or per strip. Strips lie side by side, from the gauge side to the
-        field side of a rail's arc length s, on a contact plane by increasing y. Cells divide a strip; cell 0
-        is at its leading edge.
+    """Fields of a region: one value per cell or per strip. A wheel's strips lie side by side along the rail's
+        arc, from the gauge side to the field side. Those of a contact plane lie by increasing y. Cells divide
+        a strip; cell 0 is at its leading edge.
 
     X: cells: x of the middle. Wheel: from its reference point; plane: contact frame [m]
     PRESSURE: cells: normal pressure in the middle [Pa]
@@ -593,8 +593,8 @@ class ConicityMethod(s.Choice):
 
 class Profile(s.Struct):
     """A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over
-        20 to 500 mm, within 1 m of the origin, without a step. - Wheel: y = 0 at the running circle, flange
-        at y < 0 (also for a left wheel), z = 0 at y = 0. - Rail: y towards the field side, z = 0 at the top;
+        20 to 500 mm, within 1 m of the origin, without a step. - Wheel: y = 0 and z = 0 at the running
+        circle, flange at y < 0, also for a left wheel. - Rail: y towards the field side, z = 0 at the top;
         gauge side at y < 0 (also for a left rail). Its points go down the gauge face by track.gauge_depth at
         least. - A step is refused: 1 mm and more from one point to the next at over 79 degrees, between parts
         below 45 degrees. For a rail's upper 40 mm 56 degrees hold.
@@ -739,11 +739,11 @@ assert c.sizeof(ConfigTrack) == 88
 
 
 class RailSection(s.Struct):
-    """One cross section of a rail that changes along the track. Sections of one surface (stock rail, blade, wing
-        rail, nose) are blended point by point of equal share of their length, twice continuously
-        differentiable in the distance. Marks divide that length: points of equal mark belong together. A
-        surface is there from its first section to its last. It should begin and end where no wheel touches
-        it. Theory manual, section 9.
+    """One cross section of a rail that changes along the track. A surface is a stock rail, a blade, a wing rail,
+        a nose. Its sections are blended point by point of equal share of their length. The blend is twice
+        continuously differentiable in the distance. Marks divide that length: points of equal mark belong
+        together. A surface is there from its first section to its last. It should begin and end where no
+        wheel touches it. Theory manual, section 9.
 
     Members:
       distance [m]: along the track. Within a surface it increases by 1 mm at least (-1e7 .. 1e7; default 0)
@@ -1374,8 +1374,8 @@ class Wrench(s.Struct):
       rail_force [N]: on the rail, track axes: -force
       rail_moment [N m]: on the rail about the displaced origin of its profile, track axes
       z [m]: displacement of the reference point, as given or as found
-      clearance [m]: apart: height by which the wheel must be lowered to touch, at most the search limit; else
-          0
+      clearance [m]: apart, at a given height: by how much the wheel must be lowered to touch. 50e-3: that or
+          more
       normal_force [N]: sum over the regions of the resultants of their pressures. It steps where regions join
       area [m^2]:
       peak_pressure [Pa]:
@@ -1444,8 +1444,8 @@ assert c.sizeof(WrenchDerivatives) == 1800
 
 
 class Creepage(s.Struct):
-    """Rigid slip of the wheel over the rail per rolled length: at (x, y) of the contact plane (longitudinal -
-        spin y, lateral + spin x). An amount below 1e-100 counts as 0.
+    """Rigid slip of the wheel over the rail per rolled length. At (x, y) of the contact plane it is
+        (longitudinal - spin y, lateral + spin x). An amount below 1e-100 counts as 0.
 
     Members:
       longitudinal: nu_x (-10 .. 10; default 0)
@@ -1532,9 +1532,8 @@ class Region(s.Struct):
       moment [N m]: on the wheel about point, track axes
       normal_force [N]: resultant of the pressure, compressive positive
       longitudinal_force [N]: sum of the strips' tangential forces along x
-      lateral_force [N]: sum of the strips' tangential forces along the rail's arc, or along y of the contact
-          plane
-      spin_moment [N m]: about the normal: wheel, through point; plane, through the origin of the contact
+      lateral_force [N]: sum of the strips' tangential forces across the rail, to the right
+      spin_moment [N m]: of tractions about the normal. Wheel: through point; plane: through the origin of its
           frame
       creepage: wheel: means over the load; plane: as given
       ellipse: its equivalent double ellipse, of a wheel laid flat along the rail's arc
@@ -3208,21 +3207,22 @@ class ContactCalls(_l.Handle):
 
     def wrench(self, input: WheelInput, *, out: Optional[Wrench] = None) -> Wrench:
         """The wrench between a wheel and a rail at this pose and motion, steady rolling. Tread, gauge corner and
-            flange are one problem: no contact point is chosen, each strip of the rail's surface has its own
+            flange are one problem. No contact point is chosen: each strip of the rail's surface has its own
             normal, overlap and slip. The wrench is a continuous function of all inputs, but where a flag says
             otherwise. Theory manual, section 9.
 
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT (apart; also a flange 4 mm and more inside the side of a
-            rail, which the sentence says), _ITERATION_CAP, _PATCH_AT_EDGE (contact reaches the end of a
-            profile), _MORE_PATCHES (more regions or strips than there is room for), _TABLE_RANGE,
-            _CREEPAGES_LIMITED (slower than 0.1 m/s, as Contact.planar_creepages()), _BEYOND_GAP (deeper than
-            2 mm: continued with the stiffness there), _CLIMBING, _BEYOND_SECTIONS, _FORCE_JUMPS (a planar
-            method on a patch of several lowest points), _ROTATION_TRANSPOSED; Status.ERROR_NULL,
-            _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (model without profiles; zones in a contact frame;
-            friction over temperature of a method without tractions), _LOAD (no height carries the load).
+        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
+            inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
+            _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile.
+            _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
+            0.1 m/s, as Contact.planar_creepages(). - _BEYOND_GAP: deeper than 2 mm, continued with the
+            stiffness there. - _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or
+            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load).
+            _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over temperature of a
+            method without tractions.
         """
         if out is None:
             out = Wrench._new()
@@ -3289,8 +3289,8 @@ class ContactCalls(_l.Handle):
         index: as for Contact.region(); ALL_REGIONS: all patches of a contact plane together
         out: the numbers; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _SEQUENCE (no solution), _RANGE (no
-            such region), _UNSUPPORTED (ALL_REGIONS of a wheel).
+        C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL; _SEQUENCE (no solution); _RANGE (no
+            such region, or ALL_REGIONS of a wheel).
         """
         if out is None:
             out = Damage._new()
@@ -3348,12 +3348,12 @@ class ContactCalls(_l.Handle):
     def planar_creepages(self, motion: PlanarMotion, *, out: Optional[Creepage] = None) -> Creepage:
         """Creepages at the origin of the contact frame of the last Contact.planar_geometry(), from the rigid
             motion of the wheelset. The velocity of the wheel's point is divided by the amount of the rolling
-            speed V: the mean of the speeds of wheel and rail material through the contact. A locked wheel has
-            half its speed and creepage 2. - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 - u^4) / 8,
-            u = |V| / 0.1 m/s. speed has its amount and the sign of V. reverse_share goes to 0.5 at V = 0.
-            Forces are twice differentiable in the motion through V = 0. - Where a creepage would pass its
-            range, all are divided by more, and speed grows by it. - |speed| ends at 200 m/s. Theory manual,
-            section 7.
+            speed V. That is the mean of the speeds of wheel and rail material through the contact. A locked
+            wheel has half its speed and creepage 2. - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 -
+            u^4) / 8, u = |V| / 0.1 m/s. speed has its amount and the sign of V. reverse_share goes to 0.5 at
+            V = 0. Forces are twice differentiable in the motion through V = 0. - Where a creepage would pass
+            its range, all are divided by more, and speed grows by it. - |speed| ends at 200 m/s. Theory
+            manual, section 7.
 
         motion: of the wheelset, track frame
         out: for Contact.planar_tangential(), as it stands; None: a new one
@@ -3381,8 +3381,8 @@ class ContactCalls(_l.Handle):
         load: along the contact normal
         out: the solution; None: a new one
 
-        C status: Status.OK; Status.FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force),
-            _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95), _LOAD_JUMPS
+        C status: Status.OK; Status.FLAG_NO_CONTACT (approach <= 0, or damping takes all of the force);
+            _ITERATION_CAP, _PATCH_AT_EDGE, _MORE_PATCHES, _TABLE_RANGE (|psi| cut to 0.95); _LOAD_JUMPS
             (HERTZ to STRIPES: no approach carries the load; the one of the next larger load is returned),
             _BEYOND_GAP (deeper than config.planar.gap_limit: continued with the last stiffness, the patch
             stays); Status.ERROR_NULL, _SEQUENCE (gap is None and the contact has none), _GAP, _LOAD,
@@ -3496,7 +3496,7 @@ class ContactCalls(_l.Handle):
         out: the numbers; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE (no such region, or ALL_REGIONS of a wheel), _UNSUPPORTED (no tractions).
         """
         if out is None:
             out = Wear._new()
@@ -3510,7 +3510,7 @@ class ContactCalls(_l.Handle):
         return out
 
     def temperature(self, index: int, bulk: Optional[BulkTemperatures] = None, *, out: Optional[Temperature] = None) -> Temperature:
-        """Temperatures in one region of the contact's last solution, from its frictional power: flash
+        """Temperatures in one region of the contact's last solution, from its frictional power. They are flash
             temperatures of points that pass through the contact (Ertz and Knothe, Wear 253 (2002) 498), T(s)
             = (beta_w T_w + beta_r T_r) / (beta_w + beta_r) + 1 / ((beta_w + beta_r) sqrt(pi V)) Int_0^s q /
             sqrt(s - s') ds', s from the leading edge along each strip, q the power density, beta =
@@ -3524,7 +3524,7 @@ class ContactCalls(_l.Handle):
         out: the numbers: x as Field.X, y as Field.STRIP_Y; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT; Status.ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution),
-            _NOT_FINITE, _RANGE, _UNSUPPORTED (the solution has no tractions; ALL_REGIONS of a wheel).
+            _NOT_FINITE, _RANGE (no such region, or ALL_REGIONS of a wheel), _UNSUPPORTED (no tractions).
         """
         if out is None:
             out = Temperature._new()
@@ -3538,9 +3538,9 @@ class ContactCalls(_l.Handle):
         return out
 
     def exact_check(self, options: Optional[ExactCheckOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[ExactCheckResult] = None) -> ExactCheckResult:
-        """Solves the tangential problem a contact has just solved (its strips and their pressure, its creepages
-            and friction) exactly on nx x ny cells over its patches, friction.slope_reduction included, and
-            reports the errors of the real-time method. The contact is not changed.
+        """Solves the tangential problem of the contact's last stages exactly, and reports the errors of the
+            real-time method. Pressure is that of the contact's strips, on nx x ny cells over its patches.
+            Creepages, friction and friction.slope_reduction are its own. The contact is not changed.
 
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
@@ -3568,22 +3568,22 @@ class ContactCalls(_l.Handle):
 
     def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
         """What Contact.wrench() finds, exactly: normal contact and steady rolling over cells on the rail's
-            curved surface, with the gap of every cell along its own normal, the sliding of its own surface
-            points, and half-space coefficients over arc length between frames turned against each other, so
-            that pressure and tractions act on one another. Friction zones and friction that falls with the
-            speed are each row of cells', both ways of rolling and what becomes of them near standstill
-            (Status.FLAG_CREEPAGES_LIMITED) as in Contact.wrench(), damping by the speed at which a row's
-            surfaces near each other at its middle; friction.slope_reduction divides what tractions move the
-            surfaces along each other: theory manual, sections 5, 7 and 9. Takes from a tenth of a second to
-            minutes, growing with the second to fourth power of 1 / cell. The contact keeps its last
-            Contact.wrench(). On a rail that changes along the track every cell has its gap to the rail as it
-            is there, between the strips that Contact.wrench() has cut, and its sliding along it; normals turn
-            with the section, and forces lean along the track, row by row as they do where the wheel is
-            nearest. Faces - a check rail, a blade - are solved each alone, with its own rolling speed, and
-            added up. A wheel that is not round has its radius at every cell, but hollows are bridged as by a
-            rail that is level along the track. Each row of cells has one patch along the track.
+            curved surface. Every cell has its gap along its own normal and the sliding of its own surface
+            points. Half-space coefficients are those over arc length between frames turned against each
+            other, so that pressure and tractions act on one another. - Friction zones and falling friction
+            are each row of cells'. Both ways of rolling near standstill are as in Contact.wrench(). - Damping
+            goes by the speed at which a row's surfaces near each other at its middle. -
+            friction.slope_reduction divides what tractions move the surfaces along each other: theory manual,
+            sections 5, 7 and 9. - Takes from a tenth of a second to minutes, growing with the second to
+            fourth power of 1 / cell. - The contact keeps its last Contact.wrench(). On a rail that changes
+            along the track every cell has its gap to the rail as it is there, and its sliding along it.
+            Normals turn with the section, and forces lean along the track, row by row as they do where the
+            wheel is nearest. Surfaces (a check rail, a blade) are solved each alone, with its own rolling
+            speed, and added up. A wheel that is not round has its radius at every cell. Its hollows are
+            bridged as by a rail that is level along the track. Each row of cells has one patch along the
+            track.
 
-        input: as for Contact.wrench(); without WRC_FRICTION_TEMPERATURE: there are no temperatures
+        input: as for Contact.wrench(); without FrictionTemperatureLaw.LINEAR: there are no temperatures
         options: None: the defaults
         progress: called with the fraction done; give something true to stop; None: none
         out: the result; iterations are heights and turns of normal and tangential problem tried; regions are

@@ -8,6 +8,8 @@ import sys
 import threading
 from typing import Any, Callable, Dict, Optional, Tuple
 
+from ._renamed import current
+
 NAMES = {"win32": "wrc-0.9.dll", "darwin": "libwrc.dylib"}
 FOLDER = pathlib.Path(__file__).resolve().parent
 
@@ -123,6 +125,8 @@ class Handle:
         from ._interface import Status
 
         return Status.of(self._status)
+
+    __dir__ = current
 
     def close(self) -> None:
         """Gives the memory back as soon as nothing else uses it (views, contacts of a model). Later calls raise Error."""

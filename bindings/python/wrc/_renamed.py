@@ -1,7 +1,7 @@
 """Names of 0.2, and what took their place in 0.9: what an AttributeError says. docs/interface_0_9.md has the reasons."""
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any, Dict, List
 
 # "Owner.name"; names of the package itself have no owner, enumerators stand behind their new enumeration.
 NAMES = {
@@ -63,6 +63,11 @@ class Renamed:
 
     def __set__(self, owner: Any, value: Any) -> None:
         raise AttributeError(self.text)
+
+
+def current(owner: Any) -> List[str]:
+    """dir() without old names."""
+    return [each for each in object.__dir__(owner) if not isinstance(getattr(type(owner), each, None), Renamed)]
 
 
 def mark(namespace: Dict[str, Any]) -> None:

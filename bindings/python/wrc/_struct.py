@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Type, T
 
 import numpy as np
 
-from ._renamed import Renamed, since
+from ._renamed import current, since
 
 S = TypeVar("S", bound="Struct")
 _C_DOUBLES = c.POINTER(c.c_double)
@@ -269,24 +269,23 @@ class Struct(c.Structure):
         return tuple(name for field, name in names if field == name or isinstance(getattr(cls, name, None), Member))
 
     def __dir__(self) -> Iterable[str]:
-        kind = type(self)
-        return [each for each in super().__dir__() if not each.startswith("_") and not isinstance(getattr(kind, each, None), Renamed)]
+        return [each for each in current(self) if not each.startswith("_")]
 
     def set(self: S, **values: Any) -> S:
         """Sets members by name; nested structs by a struct, by a dict of their members, or a profile by the name of its
         kind. Arrays that belong together (a profile's y and z) are set by one call. Gives the struct itself."""
-        kind = type(self)
-        if "y" in values and "kind" not in values and "kind" in kind.members() and values["y"] is not None:
+        kind, members = type(self), type(self).members()
+        if "y" in values and "kind" not in values and "kind" in members and values["y"] is not None:
             values["kind"] = "POINTS"  # of a profile
         arrays = [name for name in values if isinstance(getattr(kind, name, None), Pointer)]
         for name in arrays:
             setattr(self, name, None)
         matrices = [name for name in arrays if len(getattr(kind, name).counters) == 2]  # after what counts their rows and columns
         for name, value in sorted(values.items(), key=lambda each: each[0] in matrices):
-            if name not in kind.members():
-                near, now = difflib.get_close_matches(name, kind.members(), 1), since(kind.__name__, name)
-                raise AttributeError(f"{kind.__name__} has no {name}: {now}" if now else f"{kind.__name__} has no {name}" + (
-                    f": did you mean {near[0]}?" if near else f", only {', '.join(kind.members())}"))
+            if name not in members:
+                near, told = difflib.get_close_matches(name, members, 1), since(kind.__name__, name)
+                raise AttributeError(f"{kind.__name__} has no {name}" + (f": {told}" if told else f": did you mean {near[0]}?" if near else
+                                                                         f", only {', '.join(members)}"))
             now = None if name in arrays else getattr(self, name)
             if isinstance(now, Struct) and not isinstance(value, Struct):
                 if isinstance(value, dict):

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _interface as i
 from . import _library as _l
+from ._renamed import current
 from .damage import Bins
 from .profiles import results
 
@@ -281,6 +282,8 @@ class Batch:
         self._last: Tuple[Any, ...] = (None, None)  # arrays of the last call, and what they are to C
         self._acquire = [each._lock.acquire for each in self.contacts]
         self._release = [each._lock.release for each in self.contacts]
+
+    __dir__ = current
 
     def __len__(self) -> int:
         return len(self.contacts)

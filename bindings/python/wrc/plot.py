@@ -48,7 +48,7 @@ def contact(contact: Contact, path: Any = None) -> Any:
     low, high = np.min([each.min(axis=1) for each in edges], axis=0), np.max([each.max(axis=1) for each in edges], axis=0)
     middle, half = 0.5 * (low + high), np.maximum(0.54 * (high - low), 0.25 * np.max(high - low))
     slender = half[1] > 1.3 * half[0]  # panels then stand side by side
-    made = figure(figsize=(13, 4.6) if slender else (11, 6.6))
+    made = figure(figsize=(13, 4.6) if slender else (11, 8))
     panels = made.subplots(*((1, 4) if slender else (2, 2)), sharex=True, sharey=True, squeeze=False)
     for panel, (title, name, scale, colours) in zip(panels.flat, _PANELS):
         have = [(fields, each) for fields in regions for each in [_value(fields, name)] if each is not None]
@@ -64,6 +64,7 @@ def contact(contact: Contact, path: Any = None) -> Any:
                 if sticks.any():
                     panel.contourf(across, x, sticks, levels=[0.5, 1.5], colors=["#dddddd"])
                     panel.contour(across, x, sticks, levels=[0.5], colors="black", linewidths=1.2)
+                    panel.text(0.98, 0.97, "grey: sticks", transform=panel.transAxes, fontsize=8, ha="right", va="top")
             if name == "TRACTION":
                 every = tuple(slice(1, -1, max(1, size // wanted)) for size, wanted in zip(across.shape, (18, 11)))
                 arrows = (_whole(fields, fields[name + direction])[2][every] for direction in ("_Y", "_X"))
@@ -73,7 +74,6 @@ def contact(contact: Contact, path: Any = None) -> Any:
         for edge in edges:
             panel.plot(*edge, color="black", linewidth=1)
         panel.set(aspect="equal", xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
-    panels.flat[2].text(0.02, 0.02, "grey: sticks", transform=panels.flat[2].transAxes, fontsize=8)
     for panel in panels[-1]:
         panel.set_xlabel("along the rail's arc [mm]" if "STRIP_PROFILE_Y" in regions[0] else "y, to the right [mm]")
     for panel in panels[:, 0]:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 sys.path.append(sys.path[0] + "/..")
-from wheelset import MASS, Wheelset
+from wheelset import MASS, TOLD, Wheelset
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("--method", default="Radau")
@@ -30,9 +30,9 @@ def jacobian(t, x):
     slopes = sum(contact.wrench_derivatives(wheelset.input)[1].wrench for contact in wheelset.wheels.contacts)
     columns = []
     for moved in x + 1e-30j * np.eye(12):
-        told, along, own = wheelset.seen(t, moved[:6], moved[6:])
-        rails = wrench + 1j * slopes[:, :len(told)] @ told.imag
-        forces = wheelset.balance(moved[:6], moved[6:], own, along @ rails[:3], along @ rails[3:])
+        told, own = wheelset.seen(t, moved[:6], moved[6:])
+        rails = wrench + 1j * slopes[:, TOLD] @ told.imag
+        forces = wheelset.balance(moved[:6], moved[6:], own, rails[:3], rails[3:])
         columns.append(np.concatenate([moved[6:], forces / MASS]).imag / 1e-30)
     return np.transpose(columns)
 
