@@ -209,7 +209,7 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   add(10.0);
   for (const double distance : {4.0, 6.0}) {
     wrc_rail_section& blade = add(distance, 30e-6);  // the same head, lower
-    blade.face = 1;
+    blade.surface = 1;
   }
   give();
   wheel.y = 3e-3;
@@ -248,7 +248,7 @@ TEST_F(AlongTrack, AFaceThatTheWheelDoesNotReachChangesNothing) {
       give();
       create();
       ASSERT_EQ(step(), WRC_OK) << error();
-      EXPECT_EQ(wrench.region_count, alone.regions);
+      EXPECT_EQ(wrench.region_count, alone.region_count);
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(wrench.force[i], alone.force[i], 2e-3 * alone.normal_force) << i;
     }
@@ -288,7 +288,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
   }
   for (const double distance : {0.0, 1.0}) {
     wrc_rail_section& running = add(distance);
-    running.face = 1;
+    running.surface = 1;
     running.profile = config.rail;
   }
   give();
@@ -318,9 +318,9 @@ TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_ERROR_PROFILE);
   sections[0].mark = &mark;
   EXPECT_EQ(refused(), WRC_OK) << sentence;
-  sections[1].face = 2;
+  sections[1].surface = 2;
   EXPECT_EQ(refused(), WRC_ERROR_RANGE) << sentence;
-  sections[1].face = 0;
+  sections[1].surface = 0;
   sections[1].distance = nan_value;
   EXPECT_EQ(refused(), WRC_ERROR_NOT_FINITE) << sentence;
 }
@@ -341,7 +341,7 @@ TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
   add(4.0);
   give();
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
-  EXPECT_NE(sentence.find("config.rail_section.face"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("config.rail_section.surface"), std::string::npos) << sentence;
 }
 
 TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
@@ -429,7 +429,7 @@ class ExactAlongTrack : public AlongTrack {
       EXPECT_NEAR(exact.moment[i], wrench.moment[i], 0.75 * size) << i;
     }
     EXPECT_NEAR(exact.power, wrench.power, 0.1 * wrench.power);
-    EXPECT_EQ(exact.regions, wrench.region_count);
+    EXPECT_EQ(exact.region_count, wrench.region_count);
   }
 };
 
@@ -511,7 +511,7 @@ TEST_F(ExactAlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   input.distance = 5.0;
   carry();
   expect_as_real_time(0.02);
-  EXPECT_EQ(exact.regions, 2);
+  EXPECT_EQ(exact.region_count, 2);
 }
 
 /// A wheel whose radius is r + e cos(theta) is a round one whose middle lies e beside the axle.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_values.hpp"
 #include "reference_contact.hpp"
 
 namespace {
@@ -25,10 +26,10 @@ void prescribe_approach(ReferenceWheel& wheel, double approach) {
 double load_of_strips(const ReferenceWheel& wheel) {
   double load = 0.0;
   for (int32_t k = 0; k < wheel.normal.patch_count; ++k) {
-    wrc_view width{}, half = width, peak = width;
-    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
-    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_HALF_LENGTH, &half);
-    wrc_contact_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
+    FieldView width{}, half = width, peak = width;
+    view_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
+    view_field(wheel.contact, k, WRC_FIELD_STRIP_HALF_LENGTH, &half);
+    view_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
     for (uint64_t j = 0; j < width.count[0]; ++j)
       load += 0.5 * pi * width.data[j] * half.data[j] * peak.data[j];
   }

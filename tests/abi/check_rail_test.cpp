@@ -93,8 +93,8 @@ TEST_F(CheckRail, BothRailsAddUp) {
     const wrc_wrench together = wrench;
     ASSERT_EQ(wrench.region_count, 2);
     const wrc_region check = region(0), tread = region(1);
-    EXPECT_EQ(check.face, 0);
-    EXPECT_EQ(tread.face, 1);
+    EXPECT_EQ(check.surface, 0);
+    EXPECT_EQ(tread.surface, 1);
     EXPECT_NEAR(check.normal_force, 30e3, 10.0);
     EXPECT_GT(outward * check.force[1], 0.9 * 30e3);  // away from the check rail, outwards
     EXPECT_LT(check.y_wheel, -0.058);                 // on the flange's back
@@ -202,7 +202,7 @@ TEST_F(CheckRail, ExactlyTheFlangesBackIsPressedAsInRealTime) {
     lean_on_check_rail(outward, deepest);
     ASSERT_EQ(step(), WRC_OK) << error();
     ASSERT_EQ(wrc_exact_wrench(contact, &input, &options, &exact), WRC_OK) << error();
-    EXPECT_EQ(exact.regions, 2);
+    EXPECT_EQ(exact.region_count, 2);
     const double size = within * wrench.normal_force;
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(exact.force[k], wrench.force[k], size) << k;

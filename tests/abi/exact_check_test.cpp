@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
@@ -85,9 +86,9 @@ TEST_F(ExactCheck, ALayerIsAsSmallerCreepages) {
 TEST_F(ExactCheck, LeavesTheContactAsItWas) {
   ASSERT_EQ(step(), WRC_OK);
   wrc_damage before{}, after = before;
-  ASSERT_EQ(wrc_contact_damage(contact, &before), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &before), WRC_OK);
   ASSERT_EQ(check(), WRC_OK);
-  ASSERT_EQ(wrc_contact_damage(contact, &after), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &after), WRC_OK);
   EXPECT_EQ(after.power, before.power);
   const double power = result.power;
   ASSERT_EQ(check(), WRC_OK);
@@ -150,12 +151,12 @@ TEST_F(ExactCheck, IsCancelled) {
 TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
   pose.yaw = 0.01;
   ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
-  wrc_view view[4];
+  FieldView view[4];
   const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
                              WRC_FIELD_GAP_CURVATURE};
   for (int k = 0; k < 4; ++k) {
-    view[k] = wrc_view{};
-    ASSERT_EQ(wrc_contact_field(contact, 0, fields[k], &view[k]), WRC_OK);
+    view[k] = FieldView{};
+    ASSERT_EQ(view_field(contact, 0, fields[k], &view[k]), WRC_OK);
     ASSERT_EQ(view[k].stride[0], 1u);
   }
   const std::size_t rows = view[0].count[0];
@@ -203,8 +204,8 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   std::vector<std::vector<double>> row;
   for (const int32_t field :
        {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE, WRC_FIELD_GAP_CURVATURE}) {
-    wrc_view view{};
-    ASSERT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_OK);
+    FieldView view{};
+    ASSERT_EQ(view_field(contact, 0, field, &view), WRC_OK);
     row.emplace_back(view.data, view.data + view.count[0]);
   }
   wrc_planar_gap rows = sized<wrc_planar_gap>();
@@ -247,7 +248,7 @@ TEST_F(ExactCheck, CoversAllPatchesOfTheContact) {
     curvature.push_back(1.0 / 0.46);
   }
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = 161;
+  gap.row_count = 161;
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();

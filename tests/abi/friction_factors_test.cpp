@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 #include "presets.hpp"
@@ -93,13 +94,13 @@ class FrictionFactors : public LoadedEllipse {
     friction.temperature_law = temperature_law;
   }
   Numbers field(int32_t id) {
-    wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
+    FieldView view{};
+    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
   double at_entry() {
     wrc_temperature found = sized<wrc_temperature>();
-    EXPECT_EQ(wrc_contact_temperature(contact, &friction.bulk, &found), WRC_OK);
+    EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &friction.bulk, &found), WRC_OK);
     return found.at_entry;
   }
 };
@@ -295,7 +296,7 @@ TEST_F(WheelFrictionFactors, CoefficientsAreTheProductOfTheirFactors) {
         for (int32_t r = 0; r < wrench.region_count; ++r) {
           const Numbers& by_speed = cold[static_cast<std::size_t>(r)];
           wrc_temperature temperature = sized<wrc_temperature>();
-          ASSERT_EQ(wrc_contact_region_temperature(contact, r, &friction.bulk, &temperature), WRC_OK);
+          ASSERT_EQ(wrc_contact_temperature(contact, r, &friction.bulk, &temperature), WRC_OK);
           const Numbers rise = field(r, WRC_FIELD_TEMPERATURE_RISE),
                         found = field(r, WRC_FIELD_STRIP_FRICTION);
           ASSERT_EQ(found.size(), by_speed.size());

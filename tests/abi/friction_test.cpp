@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "field_values.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
 #include "test_config.hpp"
@@ -42,8 +43,8 @@ class Wheel : public ReferenceWheel {
     friction.zone_frame = frame;
   }
   std::vector<double> field(int32_t id) {
-    wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
+    FieldView view{};
+    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
 };

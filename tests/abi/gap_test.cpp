@@ -23,7 +23,7 @@ struct Rows {
       height.push_back(profile(y.back()));
       curvature.push_back(1.0 / 0.46);
     }
-    gap.rows = count;
+    gap.row_count = count;
     gap.y = y.data();
     gap.height = height.data();
     gap.curvature = curvature.data();
@@ -33,7 +33,7 @@ struct Rows {
     for (uint32_t i = 0; i < columns; ++i) x.push_back(length * (2.0 * i / (columns - 1) - 1.0));
     for (std::size_t j = 0; j < y.size(); ++j)
       for (double at : x) h.push_back(height[j] + 0.5 * curvature[j] * at * at);
-    gap.columns = columns;
+    gap.column_count = columns;
     gap.x = x.data();
     gap.h = h.data();
     gap.row_stride = columns;
@@ -200,7 +200,7 @@ TEST_P(Gap, RowsTooCloseToReadSlopesOffAreRefused) {
   rows.y.insert(rows.y.begin() + 45, beside);
   rows.height.insert(rows.height.begin() + 45, parabola(beside) + 1e-9);
   rows.curvature.push_back(1.0 / 0.46);
-  rows.gap.rows = 82;
+  rows.gap.row_count = 82;
   rows.gap.y = rows.y.data();
   rows.gap.height = rows.height.data();
   rows.gap.curvature = rows.curvature.data();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 
@@ -20,8 +21,8 @@ class HeatedFriction : public LoadedEllipse {
   }
   int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   std::vector<double> field(int32_t id) {
-    wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact, 0, id, &view), WRC_OK);
+    FieldView view{};
+    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
 };
@@ -34,7 +35,7 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
     creepage.spin = 0.4;
     ASSERT_EQ(solve(), WRC_OK) << slip;
     wrc_temperature temperature = sized<wrc_temperature>();
-    ASSERT_EQ(wrc_contact_temperature(contact, &friction.bulk, &temperature), WRC_OK);
+    ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &friction.bulk, &temperature), WRC_OK);
     const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
     const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);
     const std::size_t strips = coefficient.size(), cells = rise.size() / strips;
@@ -65,7 +66,7 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   constant.coefficient = friction.coefficient;
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
   wrc_temperature temperature = sized<wrc_temperature>();
-  ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_OK);
+  ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &temperature), WRC_OK);
   const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
   ASSERT_EQ(solve(), WRC_OK);
   const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);

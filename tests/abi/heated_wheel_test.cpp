@@ -37,7 +37,7 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
   }
   wrc_temperature temperature(int32_t index) {
     wrc_temperature found = sized<wrc_temperature>();
-    EXPECT_EQ(wrc_contact_region_temperature(contact, index, &friction.bulk, &found), WRC_OK);
+    EXPECT_EQ(wrc_contact_temperature(contact, index, &friction.bulk, &found), WRC_OK);
     return found;
   }
 };
@@ -132,15 +132,15 @@ TEST_F(HeatedWheel, LosesWhatThePlanarStepLoses) {
         wrc_planar_input planar = wrc_planar_input_default();
         planar.pose.lateral = y;
         planar.load.normal_force = region.normal_force;
-        planar.creepage.longitudinal = region.creepage[0];
-        planar.creepage.lateral = region.creepage[1];
-        planar.creepage.spin = region.creepage[2];
+        planar.creepage.longitudinal = region.creepage.longitudinal;
+        planar.creepage.lateral = region.creepage.lateral;
+        planar.creepage.spin = region.creepage.spin;
         planar.creepage.speed = 40.0;
         planar.friction = friction;
         wrc_planar_output output = sized<wrc_planar_output>();
         ASSERT_EQ(wrc_planar_step(contact, &planar, &output), WRC_OK);
         wrc_temperature found = sized<wrc_temperature>();
-        ASSERT_EQ(wrc_contact_temperature(contact, nullptr, &found), WRC_OK);
+        ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &found), WRC_OK);
         on_surface[law] = wrench.force[0];
         flat[law] = output.forces.fx;
         rise[0] = temperature(0).rise;
@@ -266,7 +266,7 @@ TEST_F(HeatedWheel, RefusesWhatItCannot) {
   create();
   solve();
   wrc_temperature found = sized<wrc_temperature>();
-  EXPECT_EQ(wrc_contact_region_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
   config.tangential = wrc_config_default().tangential;
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;

@@ -37,7 +37,7 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
     }
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = half;
-    config.wheelset.flange_back_distance = 2.0 * (half - 0.070);
+    config.wheelset.tape_circle_distance = 2.0 * (half - 0.070);
     wrc_model_create(&config, nullptr, &model, nullptr, 0);
     for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT})
       wrc_contact_create(model, which, nullptr, &wheels_[which == WRC_SIDE_RIGHT ? 0 : 1], nullptr, 0);
@@ -146,12 +146,12 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
 
   /// Radius of the patch, Hertz's circle.
   double circle() const {
-    const double G = config.material.shear_modulus, nu = config.material.poisson;
+    const double G = config.wheel_material.shear_modulus, nu = config.wheel_material.poisson;
     return std::cbrt(1.5 * 0.5 * load * rolling * (1.0 - nu) / (2.0 * G));
   }
   /// Over y: longitudinal forces of C11 = 4.12 (Kalker) by the creepage of the rolling radii.
   double couple_of_one_axle() const {
-    return 2.0 * base * config.material.shear_modulus * circle() * circle() * 4.12 * conicity / rolling;
+    return 2.0 * base * config.wheel_material.shear_modulus * circle() * circle() * 4.12 * conicity / rolling;
   }
 
   double couple = 0.0;  ///< Mz of independent wheels, which nothing but their yaw rate answers to
@@ -191,7 +191,7 @@ TEST_F(IndependentWheels, HaveNoWave) {
   // Kalker's table of a circle: C22 = 3.67, C23 = 1.47
   const double place = crown * roll_over_y;     // by which the places of contact move, over y
   const double shifted = (1.0 - place) / base;  // of the load to the right wheel, over y
-  const double stiffness = 2.0 * config.material.shear_modulus * circle() * circle();
+  const double stiffness = 2.0 * config.wheel_material.shear_modulus * circle() * circle();
   const double weight = load * (-roll_over_y + cone * shifted);
   const double spin = stiffness * circle() * 1.47 * std::sin(angle) / rolling * shifted;
   const double back = (weight - spin) / (stiffness * 3.67 * feet) * speed;

@@ -11,6 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "field_values.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
 #include "test_config.hpp"
@@ -124,7 +125,7 @@ TEST_F(Interface, ContactOnTheLastStripOfTheGivenGapIsFlagged) {
     curvature.push_back(1.0 / 0.46);
   }
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = 40;
+  gap.row_count = 40;
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
@@ -136,7 +137,7 @@ TEST_F(Interface, GapOfTheCallerIsChecked) {
   std::vector<double> y{-0.02, -0.01, 0.0, 0.01, 0.02}, height{4e-4, 1e-4, 0.0, 1e-4, 4e-4},
       curvature(5, 2.0);
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = 5;
+  gap.row_count = 5;
   gap.y = y.data();
   gap.height = height.data();
   gap.curvature = curvature.data();
@@ -154,11 +155,11 @@ TEST_F(Interface, GapOfTheCallerIsChecked) {
   EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
   EXPECT_NE(error().find("gap.curvature[4]"), std::string::npos) << error();
   curvature[4] = 2.0;
-  gap.rows = 3;
+  gap.row_count = 3;
   EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
-  gap.rows = 100000;
+  gap.row_count = 100000;
   EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_RANGE);
-  gap.rows = 5;
+  gap.row_count = 5;
   gap.height = nullptr;
   EXPECT_EQ(wrc_planar_normal(contact, &gap, &load, &normal), WRC_ERROR_NULL);
   gap.height = height.data();
@@ -176,14 +177,14 @@ TEST_F(Interface, ElementWiseGapGivesTheSamePatchAsItsRows) {
     for (double xi : x) h.push_back(height.back() + 1.1 * (xi - centre.back()) * (xi - centre.back()));
   }
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = 101;
+  gap.row_count = 101;
   gap.y = y.data();
   gap.height = height.data();
   gap.centre = centre.data();
   gap.curvature = curvature.data();
   wrc_planar_normal_solution by_rows{};
   ASSERT_EQ(wrc_planar_normal(contact, &gap, &load, &by_rows), WRC_OK) << error();
-  gap.columns = 61;
+  gap.column_count = 61;
   gap.x = x.data();
   gap.h = h.data();
   gap.row_stride = 61;
@@ -198,11 +199,11 @@ TEST_F(Interface, StagesOutOfOrderAreRefused) {
   EXPECT_EQ(wrc_planar_normal(fresh, nullptr, &load, &normal), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_planar_regularise(fresh, nullptr, &normal), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_planar_tangential(fresh, nullptr, &creepage, &friction, &forces), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_damage(fresh, &damage), WRC_ERROR_SEQUENCE);
-  wrc_view view{};
-  EXPECT_EQ(wrc_contact_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_damage(fresh, WRC_ALL_REGIONS, &damage), WRC_ERROR_SEQUENCE);
+  FieldView view{};
+  EXPECT_EQ(view_field(fresh, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(view.data, nullptr);
-  EXPECT_EQ(wrc_contact_field(fresh, 0, 4711, &view), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(view_field(fresh, 0, 4711, &view), WRC_ERROR_UNSUPPORTED);
   wrc_contact_destroy(fresh);
 }
 
@@ -214,7 +215,7 @@ TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
   EXPECT_EQ(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_OK);
   EXPECT_EQ(wrc_planar_regularise(contact, nullptr, &normal), WRC_OK);
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
+  EXPECT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage), WRC_OK);
   EXPECT_EQ(std::memcmp(&whole, &forces, sizeof forces), 0);
   EXPECT_EQ(std::memcmp(&whole_damage, &damage, sizeof damage), 0);
 }
@@ -222,9 +223,9 @@ TEST_F(Interface, StagesAloneGiveTheBitsOfTheStep) {
 TEST_F(Interface, WearFollowsItsLaws) {
   wrc_wear wear{}, other = wrc_wear{};
   ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
-  EXPECT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, &wear), WRC_ERROR_SEQUENCE);
   expect_works();
-  ASSERT_EQ(wrc_contact_wear(contact, nullptr, &wear), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, &wear), WRC_OK) << error();
   // Mild up to 100 N: 0.25 mm^3/(km N) over a diameter of 920 mm.
   ASSERT_LT(damage.t_gamma, 100.0);
   EXPECT_NEAR(wear.worn_area_rate, 0.25e-12 * damage.t_gamma / 0.92, 1e-9 * wear.worn_area_rate);
@@ -237,23 +238,23 @@ TEST_F(Interface, WearFollowsItsLaws) {
   laws.sheffield_mild_end = laws.sheffield_severe_end = 1e8;
   laws.hardness *= 2.0;
   laws.seizure_pressure = 1e3;
-  ASSERT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_OK) << error();
+  ASSERT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, &laws, &other), WRC_OK) << error();
   double lost = 0.0;
   for (int32_t k = 0; k < normal.patch_count; ++k) {
-    wrc_view worn{}, width = wrc_view{};
-    ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
-    ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
+    FieldView worn{}, width = FieldView{};
+    ASSERT_EQ(view_field(contact, k, WRC_FIELD_STRIP_WEAR, &worn), WRC_OK);
+    ASSERT_EQ(view_field(contact, k, WRC_FIELD_STRIP_WIDTH, &width), WRC_OK);
     for (uint64_t j = 0; j < worn.count[0]; ++j) lost += worn.data[j] * width.data[j];
   }
   EXPECT_NEAR(lost, 5.3e-9 * damage.power / creepage.speed / 7850.0, 1e-3 * lost);
   EXPECT_LE(other.largest_depth_velocity, 0.5 * wear.largest_depth_velocity * (1.0 + 1e-12));
 
   laws.hardness = 3.0;
-  EXPECT_EQ(wrc_contact_wear(contact, &laws, &other), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, &laws, &other), WRC_ERROR_RANGE);
   EXPECT_EQ(other.worn_area_rate, 0.0);
   ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
-  wrc_view stale{};
-  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
+  FieldView stale{};
+  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
 }
 
 TEST_F(Interface, StripsOfTheCallerGoThrough) {
@@ -333,12 +334,12 @@ TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.wheel_material.poisson = config.rail_material.poisson = 0.51;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson = config.rail_material.poisson = 0.51", "0 .. 0.5"});
   config.wheel_material.poisson = config.rail_material.poisson = -0.1;
-  expect_config_refused(WRC_ERROR_RANGE, {"config.material.poisson"});
+  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson"});
   config.wheel_material.poisson = config.rail_material.poisson = nan_value;
-  expect_config_refused(WRC_ERROR_NOT_FINITE, {"config.material.poisson"});
+  expect_config_refused(WRC_ERROR_NOT_FINITE, {"config.wheel_material.poisson"});
   config.wheel_material.poisson = config.rail_material.poisson = 0.28;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 80e3;
-  expect_config_refused(WRC_ERROR_RANGE, {"config.material.shear_modulus", "MPa"});
+  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.shear_modulus", "MPa"});
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 80e9;
   config.wheelset.wheel_radius = 460.0;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheelset.wheel_radius", "mm"});
@@ -509,7 +510,7 @@ TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
     double* member;
     double value;
     const char* words;
-  } placed[] = {{&config.wheelset.flange_back_distance, 0.4, "config.wheelset.flange_back_distance = 0.4 m"},
+  } placed[] = {{&config.wheelset.tape_circle_distance, 0.4, "config.wheelset.tape_circle_distance = 0.4 m"},
                 {&config.track.gauge, 0.4, "config.track.gauge = 0.4 m"},
                 {&config.track.gauge_depth, 0.02, "config.track.gauge_depth = 0.02 m"},
                 {&config.track.rail_inclination, 0.02, "config.track.rail_inclination = 0.02"}};
@@ -584,9 +585,9 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, nullptr), WRC_OK);
   EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(view_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);
@@ -615,7 +616,7 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     EXPECT_EQ(wrc_planar_geometry(wrong, &pose, &point), WRC_ERROR_NULL);
     EXPECT_EQ(wrc_planar_normal(wrong, nullptr, &load, &normal), WRC_ERROR_NULL);
     EXPECT_EQ(wrc_planar_tangential(wrong, nullptr, &creepage, &friction, &forces), WRC_ERROR_NULL);
-    EXPECT_EQ(wrc_contact_damage(wrong, &damage), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_damage(wrong, WRC_ALL_REGIONS, &damage), WRC_ERROR_NULL);
     expect_zeros();
 
     refill();
@@ -630,14 +631,14 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
 
     wrc_wear wear{};
     wear.worn_area_rate = 1.0;
-    EXPECT_EQ(wrc_contact_wear(wrong, nullptr, &wear), WRC_ERROR_NULL);
+    EXPECT_EQ(wrc_contact_wear(wrong, WRC_ALL_REGIONS, nullptr, &wear), WRC_ERROR_NULL);
     EXPECT_EQ(wear.worn_area_rate, 0.0);
     wrc_creepage result = creepage;
     EXPECT_EQ(wrc_planar_creepages(wrong, nullptr, &result), WRC_ERROR_NULL);
     EXPECT_EQ(result.spin, 0.0);
-    wrc_view view{};
+    FieldView view{};
     view.count[0] = 7;
-    EXPECT_EQ(wrc_contact_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
+    EXPECT_EQ(view_field(wrong, 0, WRC_FIELD_PRESSURE, &view), WRC_ERROR_NULL);
     EXPECT_EQ(view.count[0], 0U);
   }
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
@@ -45,7 +46,7 @@ class Wheel : public ReferenceWheel {
       curvature[j] = 1.0 / 0.46;
     }
     wrc_planar_gap gap = sized<wrc_planar_gap>();
-    gap.rows = rows;
+    gap.row_count = rows;
     gap.y = y;
     gap.height = height;
     gap.curvature = curvature;
@@ -60,16 +61,16 @@ class Wheel : public ReferenceWheel {
     creep(motion);
     return wrc_planar_tangential(contact, &own, &creepage, &friction, &forces);
   }
-  wrc_view field(int32_t id, int32_t of_patch = 0) const {
-    wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact, of_patch, id, &view), WRC_OK) << id;
+  FieldView field(int32_t id, int32_t of_patch = 0) const {
+    FieldView view{};
+    EXPECT_EQ(view_field(contact, of_patch, id, &view), WRC_OK) << id;
     return view;
   }
   /// Integral of a field of cells over all patches.
   double integral(int32_t id) const {
     double sum = 0.0;
     for (int32_t k = 0; k < normal.patch_count; ++k) {
-      const wrc_view values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+      const FieldView values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
                      half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
       for (uint64_t j = 0; j < values.count[1]; ++j)
         for (uint64_t i = 0; i < values.count[0]; ++i)
@@ -174,7 +175,7 @@ TEST_P(Physics, ASymmetricGapGivesASymmetricFieldUnderPureLongitudinalCreepage) 
   EXPECT_NEAR(wheel.forces.fy, 0.0, 1e-6 * std::fabs(wheel.forces.fx));
   EXPECT_NEAR(wheel.forces.mz, 0.0, 1e-6 * std::fabs(wheel.forces.fx) * wheel.normal.width);
   EXPECT_NEAR(wheel.normal.ellipse.psi, 0.0, 1e-6);
-  const wrc_view traction = wheel.field(WRC_FIELD_TRACTION_X), pressure = wheel.field(WRC_FIELD_PRESSURE);
+  const FieldView traction = wheel.field(WRC_FIELD_TRACTION_X), pressure = wheel.field(WRC_FIELD_PRESSURE);
   const uint64_t strips = traction.count[1];
   for (uint64_t i = 0; i < traction.count[0]; ++i) {
     for (uint64_t j = 0; j < strips / 2; ++j) {
@@ -279,7 +280,7 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
   Wheel soft, stiff;
   choose(soft);
   choose(stiff);
-  stiff.config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 2.0 * soft.config.material.shear_modulus;
+  stiff.config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 2.0 * soft.config.wheel_material.shear_modulus;
   stiff.load.normal_force = 2.0 * soft.load.normal_force;
   const Motion m{0.002, 0.0, 0.0, 1e-3, -5e-4, 0.2};
   ASSERT_GE(soft.roll(m), 0);
@@ -303,8 +304,8 @@ TEST(LinearLimit, SmallCreepageFollowsTheCoefficientsOfTheDoubleEllipse) {
     own.psi = psi;
     own.normal_force = 100e3;
     wrc_coefficients c{};
-    ASSERT_EQ(wrc_linear_coefficients(own.a / own.b, psi, wheel.config.material.poisson, &c), WRC_OK);
-    const double stiffness = wheel.config.material.shear_modulus * own.a * own.b,
+    ASSERT_EQ(wrc_linear_coefficients(own.a / own.b, psi, wheel.config.wheel_material.poisson, &c), WRC_OK);
+    const double stiffness = wheel.config.wheel_material.shear_modulus * own.a * own.b,
                  length = std::sqrt(own.a * own.b);
     const double small = 1e-8;
     ASSERT_GE(wheel.roll_on(own, {0.0, 0.0, 0.0, small, 0.0, 0.0}), 0);

@@ -159,7 +159,7 @@ TEST_F(PortableState, OtherConfigurationsAreRefused) {
     expect_refused(state, WRC_ERROR_SEQUENCE, "configuration or profiles");
     config = ours;
   };
-  config.material.shear_modulus *= 1.0 + 1e-15;
+  config.wheel_material.shear_modulus *= 1.0 + 1e-15;
   refused();
   config.wheelset.wheel_radius = 0.4600001;
   refused();

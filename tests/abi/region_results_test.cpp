@@ -105,7 +105,7 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
       EXPECT_NEAR(integral(i, lateral) - across, shown.force[1], 5e-3 * load);
 
       wrc_damage damage{};
-      ASSERT_EQ(wrc_contact_region_damage(contact, i, &damage), WRC_OK);
+      ASSERT_EQ(wrc_contact_damage(contact, i, &damage), WRC_OK);
       const Numbers density = field(i, WRC_FIELD_POWER_DENSITY), power = field(i, WRC_FIELD_STRIP_POWER);
       double of_strips = 0.0;
       for (std::size_t j = 0; j < power.size(); ++j) of_strips += power[j] * width[j];
@@ -152,7 +152,7 @@ TEST_F(RegionResults, TheEllipseIsHertzs) {
   solve();
   wrc_ellipse ellipse = sized<wrc_ellipse>();
   ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_OK);
-  const double nu = config.material.poisson, E = 2.0 * config.material.shear_modulus * (1.0 + nu);
+  const double nu = config.wheel_material.poisson, E = 2.0 * config.wheel_material.shear_modulus * (1.0 + nu);
   const double a = std::cbrt(1.5 * 80e3 * radius * (1.0 - nu * nu) / E);
   EXPECT_NEAR(ellipse.normal_force, 80e3, 1.0);
   EXPECT_NEAR(std::sqrt(ellipse.a * ellipse.b), a, 5e-3 * a);
@@ -216,9 +216,9 @@ TEST_F(RegionResults, WithoutFrictionSlipIsRigidAndNothingIsDissipated) {
     mean += slip[k] * load[k];
     sum += load[k];
   }
-  EXPECT_NEAR(mean / sum, region(0).creepage[1], 0.05 * std::abs(region(0).creepage[1]));
+  EXPECT_NEAR(mean / sum, region(0).creepage.lateral, 0.05 * std::abs(region(0).creepage.lateral));
   wrc_damage damage{};
-  ASSERT_EQ(wrc_contact_region_damage(contact, 0, &damage), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, 0, &damage), WRC_OK);
   EXPECT_EQ(damage.power, 0.0);
   EXPECT_EQ(damage.peak_power_density, 0.0);
 }
@@ -230,25 +230,25 @@ TEST_F(RegionResults, WhatIsNotThereIsRefused) {
   double value = 7.0;
   damage.power = ellipse.a = 7.0;
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_region_damage(contact, 0, &damage), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_damage(contact, 0, &damage), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, &value, 1), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(ellipse.a, 0.0);
   EXPECT_EQ(damage.power, 0.0);
   solve();
   for (const int32_t none : {-1, wrench.region_count}) {
     EXPECT_EQ(wrc_contact_region_ellipse(contact, none, &ellipse), WRC_ERROR_RANGE);
-    EXPECT_EQ(wrc_contact_region_damage(contact, none, &damage), WRC_ERROR_RANGE);
+    EXPECT_EQ(wrc_contact_damage(contact, none, &damage), WRC_ERROR_RANGE);
     EXPECT_EQ(wrc_contact_region_field(contact, none, WRC_FIELD_X, &value, 1), WRC_ERROR_RANGE);
   }
   EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_region_damage(contact, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_damage(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, nullptr, 1), WRC_ERROR_NULL);
   wrc_temperature temperature = sized<wrc_temperature>();
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
-  EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_region_temperature(contact, wrench.region_count, &bulk, &temperature), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_temperature(contact, wrench.region_count, &bulk, &temperature), WRC_ERROR_RANGE);
   bulk.rail = 5000.0;
-  EXPECT_EQ(wrc_contact_region_temperature(contact, 0, &bulk, &temperature), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_temperature(contact, 0, &bulk, &temperature), WRC_ERROR_RANGE);
   for (const int32_t none : {-1, WRC_FIELD_TEMPERATURE_RISE + 1})
     EXPECT_EQ(wrc_contact_region_field(contact, 0, none, &value, 1), WRC_ERROR_UNSUPPORTED);
   EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_Y, &value, 1), WRC_ERROR_BUFFER);

@@ -63,7 +63,7 @@ class Roller : public testing::Test, protected PlacedWheel {
     return exact;
   }
   double hertz_radius(double load) const {
-    const double nu = config.material.poisson, E = 2.0 * config.material.shear_modulus * (1.0 + nu);
+    const double nu = config.wheel_material.poisson, E = 2.0 * config.wheel_material.shear_modulus * (1.0 + nu);
     return std::cbrt(1.5 * load * crown * (1.0 - nu * nu) / E);
   }
 
@@ -92,7 +92,7 @@ TEST_F(Roller, EqualCylindersAndACrownAreHertzsCircle) {
 /// Forces of linear theory: F = G a^2 C creepage, C11 = 4.12, C22 = 3.67 of a circle (Kalker's table).
 TEST_F(Roller, CreepForcesAreKalkers) {
   create();
-  const double load = 80e3, a = hertz_radius(load), stiffness = config.material.shear_modulus * a * a;
+  const double load = 80e3, a = hertz_radius(load), stiffness = config.wheel_material.shear_modulus * a * a;
   carry(load);
   // pure rolling, but for what the crown's radius falls to its sides
   const double rolling = wrench.force[0];

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <random>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
@@ -21,9 +22,9 @@ class RollingWay : public testing::Test, protected ReferenceWheel {
     create();
   }
   std::vector<double> field(int32_t id) const {
-    wrc_view view{};
+    FieldView view{};
     std::vector<double> values;
-    if (wrc_contact_field(contact, 0, id, &view) != WRC_OK) return values;
+    if (view_field(contact, 0, id, &view) != WRC_OK) return values;
     for (uint64_t i = 0; i < view.count[0]; ++i)
       for (uint64_t j = 0; j < view.count[1]; ++j)
         values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
@@ -81,7 +82,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
       ASSERT_EQ(take_strips(1.0), WRC_OK);
       ASSERT_GE(roll(), 0) << error();
       const wrc_planar_forces backwards = forces;
-      ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
+      ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage), WRC_OK);
       const wrc_damage damaged = damage;
       std::vector<std::vector<double>> fields;
       for (int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) fields.push_back(field(id));
@@ -91,7 +92,7 @@ TEST_F(RollingWay, BackwardsIsTheMirrorImageOfForward) {
       creepage.speed = 25.0;
       ASSERT_EQ(take_strips(-1.0), WRC_OK);
       ASSERT_GE(roll(), 0) << error();
-      ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
+      ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage), WRC_OK);
       EXPECT_EQ(backwards.fx, -forces.fx) << method;
       EXPECT_EQ(backwards.fy, forces.fy) << method;
       EXPECT_EQ(backwards.fn, forces.fn) << method;

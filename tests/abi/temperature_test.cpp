@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 #include "not_finite.hpp"
@@ -27,11 +28,11 @@ class Temperature : public LoadedEllipse {
   }
   int32_t solve(const wrc_bulk_temperatures* bulk = nullptr) {
     const int32_t status = wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces);
-    return status < 0 ? status : wrc_contact_temperature(contact, bulk, &temperature);
+    return status < 0 ? status : wrc_contact_temperature(contact, WRC_ALL_REGIONS, bulk, &temperature);
   }
   std::vector<double> rises() {
-    wrc_view view{};
-    EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
+    FieldView view{};
+    EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
     return {view.data, view.data + view.count[0] * view.count[1]};
   }
 };
@@ -72,7 +73,7 @@ TEST_F(Temperature, HeatIsThePowerDividedByTheBodies) {
   creepage.spin = 0.5;
   ASSERT_EQ(solve(), WRC_OK);
   wrc_damage damage{};
-  ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage), WRC_OK);
   EXPECT_NEAR(temperature.wheel_heat + temperature.rail_heat, damage.power, 1e-12 * damage.power);
   EXPECT_EQ(temperature.wheel_heat, temperature.rail_heat);
   const double alike = temperature.rise;
@@ -90,7 +91,7 @@ TEST_F(Temperature, BodiesOfOtherTemperaturesExchangeHeat) {
   const wrc_temperature alike = temperature;
   bulk.wheel = 0.0;
   bulk.rail = 100.0;
-  ASSERT_EQ(wrc_contact_temperature(contact, &bulk, &temperature), WRC_OK);
+  ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &bulk, &temperature), WRC_OK);
   EXPECT_NEAR(temperature.at_entry, 50.0, 1e-12);
   EXPECT_EQ(temperature.rise, alike.rise);
   const double flows = temperature.wheel_heat - alike.wheel_heat;
@@ -131,11 +132,11 @@ TEST_F(Temperature, GoesWithTheRootOfTheSpeedToNothing) {
 TEST_F(Temperature, StripOfTheCallerIsTheContacts) {
   creepage.spin = 0.3;
   ASSERT_EQ(solve(), WRC_OK);
-  ASSERT_EQ(wrc_contact_damage(contact, nullptr), WRC_OK);
-  wrc_view power{}, half = wrc_view{}, rise = wrc_view{};
-  ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_POWER_DENSITY, &power), WRC_OK);
-  ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_HALF_LENGTH, &half), WRC_OK);
-  ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &rise), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, nullptr), WRC_OK);
+  FieldView power{}, half = FieldView{}, rise = FieldView{};
+  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_POWER_DENSITY, &power), WRC_OK);
+  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_STRIP_HALF_LENGTH, &half), WRC_OK);
+  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &rise), WRC_OK);
   const uint64_t j = 20;
   std::vector<double> strip;
   for (uint64_t i = 0; i < power.count[0]; ++i)
@@ -148,23 +149,23 @@ TEST_F(Temperature, StripOfTheCallerIsTheContacts) {
 }
 
 TEST_F(Temperature, RefusesWhatMakesNoSense) {
-  wrc_view view{};
-  EXPECT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_temperature(nullptr, nullptr, &temperature), WRC_ERROR_NULL);
+  FieldView view{};
+  EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(wrc_contact_temperature(nullptr, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_NULL);
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
-  ASSERT_EQ(wrc_contact_temperature(contact, nullptr, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
+  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
+  ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
-  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_ERROR_SEQUENCE);
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   bulk.rail = 3000.0;
-  EXPECT_EQ(wrc_contact_temperature(contact, &bulk, &temperature), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &bulk, &temperature), WRC_ERROR_RANGE);
   bulk.rail = nan_value;
-  EXPECT_EQ(wrc_contact_temperature(contact, &bulk, &temperature), WRC_ERROR_NOT_FINITE);
+  EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &bulk, &temperature), WRC_ERROR_NOT_FINITE);
   EXPECT_EQ(temperature.rise, 0.0);
   temperature.struct_size = 8;
-  EXPECT_EQ(wrc_contact_temperature(contact, nullptr, &temperature), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_STRUCT_SIZE);
   config.wheel_heat.specific_heat = 0.45;
   char text[256];
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_RANGE);

@@ -27,8 +27,8 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   wheel.velocity[1] = 0.02;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 90e9;
   config.wheel_material.poisson = config.rail_material.poisson = 0.30;
-  config.material.rail_shear_modulus = 60e9;
-  config.material.rail_poisson = 0.24;
+  config.wheel_material.rail_shear_modulus = 60e9;
+  config.wheel_material.rail_poisson = 0.24;
   char text[256];
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_FLAG_DISSIMILAR_MATERIALS);
   const double combined = 72e9;
@@ -39,7 +39,7 @@ TEST_F(UnlikeMaterials, AreTheCombinedMaterial) {
   create_flagged();
   ASSERT_EQ(step(), WRC_OK);
   const wrc_wrench unlike = wrench;
-  config.material = test_config().material;
+  config.wheel_material = test_config().material;
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = combined;
   config.wheel_material.poisson = config.rail_material.poisson = 0.5 * combined * (0.30 / 90e9 + 0.24 / 60e9);
   create();
@@ -62,8 +62,8 @@ TEST_F(UnlikeMaterials, TheExactWheelCreepsWhereTheyCouple) {
   for (int k = 0; k < 3; ++k) {
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = bodies[k].shear;
     config.wheel_material.poisson = config.rail_material.poisson = bodies[k].poisson;
-    config.material.rail_shear_modulus = bodies[k].rail_shear;
-    config.material.rail_poisson = bodies[k].rail_poisson;
+    config.wheel_material.rail_shear_modulus = bodies[k].rail_shear;
+    config.wheel_material.rail_poisson = bodies[k].rail_poisson;
     if (k < 2) {
       create_flagged();
     } else {
@@ -77,16 +77,16 @@ TEST_F(UnlikeMaterials, TheExactWheelCreepsWhereTheyCouple) {
 }
 
 TEST_F(UnlikeMaterials, EqualBodiesGivenTwiceAreNoUnlikeOnes) {
-  config.material.rail_shear_modulus = config.material.shear_modulus;
-  config.material.rail_poisson = config.material.poisson;
+  config.wheel_material.rail_shear_modulus = config.wheel_material.shear_modulus;
+  config.wheel_material.rail_poisson = config.wheel_material.poisson;
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_OK);
 }
 
 TEST_F(UnlikeMaterials, ARailsPoissonRatioWithoutItsModulusIsRefused) {
-  config.material.rail_poisson = 0.3;
+  config.wheel_material.rail_poisson = 0.3;
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_UNSUPPORTED);
-  config.material.rail_poisson = 0.0;
-  config.material.rail_shear_modulus = 80.0;
+  config.wheel_material.rail_poisson = 0.0;
+  config.wheel_material.rail_shear_modulus = 80.0;
   EXPECT_EQ(wrc_config_check(&config, nullptr, 0), WRC_ERROR_RANGE);
 }
 

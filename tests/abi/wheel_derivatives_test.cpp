@@ -296,7 +296,7 @@ TEST_P(WheelDerivatives, ByAFactorOnFriction) {
   const double y[] = {-0.06, -0.03, 0.0, 0.02};
   wheel.velocity[1] = 0.06;
   const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
-  for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_FRICTION_TEMPERATURE})
+  for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_TEMPERATURE_LAW_LINEAR})
     for (const bool zones : {false, true})
       for (const double at : {0.0, 6.5e-3}) {
         SCOPED_TRACE(testing::Message() << kind << ' ' << zones << ' ' << at);

@@ -82,7 +82,7 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
     EXPECT_NEAR(one.normal_force, other.normal_force, force);
     EXPECT_NEAR(one.area, other.area, share * other.area);
     EXPECT_NEAR(one.power, other.power, share * other.power + 1e-6);
-    EXPECT_EQ(one.regions, other.regions);
+    EXPECT_EQ(one.region_count, other.region_count);
   }
 };
 
