@@ -103,7 +103,7 @@ END
 
 # Clang with the options and the extensions of Microsoft's compiler.
 microsoft() { # STANDARD FILE
-  clang --driver-mode=cl --target=x86_64-pc-windows-msvc /nologo /Zs /W4 /WX -Wvla -Wgnu /D__attribute__=no_word_of_theirs "-imsvc$scratch/standard" "/std:$1" "-I$include" "$2"
+  clang --driver-mode=cl --target=x86_64-pc-windows-msvc /nologo /Zs /W4 /WX -Wvla -Wgnu /D__attribute__=no_word_of_theirs "-imsvc$scratch/standard" "/std:$1" "-I$include" -- "$2"
 }
 
 # every FILE.c FILE.cpp NAME: both under all standards of all compilers.
