@@ -15,9 +15,8 @@ program wheel_case
   config%wheel%kind = WRC_PROFILE_S1002
   config%rail%kind = WRC_PROFILE_60E1
   config%track%rail_inclination = 1d0/40d0
-  if (wrc_model_create(config, c_null_ptr, model) /= WRC_OK) error stop 'model'
-  if (wrc_contact_create(model, WRC_SIDE_RIGHT, c_null_ptr, contact) /= WRC_OK) error stop 'contact'
-  call wrc_init(wrench)
+  if (wrc_model_create(config, model, text) /= WRC_OK) error stop 'model'
+  if (wrc_contact_create(model, WRC_SIDE_RIGHT, contact, text) /= WRC_OK) error stop 'contact'
 
   ! rates, the axle by its angles
   call begin()

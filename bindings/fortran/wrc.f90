@@ -8,7 +8,7 @@
 ! Nothing here prints or stops.
 ! Handles are type(c_ptr). Members of C enums are integer parameters of the same name; they count from 0 where arrays count
 ! from 1, and C's rows are Fortran's last index: by%wrench(WRC_BY_Z + 1, 3) is the vertical force by z.
-! A rotation matrix R(3, 3) of Fortran goes into wheel%rotation column by column: WRC_ORIENTATION_COLUMNS.
+! A rotation matrix R(3, 3): call wrc_set_rotation(input%wheel, R).
 !
 ! What may be NULL in C and is only read is a type(c_ptr): c_null_ptr, or c_loc of the struct. Module wrc_optional has the same
 ! names with optional arguments in its place; a program uses one of the two. The .inc files have them all.
