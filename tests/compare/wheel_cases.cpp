@@ -1,4 +1,3 @@
-#include "test_config.hpp"
 #include "wheel_cases.hpp"
 
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <sstream>
 
 #include "presets.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 
@@ -60,7 +60,6 @@ const Solver& Pairs::of(const PairOptions& options) {
   const auto profile_of = [&](const std::string& name) {
     const Points& given = points(name);
     wrc_profile profile = sized<wrc_profile>();
-    profile.kind = WRC_PROFILE_POINTS;
     profile.kind = WRC_PROFILE_POINTS;
     profile.count = static_cast<uint32_t>(given.y.size());
     profile.y = given.y.data();
