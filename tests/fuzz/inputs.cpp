@@ -1,10 +1,10 @@
-#include "test_config.hpp"
 #include "inputs.hpp"
 
 #include <algorithm>
 
 #include "presets.hpp"
 #include "ranges.hpp"
+#include "test_config.hpp"
 
 namespace hostile {
 namespace {
@@ -116,7 +116,6 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   poison_one(choices, made.y);
   poison_one(choices, made.z);
   made.profile.kind = WRC_PROFILE_POINTS;
-  made.profile.kind = WRC_PROFILE_POINTS;
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
@@ -127,13 +126,13 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
 }  // namespace
 
 void make_wheel(Choices& choices, ProfilePoints& wheel) {
-  wheel.profile = sized<wrc_profile>();
+  wheel.profile = wrc_profile{};
   wheel.profile.kind = WRC_PROFILE_S1002;
   if (choices.one_in(2)) make_points(choices, -0.070, 0.060, wheel_height, wheel);
 }
 
 void make_rail(Choices& choices, ProfilePoints& rail) {
-  rail.profile = sized<wrc_profile>();
+  rail.profile = wrc_profile{};
   rail.profile.kind = choices.one_in(2) ? WRC_PROFILE_60E1 : WRC_PROFILE_UIC60_BENCHMARK;
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
@@ -155,7 +154,7 @@ static void leave_unread(wrc_config& config) {
       config.tangential.patch_model = untouched.tangential.patch_model;
   }
   if (config.wheel.kind != WRC_PROFILE_NONE) return;
-  config.wheelset.flange_back_distance = untouched.wheelset.flange_back_distance;
+  config.wheelset.tape_circle_distance = untouched.wheelset.tape_circle_distance;
   config.track.gauge = untouched.track.gauge;
   config.track.gauge_depth = untouched.track.gauge_depth;
   config.track.rail_inclination = untouched.track.rail_inclination;
@@ -178,26 +177,35 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
   config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.planar.strips = count(member<wrc_config>("planar.strips").low, finest);
-  config.planar.cells = count(member<wrc_config>("grid.cells").low, finest);
+  config.planar.cells = count(member<wrc_config>("planar.cells").low, finest);
+  config.surface.cells = count(member<wrc_config>("surface.cells").low, finest);
   config.planar.gap_rows = count(member<wrc_config>("planar.gap_rows").low, 8.0 * finest);
-  config.planar.max_patches = static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
+  config.planar.max_patches =
+      static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
   config.planar.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2))
     config.normal.max_iterations = config.planar.max_sweeps =
         static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_sweeps")));
-  if (choices.one_in(4))
-    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = sized(choices, member<wrc_config>("material.shear_modulus"));
-  if (choices.one_in(4)) config.wheel_material.poisson = config.rail_material.poisson = anywhere(choices, member<wrc_config>("material.poisson"));
+  for (wrc_material* each : {&config.wheel_material, &config.rail_material}) {
+    if (choices.one_in(4)) each->shear_modulus = sized(choices, member<wrc_material>("shear_modulus"));
+    if (choices.one_in(4)) each->poisson = anywhere(choices, member<wrc_material>("poisson"));
+    if (choices.one_in(4)) each->shear_yield = sized(choices, member<wrc_material>("shear_yield"));
+  }
+  if (choices.one_in(2)) config.rail_material = config.wheel_material;
+  for (wrc_heat_properties* each : {&config.wheel_heat, &config.rail_heat}) {
+    if (!choices.one_in(4)) continue;
+    each->conductivity = sized(choices, member<wrc_heat_properties>("conductivity"));
+    each->density = sized(choices, member<wrc_heat_properties>("density"));
+    each->specific_heat = sized(choices, member<wrc_heat_properties>("specific_heat"));
+  }
   if (choices.one_in(2))
     config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
   if (choices.one_in(2)) config.planar.gap_limit = sized(choices, member<wrc_config>("planar.gap_limit"));
   if (choices.one_in(4))
-    config.wheel_material.shear_yield = config.rail_material.shear_yield = sized(choices, member<wrc_config>("material.shear_yield"));
-  if (choices.one_in(4))
     config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
   if (choices.one_in(8))
-    config.wheelset.flange_back_distance = config.track.gauge - choices.between(0.0, 0.2);
+    config.wheelset.tape_circle_distance = config.track.gauge + choices.between(-0.05, 0.15);
   if (choices.one_in(8)) config.track.gauge_depth = sized(choices, member<wrc_config>("track.gauge_depth"));
   if (choices.one_in(2)) config.track.rail_inclination = 0.025;
   if (choices.one_in(8))
@@ -247,12 +255,12 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
       for (std::uint32_t k = 0; k < count; ++k) {
         wrc_rail_section section{};
         section.distance = distance;
-        section.face = static_cast<std::int32_t>(face);
+        section.surface = static_cast<std::int32_t>(face);
         section.y = (face > 0 ? 0.08 * face : 0.0) + choices.between(-0.2, 0.2) * (k > 0 ? size : 0.0);
         section.z = choices.between(-0.2, 0.2) * size;
         section.profile = config.rail;
         if (choices.one_in(8)) {  // of another outline
-          section.profile = sized<wrc_profile>();
+          section.profile = wrc_profile{};
           section.profile.kind = WRC_PROFILE_60E1;
         }
         made.sections.push_back(section);
@@ -265,15 +273,16 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
     if (marked) {
       made.marks = {choices.between(-0.03, -0.005), choices.between(0.0, 0.03)};
       for (wrc_rail_section& each : made.sections) {
-        each.marks = 2;
-        each.mark = made.marks.data();
+        each.mark_count = 2;
+        each.marks = made.marks.data();
       }
-      if (choices.one_in(8)) somewhere().marks = 1;
+      if (choices.one_in(8)) somewhere().mark_count = 1;
       if (choices.one_in(8)) std::swap(made.marks[0], made.marks[1]);
     }
     if (choices.one_in(12)) somewhere().distance = choices.one_in(2) ? choices.poison() : 0.0;
     if (choices.one_in(12)) somewhere().y = choices.poison();
-    if (choices.one_in(12)) somewhere().face = static_cast<std::int32_t>(choices.below(6)) - 1;
+    if (choices.one_in(12)) somewhere().surface = static_cast<std::int32_t>(choices.below(6)) - 1;
+    config.rail_section_size = choices.one_in(40) ? choices.below(8192) : sizeof(wrc_rail_section);
     config.rail_section_count = static_cast<std::uint32_t>(made.sections.size());
     config.rail_sections = made.sections.data();
   }
@@ -293,15 +302,16 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
   poison_one(choices, made.angle);
   poison_one(choices, made.deviation);
   if (choices.one_in(16)) made.deviation.back() += deep;
-  config.roundness = {angles, rows, made.angle.data(), rows > 1 ? made.y.data() : nullptr,
-                      made.deviation.data()};
+  config.roundness = {
+      angles, rows, made.angle.data(), rows > 1 ? made.y.data() : nullptr, made.deviation.data(), {}};
 }
 
 wrc_planar_pose make_pose(Choices& choices) {
-  wrc_planar_pose pose = sized<wrc_planar_pose>();
+  wrc_planar_pose pose{};
   const bool far = choices.one_in(4);
   pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
-  pose.roll = far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  pose.roll =
+      far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   pose.yaw = sized(choices, member<wrc_planar_pose>("yaw"), 1e-9);
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
@@ -352,7 +362,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     rail.z_slope = choices.signed_magnitude(1e-9, 0.1);
   }
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
-  if (choices.one_in(3)) rail = sized<wrc_rail_state>();
+  if (choices.one_in(3)) rail = wrc_rail_state{};
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(6) && friction.coefficient > 0.0) {
     friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
@@ -378,8 +388,8 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     input.roller_rate = choices.signed_magnitude(1e-9, 2000.0);
     input.distance = choices.signed_magnitude(1e-9, 0.25);
   }
-  if (config.rail_sections > 0) {  // near a section, somewhere, or far outside
-    input.distance = config.rail_section[choices.below(config.rail_sections)].distance +
+  if (config.rail_section_count > 0) {  // near a section, somewhere, or far outside
+    input.distance = config.rail_sections[choices.below(config.rail_section_count)].distance +
                      choices.signed_magnitude(1e-9, 10.0);
     if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
   }
@@ -404,8 +414,8 @@ wrc_planar_load make_load(Choices& choices) {
   wrc_planar_load load = wrc_planar_load_default();
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
-    load.approach =
-        choices.one_in(8) ? choices.between(-1.0, 0.0) : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
+    load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0)
+                                      : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
   } else {
     load.normal_force = sized(choices, member<wrc_planar_load>("normal_force"));
   }
@@ -424,7 +434,7 @@ wrc_planar_load make_load(Choices& choices) {
 }
 
 wrc_planar_motion make_motion(Choices& choices) {
-  wrc_planar_motion motion = sized<wrc_planar_motion>();
+  wrc_planar_motion motion{};
   motion.speed = sized(choices, member<wrc_planar_motion>("speed"), 1e-6);
   motion.lateral_velocity = sized(choices, member<wrc_planar_motion>("lateral_velocity"), 1e-9);
   motion.vertical_velocity = sized(choices, member<wrc_planar_motion>("vertical_velocity"), 1e-9);
@@ -438,7 +448,7 @@ wrc_planar_motion make_motion(Choices& choices) {
 wrc_wear_laws make_wear_laws(Choices& choices) {
   wrc_wear_laws laws = wrc_wear_laws_default();
   double* const parameters = &laws.t_gamma_mild_end;
-  const auto count = static_cast<std::uint32_t>(&laws.seizure_pressure - parameters) + 1;
+  const auto count = static_cast<std::uint32_t>(&laws.power_reference - parameters) + 1;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (choices.one_in(4)) parameters[i] *= choices.magnitude(1e-6, 1e6);
     if (choices.one_in(200)) parameters[i] = choices.poison();
@@ -502,11 +512,11 @@ void make_friction(Choices& choices, FrictionArrays& arrays) {
 
 double FrictionArrays::most() const {
   return friction.zone_count > 0 ? *std::max_element(coefficient.begin(), coefficient.end())
-                            : friction.coefficient;
+                                 : friction.coefficient;
 }
 
 wrc_ellipse make_ellipse(Choices& choices) {
-  wrc_ellipse ellipse = sized<wrc_ellipse>();
+  wrc_ellipse ellipse{};
   ellipse.a = sized(choices, member<wrc_ellipse>("a"));
   ellipse.b = sized(choices, member<wrc_ellipse>("b"));
   ellipse.psi = sized(choices, member<wrc_ellipse>("psi"), 1e-12);
@@ -569,8 +579,8 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
   if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
-  gap.gap = sized<wrc_planar_gap>();
-  gap.gap.rows = rows;
+  gap.gap = wrc_planar_gap{};
+  gap.gap.row_count = rows;
   gap.gap.y = gap.y.data();
   poison_one(choices, gap.y);
   if (!choices.one_in(3)) {
@@ -600,7 +610,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   if (choices.one_in(24)) gap.h[special * stride] = choices.poison();
   if (choices.one_in(24)) gap.x[1] = next_to(choices, gap.x[0]);
   poison_one(choices, gap.x);
-  gap.gap.columns = columns;
+  gap.gap.column_count = columns;
   gap.gap.x = gap.x.data();
   gap.gap.h = gap.h.data();
   gap.gap.row_stride = stride;
@@ -629,7 +639,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
   poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
-  strips.strips = sized<wrc_planar_strips>();
+  strips.strips = wrc_planar_strips{};
   strips.strips.count = count;
   strips.strips.y = strips.y.data();
   strips.strips.width = strips.width.data();
