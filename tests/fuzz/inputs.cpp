@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "presets.hpp"
 #include "ranges.hpp"
@@ -235,6 +236,18 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   return config;
 }
 
+/// The sections of a program with a newer header, now and then with a member set that ours does not know.
+static void resize_sections(Choices& choices, wrc_config& config, AlongTrackArrays& made) {
+  const std::size_t ours = sizeof(wrc_rail_section), count = made.sections.size();
+  const std::size_t size = ours + 8 * choices.below(600);
+  made.of_another_header.assign(count * size, 0);
+  for (std::size_t k = 0; k < count; ++k)
+    std::memcpy(made.of_another_header.data() + k * size, &made.sections[k], ours);
+  if (size > ours && choices.one_in(4)) made.of_another_header.back() = 1;
+  config.rail_section_size = static_cast<std::uint32_t>(size);
+  config.rail_sections = reinterpret_cast<const wrc_rail_section*>(made.of_another_header.data());
+}
+
 void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& made) {
   if (config.wheel.kind == WRC_PROFILE_NONE || !choices.one_in(4)) return;
   // Other methods and bodies are refused beside these: seldom here.
@@ -282,9 +295,10 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
     if (choices.one_in(12)) somewhere().distance = choices.one_in(2) ? choices.poison() : 0.0;
     if (choices.one_in(12)) somewhere().y = choices.poison();
     if (choices.one_in(12)) somewhere().surface = static_cast<std::int32_t>(choices.below(6)) - 1;
-    config.rail_section_size = choices.one_in(40) ? choices.below(8192) : sizeof(wrc_rail_section);
+    config.rail_section_size = sizeof(wrc_rail_section);
     config.rail_section_count = static_cast<std::uint32_t>(made.sections.size());
     config.rail_sections = made.sections.data();
+    if (choices.one_in(8)) resize_sections(choices, config, made);
   }
   if (which == 0) return;
   const std::uint32_t angles = 9 + choices.below(choices.one_in(8) ? 4000 : 100), rows = 1 + choices.below(3);
@@ -389,8 +403,10 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     input.distance = choices.signed_magnitude(1e-9, 0.25);
   }
   if (config.rail_section_count > 0) {  // near a section, somewhere, or far outside
-    input.distance = config.rail_sections[choices.below(config.rail_section_count)].distance +
-                     choices.signed_magnitude(1e-9, 10.0);
+    const std::size_t at = std::size_t{choices.below(config.rail_section_count)} * config.rail_section_size;
+    wrc_rail_section near;
+    std::memcpy(&near, reinterpret_cast<const char*>(config.rail_sections) + at, sizeof near);
+    input.distance = near.distance + choices.signed_magnitude(1e-9, 10.0);
     if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
   }
   if (config.roundness.angle_count > 0)
@@ -408,6 +424,10 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
+  double* const kept_for_later[] = {&wheel.reserved[choices.below(6)], &rail.reserved[choices.below(6)],
+                                    &friction.reserved[choices.below(12)],
+                                    &input.frame.reserved[choices.below(4)]};
+  if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
 
 wrc_planar_load make_load(Choices& choices) {

@@ -9,6 +9,7 @@
 #include "field_values.hpp"
 #include "inputs.hpp"
 #include "test_config.hpp"
+#include "versions.hpp"
 
 namespace hostile {
 namespace {
@@ -74,6 +75,8 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_BEYOND_GAP:
     case WRC_FLAG_CLIMBING:
     case WRC_FLAG_BEYOND_SECTIONS:
+    case WRC_FLAG_FORCE_JUMPS:
+    case WRC_FLAG_ROTATION_TRANSPOSED:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
     case WRC_ERROR_GAP:
@@ -105,13 +108,18 @@ class Case {
     side_ = static_cast<std::int32_t>(choices_.below(2));
     const std::int32_t status =
         hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
-    if (status != WRC_OK) {
+    if (choices_.one_in(8)) config_of_another_header(status);
+    if (status < WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
       expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
-                 status == WRC_ERROR_UNSUPPORTED,
+                 status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_STRUCT_SIZE,
              "a model is refused with a documented status");
       return verdict_;
     }
+    const bool alike = config_.wheel_material.shear_modulus == config_.rail_material.shear_modulus &&
+                       config_.wheel_material.poisson == config_.rail_material.poisson;
+    expect(status == WRC_OK || (status == WRC_FLAG_DISSIMILAR_MATERIALS && !alike),
+           "a model is made without a flag, or of different materials");
     verdict_.model_made = true;
     if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_, nullptr, 0) == WRC_OK,
                 "a contact can be made"))
@@ -256,7 +264,9 @@ class Case {
   }
 
   void call() {
-    switch (choices_.below(11)) {
+    switch (choices_.below(12)) {
+      case 11:
+        return structs_of_other_headers();
       case 8:
       case 9:
       case 10:
@@ -274,6 +284,65 @@ class Case {
       default:
         return step(config_.wheel.kind != WRC_PROFILE_NONE);
     }
+  }
+
+  /// The configuration of a program with another header, beside what became of that with ours.
+  void config_of_another_header(std::int32_t status) {
+    where_ = "configuration of another header";
+    OfAnotherHeader<wrc_config> config(choices_, config_);
+    char text[256] = "";
+    const std::int32_t found = hand_over([&] { return wrc_config_check(config.get(), text, sizeof text); });
+    expect(found == (config.is_readable() ? status : std::int32_t{WRC_ERROR_STRUCT_SIZE}),
+           "it is taken as ours, or refused by its size");
+    expect((found < 0) == (text[0] != '\0') || found > 0, "a refusal has a sentence");
+    where_ = "model";
+  }
+
+  /// Inputs and results of a program with another header: the same results, or refused by their size.
+  void structs_of_other_headers() {
+    where_ = "structs of other headers";
+    if (config_.wheel.kind != WRC_PROFILE_NONE && !size_.shallow) {
+      wrc_wheel_input given;
+      make_wheel_on_rail(choices_, config_, given);
+      given.start = WRC_START_COLD;
+      same_of_another_header<wrc_wheel_input, wrc_wrench>(given, wrc_contact_wrench, true);
+    }
+    wrc_planar_input given = wrc_planar_input_default();
+    GapArrays gap;
+    make_gap(choices_, config_.planar.gap_rows, gap);
+    given.gap = &gap.gap;
+    given.load = make_load(choices_);
+    given.creepage = make_creepage(choices_);
+    // Warm sweeps begin from the step before.
+    const bool cold = config_.planar.start == WRC_START_COLD;
+    same_of_another_header<wrc_planar_input, wrc_planar_output>(given, wrc_planar_step, cold);
+    OfAnotherHeader<wrc_region> region(choices_, sized<wrc_region>());
+    wrc_region ours = sized<wrc_region>();
+    const std::int32_t status = wrc_contact_region(contact_, 0, &ours);
+    const std::int32_t found = wrc_contact_region(contact_, 0, region.get());
+    expect(found == (region.has_a_size() ? status : std::int32_t{WRC_ERROR_STRUCT_SIZE}),
+           "a region is given as ours, or refused by its size");
+    expect(!region.has_a_size() || region.holds(ours), "a region of another header has the same numbers");
+  }
+
+  template <typename Input, typename Result, typename Call>
+  void same_of_another_header(const Input& given, const Call& call, bool repeatable) {
+    Result ours = sized<Result>();
+    const std::int32_t status = hand_over([&] { return call(contact_, &given, &ours); });
+    OfAnotherHeader<Input> input(choices_, given);
+    OfAnotherHeader<Result> result(choices_, sized<Result>());
+    const std::int32_t found = hand_over([&] { return call(contact_, input.get(), result.get()); });
+    if (!input.is_readable() || !result.has_a_size()) {
+      expect(found == WRC_ERROR_STRUCT_SIZE, "it is refused by its size");
+      char text[256] = "";
+      expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+             "an error has a sentence");
+      expect(!result.has_a_size() || result.holds(Result{}), "results of a refused call are zero");
+      return;
+    }
+    if (!repeatable) return;
+    expect(found == status, "the same call of another header has the same status");
+    expect(result.holds(ours), "the same call of another header gives the same bits");
   }
 
   void step(bool with_pose) {
@@ -349,6 +418,7 @@ class Case {
              "an error has a sentence");
       return;
     }
+    check_flags(status, wrench.flags);
     expect(wrench.power >= 0.0 && wrench.area >= 0.0 && wrench.peak_pressure >= 0.0 &&
                wrench.normal_force >= 0.0,
            "areas, pressures and power are not negative");
@@ -456,11 +526,18 @@ class Case {
     }
   }
 
+  /// The status is one of the flags, and OK where there is none.
+  void check_flags(std::int32_t status, std::uint32_t flags) {
+    expect(status == WRC_OK ? flags == 0 : (flags & WRC_FLAG_BIT(status)) != 0,
+           "the status is one of the flags");
+  }
+
   /// What must hold after a step.
   void check_step(std::int32_t status, const wrc_planar_output& results, const wrc_planar_load& load,
                   const wrc_creepage& creepage, double friction) {
     check_results(status, results, friction);
     if (status < 0) return;
+    check_flags(status, results.flags);
     if (load.prescribed == WRC_PRESCRIBE_NORMAL_FORCE) {
       expect(results.forces.fn > 0.0, "a prescribed load presses the bodies together");
       // The tolerance of the configuration, and what finite numbers allow.
